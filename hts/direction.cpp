@@ -1,0 +1,74 @@
+#include "hts/direction.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
+
+#include "hts/error.hpp"
+
+namespace hts {
+namespace {
+
+void require_finite_azimuth(double phi, const char* unit) {
+    if (!std::isfinite(phi)) throw out_of_range("azimuth", phi, unit, "finite");
+}
+
+/// sin(theta_r) - sin(theta_i), from whichever of sine and cosine is the better conditioned.
+double sine_difference(const Direction& in, const Direction& out) {
+    const double sines = in.sin_theta() + out.sin_theta();
+    if (sines < 1) return out.sin_theta() - in.sin_theta();
+    return (in.cos_theta() - out.cos_theta()) * (in.cos_theta() + out.cos_theta()) / sines;
+}
+
+}  // namespace
+
+Direction Direction::from_angles(double theta, double phi) {
+    if (!(theta >= 0 && theta <= std::numbers::pi / 2)) {
+        throw out_of_range("polar angle", theta, "rad", "from 0 to pi/2 rad");
+    }
+    require_finite_azimuth(phi, "rad");
+    return {std::cos(theta), std::sin(theta), std::cos(phi), std::sin(phi)};
+}
+
+Direction Direction::from_degrees(double theta, double phi) {
+    if (!(theta >= 0 && theta <= 90)) throw out_of_range("polar angle", theta, "deg", "from 0 to 90 deg");
+    require_finite_azimuth(phi, "deg");
+    using boost::math::cos_pi;
+    using boost::math::sin_pi;
+    const double turn = std::remainder(phi, 360.0) / 180;
+    // Near the horizon the cosine is the sine of the elevation, whose subtraction is exact.
+    const double cos_theta = theta < 45 ? cos_pi(theta / 180) : sin_pi((90 - theta) / 180);
+    return {cos_theta, sin_pi(theta / 180), cos_pi(turn), sin_pi(turn)};
+}
+
+Direction Direction::from_vector(Vector3 v) {
+    const double length = std::hypot(v.x, v.y, v.z);
+    if (!(length > 0 && std::isfinite(length))) {
+        throw out_of_range("length of a direction vector", length, "", "> 0 and finite");
+    }
+    if (!(v.z >= 0)) throw out_of_range("z of a direction vector", v.z, "", ">= 0 (above the horizon)");
+    const double radius = std::hypot(v.x, v.y);
+    if (radius == 0) return {1, 0, 1, 0};
+    return {v.z / length, radius / length, v.x / radius, v.y / radius};
+}
+
+double WaveVectorChange::cos_theta_d() const noexcept {
+    return std::fmin(1, std::sqrt(squared()) / 2);
+}
+
+double WaveVectorChange::root_geometrical_factor() const noexcept {
+    return vertical > 0 ? squared() / vertical : 0;
+}
+
+WaveVectorChange wave_vector_change(const Direction& in, const Direction& out) noexcept {
+    // |v_xy|^2 = (sin theta_r - sin theta_i)^2 + sin theta_i sin theta_r |u_i + u_r|^2, u the azimuth's unit
+    // vector
+    const double along = sine_difference(in, out);
+    const double across = std::sqrt(in.sin_theta() * out.sin_theta()) *
+                          std::hypot(in.cos_phi() + out.cos_phi(), in.sin_phi() + out.sin_phi());
+    return {std::hypot(along, across), in.cos_theta() + out.cos_theta()};
+}
+
+}  // namespace hts

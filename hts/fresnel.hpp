@@ -1,0 +1,48 @@
+/// Fresnel amplitudes of a plane interface between vacuum and a medium of complex refractive index.
+///
+/// Conventions: index n + ik with k >= 0 for the time factor exp(-i omega t); s is perpendicular and p
+/// parallel to the plane of incidence. F_p has the sign for which F_s = -F_p at normal incidence.
+#pragma once
+
+#include <complex>
+
+namespace hts {
+
+namespace accuracy {
+inline constexpr double fresnel = 2e-15;  ///< of either amplitude, absolute
+}
+
+/// Complex refractive index relative to the medium of incidence.
+class RefractiveIndex {
+  public:
+    ///   n   > 0, at most 1e24     k   0 ... 1e24, else hts::Error
+    RefractiveIndex(double n, double k);
+
+    [[nodiscard]] double n() const noexcept { return n_; }
+    [[nodiscard]] double k() const noexcept { return k_; }
+
+  private:
+    double n_, k_;
+};
+
+/// Reflected over incident field for the two polarisations.
+struct FresnelAmplitudes {
+    std::complex<double> s, p;
+
+    /// (|F_s|^2 + |F_p|^2) / 2, what unpolarised light keeps [He91 (75)].
+    [[nodiscard]] double unpolarised_reflectance() const noexcept {
+        return (std::norm(s) + std::norm(p)) / 2;
+    }
+};
+
+/// Fresnel amplitudes at a local angle of incidence.
+///   formula     F_s = (c - r)/(c + r), F_p = (N^2 c - r)/(N^2 c + r), r = sqrt(N^2 - 1 + c^2), N = n + ik,
+///   written
+///               as -d/(c + r)^2 and d (c^2 N^2 - sin^2)/(N^2 c + r)^2 with d = N^2 - 1, which does not
+///               cancel as N -> 1 [He91 (44); physics of Born and Wolf, section 1.5]
+///   cos_theta   c, cosine of the angle of incidence   [1]   0 ... 1
+///   limits      N = 1: both 0; c = 0: both -1
+///   error       accuracy::fresnel
+[[nodiscard]] FresnelAmplitudes fresnel(double cos_theta, const RefractiveIndex& index) noexcept;
+
+}  // namespace hts

@@ -1,0 +1,120 @@
+/// The reflectance model of He, Torrance, Sillion and Greenberg (SIGGRAPH 1991) at one wavelength:
+///
+///   f = specular + directional diffuse + uniform diffuse                                           [He91
+///   (5)]
+///
+///   specular             a delta in the mirror direction, reflectance |F|^2 exp(-g) S              [He91
+///   (73)] directional diffuse  |F|^2 G S D / (pi cos theta_i cos theta_r), D = pi^2 tau^2/(4 lambda^2)
+///   Phi(g, t)
+///                                                                                            [He91 (71),
+///                                                                                            (78)]
+///   uniform diffuse      a / pi: the paper prints a(lambda), but its numbers are albedos            [He91
+///   (72)]
+///
+/// Work that many evaluations share is split off: `view` once per direction, `PairFactors` once per pair, the
+/// rest once per wavelength. BRDFs are in 1/sr, reflectances 0 ... 1. Every function is total: 0 where a
+/// direction grazes, never NaN.
+#pragma once
+
+#include "hts/direction.hpp"
+#include "hts/fresnel.hpp"
+#include "hts/phi.hpp"
+#include "hts/polarisation.hpp"
+#include "hts/shadowing.hpp"
+#include "hts/surface.hpp"
+#include "hts/wavelength.hpp"
+
+namespace hts {
+
+namespace accuracy {
+inline constexpr double brdf = 4e-12;                  ///< of `directional_diffuse`, relative, above 1e-280
+inline constexpr double specular_reflectance = 7e-13;  ///< of `specular_reflectance`, relative, above 1e-280
+inline constexpr double mueller = 4e-12;               ///< of every Mueller element, relative to element 00
+}  // namespace accuracy
+
+/// A direction together with what a given surface lets it see.
+struct View {
+    Direction direction;
+    Visibility visibility;
+};
+
+[[nodiscard]] View view(const Surface& surface, const Direction& direction) noexcept;
+
+/// All that a pair of directions contributes to the directional-diffuse term, whatever the wavelength.
+class PairFactors {
+  public:
+    /// Both views must be of this surface.
+    PairFactors(const Surface& surface, const View& in, const View& out) noexcept;
+
+    [[nodiscard]] const WaveVectorChange& change() const noexcept { return change_; }
+    [[nodiscard]] double cos_theta_d() const noexcept { return cos_theta_d_; }
+    /// sigma [um], the roughness of what is lit and seen [He91 (80)].
+    [[nodiscard]] double effective_roughness() const noexcept { return effective_roughness_; }
+    /// S, the shadowing of the pair [He91 (23)].
+    [[nodiscard]] double shadowing() const noexcept { return shadowing_; }
+    /// g [He91 (79)].
+    [[nodiscard]] double phase_variance(const Wavelength& wavelength) const noexcept;
+    /// t = v_xy^2 tau^2 / 4.
+    [[nodiscard]] double lobe_argument(const Wavelength& wavelength) const noexcept;
+    /// The lobe for |F|^2 = 1 [1/sr], from Phi(g, t) at that wavelength.
+    [[nodiscard]] double lobe(double phi, const Wavelength& wavelength) const noexcept;
+
+  private:
+    WaveVectorChange change_;
+    double cos_theta_d_;
+    double effective_roughness_;
+    double shadowing_;
+    double correlation_length_;
+    double shadowing_over_cosines_;  // S / (cos theta_i cos theta_r)
+};
+
+/// Directional-diffuse BRDF and what it was made of.
+struct DirectionalDiffuse {
+    double brdf;                   ///< [1/sr], unpolarised
+    double lobe;                   ///< brdf / |F|^2 [1/sr]
+    FresnelAmplitudes amplitudes;  ///< at theta_d
+    double phase_variance;         ///< g
+    double lobe_argument;          ///< t
+    PhiMethod method;              ///< which branch computed Phi
+};
+
+/// Directional-diffuse term for unpolarised light.
+///   error   accuracy::brdf
+[[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
+                                                     const RefractiveIndex& index) noexcept;
+
+/// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
+///   error   accuracy::mueller
+[[nodiscard]] Mueller directional_diffuse_mueller(const Direction& in, const Direction& out,
+                                                  const DirectionalDiffuse& term) noexcept;
+
+/// Coefficient of the specular delta: reflectance into the mirror direction. Not a BRDF value, so it does not
+/// add to one; averaged over a detector's or source's solid angle it is value() / (cos theta_i solid angle)
+/// [He91 (70)].
+class SpecularReflectance {
+  public:
+    explicit SpecularReflectance(double value) noexcept : value_{value} {}
+    [[nodiscard]] double value() const noexcept { return value_; }
+
+  private:
+    double value_;
+};
+
+/// Specular term for unpolarised light, |F(theta_i)|^2 exp(-g) S, all at theta_r = theta_i.
+///   error   accuracy::specular_reflectance
+[[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,
+                                                       const Wavelength& wavelength,
+                                                       const RefractiveIndex& index) noexcept;
+
+/// Its Mueller matrix [1]: that of diag(F_s, F_p), times exp(-g) S.
+[[nodiscard]] Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
+                                       const RefractiveIndex& index) noexcept;
+
+/// Uniform-diffuse BRDF, albedo / pi [1/sr].
+///   albedo   a, 0 ... 1, else hts::Error
+[[nodiscard]] double uniform_diffuse(double albedo);
+
+/// Its Mueller matrix [1/sr]: a depolariser.
+[[nodiscard]] Mueller uniform_diffuse_mueller(double albedo);
+
+}  // namespace hts

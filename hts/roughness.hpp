@@ -1,0 +1,29 @@
+/// Effective roughness of the lit and seen part of a surface, and the phase variance it causes.
+#pragma once
+
+#include "hts/wavelength.hpp"
+
+namespace hts {
+
+namespace accuracy {
+inline constexpr double effective_roughness = 6e-16;  ///< of `effective_roughness_ratio`, relative
+}
+
+/// Fraction of the rms roughness that stays visible, sigma / sigma_0.
+///   formula       1 / sqrt(1 + W_0(K^2 / 8 pi)): closed form of [He91 (80), (81)], no iteration.
+///                 Derivation: (81) reads z_0 sqrt(pi/2) = (sigma_0/4) K exp(-z_0^2 / 2 sigma_0^2) and (80)
+///                 sigma^2 = sigma_0^2 / (1 + z_0^2/sigma_0^2); with y = z_0^2/sigma_0^2, y exp(y) = K^2 / 8
+///                 pi
+///   obstruction   K of the incident plus K of the outgoing direction   [1]   0 ... infinity
+///   range         [0, 1], falling; 1 at K = 0, 0 at infinity
+///   error         accuracy::effective_roughness
+[[nodiscard]] double effective_roughness_ratio(double obstruction) noexcept;
+
+/// Variance of the phase that heights add, g.
+///   formula               (2 pi sigma / lambda (cos theta_i + cos theta_r))^2 [He91 (79)]
+///   effective_roughness   sigma [um]
+///   vertical              cos theta_i + cos theta_r [1], `WaveVectorChange::vertical`
+[[nodiscard]] double phase_variance(double effective_roughness, double vertical,
+                                    const Wavelength& wavelength) noexcept;
+
+}  // namespace hts

@@ -1,0 +1,128 @@
+#include "hts/phi.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/special_functions/expint.hpp>
+#include <catch2/catch.hpp>
+
+#include "comparison.hpp"
+
+using hts::phi;
+using hts::PhiMethod;
+using hts::testing::Random;
+using hts::testing::ReferenceTable;
+using hts::testing::relative_error;
+using hts::testing::WorstCase;
+
+namespace {
+
+constexpr double representable = 1e-280;
+
+std::string at(double g, double t) {
+    return "g = " + std::to_string(g) + ", t = " + std::to_string(t);
+}
+
+}  // namespace
+
+TEST_CASE("phi and its logarithm agree with 50 digits") {
+    const ReferenceTable table{"phi.csv"};
+    WorstCase value{"phi", hts::accuracy::phi};
+    WorstCase log{"log phi", hts::accuracy::log_phi};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const auto computed = phi(table(row, "g"), table(row, "t"));
+        const auto where = [&] { return table.describe(row, {"g", "t"}); };
+        const double expected = table(row, "phi");
+        const double expected_log = table(row, "log_phi");
+        if (expected > representable) value.note(relative_error(computed.value, expected), where);
+        log.note(std::abs(computed.log - expected_log) / std::fmax(1, std::abs(expected_log)), where);
+    }
+    value.check();
+    log.check();
+}
+
+TEST_CASE("phi at t = 0 is the exponential integral's combination") {
+    WorstCase worst{"phi at t = 0", hts::accuracy::phi};
+    for (const double g : {0.5, 1.0, 3.0, 10.0, 49.0, 51.0, 200.0, 600.0}) {
+        const double expected =
+            std::exp(-g) * (boost::math::expint(g) - std::log(g) - boost::math::constants::euler<double>());
+        worst.note(relative_error(phi(g, 0).value, expected), [&] { return at(g, 0); });
+    }
+    worst.check();
+}
+
+TEST_CASE("phi of little roughness is its first term") {
+    for (const double g : {1e-300, 1e-200, 1e-30, 1e-14}) {
+        for (const double t : {0.0, 1e-3, 1.0, 10.0}) {
+            CHECK(relative_error(phi(g, t).value, g * std::exp(-t)) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("phi of much roughness is the geometric-optics limit") {
+    for (const double g : {1e12, 1e20, 1e100, 1e300}) {
+        for (const double ratio : {0.0, 0.1, 1.0, 30.0}) {
+            const double limit = std::exp(-ratio) / g;
+            CHECK(relative_error(phi(g, ratio * g).value, limit) < 3e-9);
+        }
+    }
+}
+
+TEST_CASE("phi obeys its sum rule over the plane") {
+    // integral of Phi(g, |v|^2 tau^2/4) d^2v = (4 pi / tau^2)(1 - exp(-g)), that is integral of Phi dt = 1 -
+    // exp(-g)
+    boost::math::quadrature::exp_sinh<double> integrator;
+    for (const double g : {0.01, 0.7, 5.0, 48.0, 52.0, 900.0}) {
+        const double integral = integrator.integrate([g](double t) { return phi(g, t).value; }, 1e-13);
+        CHECK(integral == Approx(-std::expm1(-g)).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("phi obeys g^2 phi_gg + ... : its defining equation in g") {
+    // Psi = g (dPhi/dg + Phi) has dPsi/dt = -Phi; both by central differences of log Phi
+    Random random{5};
+    for (int i = 0; i < 200; ++i) {
+        const double g = random.logarithmic(0.1, 1e4);
+        const double t = g * random.uniform(0.01, 8);
+        const auto psi = [g](double u) {
+            const double h = 1e-4 * g;
+            const double derivative = (phi(g + h, u).value - phi(g - h, u).value) / (2 * h);
+            return g * (derivative + phi(g, u).value);
+        };
+        const double step = 1e-3 * std::sqrt(t * g) / (1 + g) * (1 + t / g);
+        const double slope = (psi(t + step) - psi(t - step)) / (2 * step);
+        CHECK(slope == Approx(-phi(g, t).value).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("the two methods of phi meet") {
+    // m* = 50 and a width of 3 separate them; Phi itself changes by about 1e-9 over the gap taken here
+    WorstCase worst{"phi across its regimes", 1e-11};
+    for (const double t : {0.0, 1.0, 10.0}) {
+        const double g = 50 * std::exp(-t / 2500);
+        const auto below = phi(g * (1 - 1e-13), t);
+        const auto above = phi(g * (1 + 1e-13), t);
+        CHECK(below.method != above.method);
+        worst.note(relative_error(below.value, above.value), [&] { return at(g, t); });
+    }
+    worst.check();
+}
+
+TEST_CASE("phi is total") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(phi(0, 3).value == 0);
+    CHECK(phi(0, 3).log == -infinity);
+    CHECK(phi(0, 3).method == PhiMethod::zero);
+    CHECK(phi(7, infinity).value == 0);
+    for (const double g : {5e-324, 1e-300, 1e-10, 1.0, 50.0, 1e10, 1e300}) {
+        for (const double t : {0.0, 5e-324, 1e-300, 1.0, 1e10, 1e300}) {
+            const auto computed = phi(g, t);
+            INFO(at(g, t));
+            CHECK(computed.value >= 0);
+            CHECK(computed.value <= 1);
+            CHECK(std::isfinite(computed.log));
+        }
+    }
+}
