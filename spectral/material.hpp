@@ -19,8 +19,11 @@ class Material {
     /// The same index at every wavelength.
     [[nodiscard]] static Material constant(const RefractiveIndex& index);
 
-    ///   name      for messages and lists, "Al" or a path      source   where the numbers come from, with
-    ///   licence n         real part            k   imaginary part; none means 0
+    ///   name      for messages and lists, "Al" or a path
+    ///   source    where the numbers come from, with licence
+    ///   n         real part
+    ///   k         imaginary part; none means 0
+    /// hts::Error if there is no wavelength at which both are known.
     Material(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k);
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }

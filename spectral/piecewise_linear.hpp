@@ -1,6 +1,7 @@
 /// A quantity tabulated against wavelength and joined by straight lines.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,14 @@ class PiecewiseLinear {
         double um, value;
     };
     /// Points in any order; those with the same wavelength are averaged. Needs at least one point,
-    /// wavelengths > 0 and finite, values finite, else hts::Error.
+    /// wavelengths as hts::Wavelength takes them, values finite, else hts::Error.
     explicit PiecewiseLinear(std::vector<Point> points);
 
     [[nodiscard]] WavelengthRange range() const noexcept;
     /// Value at a wavelength [um]; outside the range that of the nearer end.
     [[nodiscard]] double operator()(double um) const noexcept;
+    /// The points, wavelengths strictly increasing.
+    [[nodiscard]] std::span<const Point> points() const noexcept { return points_; }
 
   private:
     std::vector<Point> points_;

@@ -51,7 +51,6 @@ class SpectralReflectance {
         Wavelength wavelength;
         RefractiveIndex index;
         double uniform_diffuse;  // BRDF [1/sr]
-        double albedo;
     };
     void evaluate(const DirectionPair& pair, std::span<double> result) const noexcept;
 

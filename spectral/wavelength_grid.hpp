@@ -13,11 +13,15 @@ namespace hts::spectral {
 /// Strictly increasing vacuum wavelengths, at least one.
 class WavelengthGrid {
   public:
-    /// `count` equally spaced wavelengths [um], ends included; count >= 1 (one: first = last), first < last.
+    static constexpr int most_wavelengths = 1'000'000;
+
+    /// `count` equally spaced wavelengths [um], ends included; count from 1 (then first = last) to
+    /// most_wavelengths, first < last, else hts::Error.
     [[nodiscard]] static WavelengthGrid linear(double first_um, double last_um, int count);
     /// From a list [um], strictly increasing, else hts::Error.
     [[nodiscard]] static WavelengthGrid from_micrometres(std::vector<double> micrometres);
-    /// From text: "0.38:0.78:41" (first:last:count) or "0.45,0.55,0.65" [um].
+    /// From text: "0.38:0.78:41" (first:last:count) or "0.45,0.55,0.65" [um]; hts::Error that quotes the
+    /// text.
     [[nodiscard]] static WavelengthGrid parse(std::string_view text);
 
     [[nodiscard]] std::size_t size() const noexcept { return micrometres_.size(); }
