@@ -33,7 +33,9 @@ std::string take_plain(std::string_view& line) {
     return field;
 }
 
-std::vector<std::string> fields_of(std::string_view line) {
+}  // namespace
+
+std::vector<std::string> csv_fields(std::string_view line) {
     std::vector<std::string> fields;
     for (;;) {
         line = trimmed(line);
@@ -44,8 +46,6 @@ std::vector<std::string> fields_of(std::string_view line) {
         line.remove_prefix(1);
     }
 }
-
-}  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& path) {
     return parse(read_text_file(path), path.string());
@@ -59,7 +59,7 @@ CsvTable CsvTable::parse(std::string_view text, std::string name) {
         ++number;
         line = trimmed(line);
         if (line.empty() || line.front() == '#') continue;
-        auto fields = located(place(table.name_, number), [line] { return fields_of(line); });
+        auto fields = located(place(table.name_, number), [line] { return csv_fields(line); });
         if (table.columns_.empty()) {
             table.add_header(std::move(fields), number);
         } else {

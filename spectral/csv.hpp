@@ -61,6 +61,10 @@ class CsvTable {
     std::vector<std::size_t> lines_;   // one per row
 };
 
+/// What the fields of one line hold, without the white space and quotation marks around them; hts::Error if a
+/// quotation mark has no partner.
+[[nodiscard]] std::vector<std::string> csv_fields(std::string_view line);
+
 /// A field as it must be written: in quotation marks where it holds a comma, a quotation mark, a `#` in front
 /// or white space at an end.
 [[nodiscard]] std::string csv_field(std::string_view text);

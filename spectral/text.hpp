@@ -1,4 +1,4 @@
-/// Text files, lines, words and numbers, with errors that say where. Private to the library's readers.
+/// Text files, lines, words and numbers, with errors that say where. Not installed.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,165 @@
+// hts eval: BRDF, specular reflectance and Mueller matrix at given directions and wavelengths.
+
+#include <iostream>
+#include <memory>
+
+#include "cli/eval_answer.hpp"
+#include "cli/options.hpp"
+#include "cli/random_pairs.hpp"
+#include "cli/transform.hpp"
+#include "cli/usage.hpp"
+#include "cli/verbs.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
+phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
+albedo, which go before the material's. Without wavelength_um every row is evaluated at
+--wavelength or --wavelengths. Other columns are repeated and not used. The answer
+repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr] and
+specular_reflectance [1]. All directions point away from the surface; the mirror
+direction is theta_r = theta_i, phi_r = phi_i + 180.
+
+Examples:
+  hts eval --material aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
+  hts eval --material aluminium.json --points points.csv --output values.csv --detail
+  hts eval --material aluminium.json --points - --wavelengths 0.4:0.7:31 < pairs.csv
+  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000)";
+
+struct EvalOptions {
+    MaterialOptions material;
+    DirectionOptions directions;
+    OutputOptions output;
+    std::optional<double> wavelength;
+    std::string wavelengths, points, polarisation;
+    std::optional<std::uint64_t> random_pairs;
+    std::uint64_t seed = 1;
+    bool mueller = false, detail = false;
+};
+
+std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) {
+    if (!options.wavelengths.empty()) return wavelengths_from_option(options.wavelengths);
+    if (!options.wavelength) return std::nullopt;
+    return spectral::WavelengthGrid::from_micrometres(
+        {wavelength_from_option(*options.wavelength).micrometres()});
+}
+
+/// The one point that the options describe, as a file of one row.
+CsvReader single_point(const EvalOptions& options) {
+    const DirectionOptions& to = options.directions;
+    if (!to.any() && !wavelengths(options)) {
+        throw UsageError{
+            "points missing: must be given by --points, or by --wavelength, --theta-i, --theta-r and --phi"};
+    }
+    if (!wavelengths(options)) throw UsageError{"--wavelength missing: must be given in um"};
+    static_cast<void>(to.pair());  // complains about options, where the row would complain about a file
+    const std::string header = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";
+    const std::string row = shortest(*to.theta_i) + "," + shortest(to.incident_azimuth()) + "," +
+                            shortest(*to.theta_r) + "," + shortest(to.reflected_azimuth()) + "\n";
+    if (!options.wavelength) return CsvReader::from_text(header + row);
+    return CsvReader::from_text("wavelength_um," + header + shortest(*options.wavelength) + "," + row);
+}
+
+void warn_of_unused(const PointEvaluator& evaluator, const CsvReader& points) {
+    std::string names;
+    for (const std::string& name : evaluator.unused_columns(points))
+        names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty())
+        std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
+}
+
+std::optional<spectral::Reflector> reflector(const EvalOptions& options) {
+    if (options.material.path.empty()) return std::nullopt;
+    return spectral::read_reflector(options.material.path);
+}
+
+void evaluate_points(const EvalOptions& options) {
+    CsvReader points = options.points.empty() ? single_point(options) : CsvReader{options.points};
+    const bool own_wavelength = options.points.empty() && options.wavelength;
+    const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
+    const PointEvaluator evaluator{points, reflector(options), grid, options.material.policy()};
+    warn_of_unused(evaluator, points);
+    EvalAnswer answer{grid.has_value(), options.mueller, options.detail};
+    if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
+
+    Output output{options.output.path};
+    std::vector<std::string> columns = points.columns();
+    for (std::string& added : answer.columns()) columns.push_back(std::move(added));
+    TableWriter table{output, format_of(options.output.path, options.output.json), std::move(columns)};
+    const Summary summary = Transform<Evaluation>{points, table, evaluator.wavelengths()}.run(
+        [&](const CsvRow& row, std::span<Evaluation> result) {
+            evaluator.evaluate(row, answer.needs_mueller(), result);
+        },
+        [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
+    output.commit();
+    if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
+}
+
+void evaluate_random(const EvalOptions& options) {
+    const auto grid = wavelengths(options);
+    const auto described = reflector(options);
+    if (!grid || !described || *options.random_pairs == 0) {
+        throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
+    }
+    const spectral::SpectralReflectance reflectance{*described, *grid, options.material.policy()};
+    const auto [summary, mean_brdf] = evaluate_random_pairs(reflectance, *options.random_pairs, options.seed);
+    Output output{options.output.path};
+    TableWriter table{output,
+                      format_of(options.output.path, options.output.json),
+                      {"pairs", "wavelengths", "seed", "mean_brdf"}};
+    std::string text;
+    TableWriter::Row row{table, text};
+    row.field(std::to_string(summary.pairs)).field(std::to_string(summary.wavelengths));
+    row.field(std::to_string(options.seed)).number(mean_brdf).end();
+    table.add(text);
+    table.finish();
+    output.commit();
+    std::cerr << "hts: " << summary.text() << '\n';
+}
+
+void require_one_of(bool first, bool second, const char* names) {
+    if (first && second) throw UsageError{std::string{names} + " both given: must be one of them"};
+}
+
+void run(const EvalOptions& options) {
+    require_one_of(options.wavelength.has_value(), !options.wavelengths.empty(),
+                   "--wavelength and --wavelengths");
+    require_one_of(!options.points.empty(), options.directions.any(), "--points and a direction");
+    require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
+    require_one_of(options.directions.any(), options.random_pairs.has_value(),
+                   "--random-pairs and a direction");
+    options.random_pairs ? evaluate_random(options) : evaluate_points(options);
+}
+
+}  // namespace
+
+void add_eval(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
+    auto options = std::make_shared<EvalOptions>();
+    options->material.add_to(*verb);
+    verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
+    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
+    verb->add_option("--points", options->points, "CSV file of points, - for standard input");
+    options->directions.add_to(*verb);
+    options->output.add_to(*verb);
+    verb->add_flag("--mueller", options->mueller,
+                   "add the Mueller matrix m00 ... m33 of the directional-diffuse term");
+    verb->add_flag("--detail", options->detail,
+                   "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
+                   "goes to standard error");
+    verb->add_option(
+        "--polarisation", options->polarisation,
+        "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
+        "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
+    verb->add_option("--random-pairs", options->random_pairs,
+                     "instead of points: this many random pairs of directions,\n"
+                     "the BRDF at all wavelengths in one call; prints mean and speed");
+    verb->add_option("--seed", options->seed, "of the random pairs")->capture_default_str();
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,67 @@
+// hts: reflectance of rough surfaces from physical optics. Exit codes: 0 done, 1 the data or a check failed,
+// 2 wrong usage. Data go to standard output, messages to standard error.
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "cli/usage.hpp"
+#include "cli/verbs.hpp"
+
+namespace {
+
+enum ExitCode { done = 0, data_failed = 1, wrong_usage = 2 };
+
+int fail(ExitCode code, const std::string& message) {
+    std::cerr << "hts: " << message << '\n';
+    return code;
+}
+
+void add_verbs(CLI::App& program) {
+    hts::cli::add_eval(program);
+    hts::cli::add_phi(program);
+    hts::cli::add_spectrum(program);
+    hts::cli::add_polar(program);
+    hts::cli::add_materials(program);
+}
+
+/// The first argument must be an option of the program or a verb.
+void require_known_verb(const CLI::App& program, int argc, char** argv) {
+    const std::string first = argc < 2 ? "" : argv[1];
+    if (first.starts_with('-')) return;
+    std::string names;
+    for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+        if (verb->get_name() == first) return;
+        names += (names.empty() ? "" : ", ") + verb->get_name();
+    }
+    const std::string problem = argc < 2 ? "verb missing" : "unknown verb \"" + first + "\"";
+    throw hts::cli::UsageError{problem + ": must be one of " + names + " (see hts --help)"};
+}
+
+void run(CLI::App& program, int argc, char** argv) {
+    require_known_verb(program, argc, argv);
+    program.parse(argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program{"Reflectance of rough surfaces from physical optics (He, Torrance et al. 1991)", "hts"};
+    program.set_version_flag("--version", "hts " HTS_VERSION);
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(34);
+    add_verbs(program);
+    program.footer("Each verb explains itself: hts eval --help");
+    try {
+        run(program, argc, argv);
+        return done;
+    } catch (const CLI::Success& help_or_version) {
+        return program.exit(help_or_version);
+    } catch (const CLI::ParseError& error) {
+        return fail(wrong_usage, error.what());
+    } catch (const hts::cli::UsageError& error) {
+        return fail(wrong_usage, error.what());
+    } catch (const std::exception& error) {
+        return fail(data_failed, error.what());
+    }
+}

@@ -1,0 +1,81 @@
+#include "cli/options.hpp"
+
+#include <vector>
+
+#include "cli/csv_reader.hpp"
+#include "cli/usage.hpp"
+
+namespace hts::cli {
+namespace {
+
+std::vector<double> numbers(const std::string& text, const std::string& quantity) {
+    std::vector<double> values;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        values.push_back(number(text.substr(start, end - start), quantity));
+        start = end + 1;
+    }
+    return values;
+}
+
+Stokes stokes_from_numbers(const std::string& text) {
+    const std::vector<double> s = numbers(text, "Stokes parameter");
+    if (s.size() != 4) throw Error{"\"" + text + "\": must be s, p, unpolarised or s0,s1,s2,s3"};
+    return {s[0], s[1], s[2], s[3]};
+}
+
+}  // namespace
+
+void DirectionOptions::add_to(CLI::App& verb) {
+    verb.add_option("--theta-i", theta_i, "polar angle of the light [deg], 0 ... 90");
+    verb.add_option("--theta-r", theta_r, "polar angle of the view [deg], 0 ... 90");
+    verb.add_option("--phi", phi, "azimuth between light and view [deg]; mirror: 180");
+    verb.add_option("--phi-i", phi_i, "azimuth of the light [deg], default 0");
+    verb.add_option("--phi-r", phi_r, "azimuth of the view [deg]");
+}
+
+bool DirectionOptions::any() const noexcept {
+    return theta_i || theta_r || phi || phi_i || phi_r;
+}
+
+std::string DirectionOptions::missing() const {
+    if (!theta_i) return "--theta-i";
+    if (!theta_r) return "--theta-r";
+    return phi || phi_r ? "" : "--phi";
+}
+
+spectral::DirectionPair DirectionOptions::pair() const {
+    if (!missing().empty()) throw UsageError{missing() + " missing: must be given in degrees"};
+    if (phi && (phi_i || phi_r)) throw UsageError{"--phi: must not come with --phi-i or --phi-r"};
+    const auto incident = [&] { return Direction::from_degrees(*theta_i, incident_azimuth()); };
+    const auto reflected = [&] { return Direction::from_degrees(*theta_r, reflected_azimuth()); };
+    return {from_option("light", incident), from_option("view", reflected)};
+}
+
+void OutputOptions::add_to(CLI::App& verb) {
+    verb.add_option("--output,-o", path, "file to write, - for standard output; .json gives JSON")
+        ->capture_default_str();
+    verb.add_flag("--json", json, "write JSON instead of CSV");
+}
+
+CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
+    verb.add_flag("--clamp", clamp, "outside the material's wavelength range use its end values");
+    return verb.add_option("--material,-m", path, "material file (JSON)");
+}
+
+Stokes stokes_from_option(const std::string& text) {
+    if (text == "s") return Stokes::s_polarised();
+    if (text == "p") return Stokes::p_polarised();
+    if (text == "unpolarised") return Stokes::unpolarised();
+    return from_option("--polarisation", [&] { return stokes_from_numbers(text); });
+}
+
+Wavelength wavelength_from_option(double um) {
+    return from_option("--wavelength", [&] { return Wavelength::from_micrometres(um); });
+}
+
+spectral::WavelengthGrid wavelengths_from_option(const std::string& text) {
+    return from_option("--wavelengths", [&] { return spectral::WavelengthGrid::parse(text); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,55 @@
+/// Options that several verbs share, and their way from degrees and text to the library's types.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "hts/polarisation.hpp"
+#include "spectral/reflectance.hpp"
+
+namespace hts::cli {
+
+/// --theta-i, --theta-r and the azimuths: --phi between the two, or --phi-i and --phi-r [deg].
+struct DirectionOptions {
+    std::optional<double> theta_i, theta_r, phi, phi_i, phi_r;
+
+    void add_to(CLI::App& verb);
+    /// Whether any of them was given.
+    [[nodiscard]] bool any() const noexcept;
+    /// The first option that is lacking, "" if none is.
+    [[nodiscard]] std::string missing() const;
+    [[nodiscard]] double incident_azimuth() const noexcept { return phi_i.value_or(0); }
+    [[nodiscard]] double reflected_azimuth() const noexcept { return phi ? *phi : phi_r.value_or(0); }
+    /// Throws UsageError if an option is missing or an angle out of range.
+    [[nodiscard]] spectral::DirectionPair pair() const;
+};
+
+/// --output and --json.
+struct OutputOptions {
+    std::string path = "-";
+    bool json = false;
+
+    void add_to(CLI::App& verb);
+};
+
+/// --material and --clamp.
+struct MaterialOptions {
+    std::string path;
+    bool clamp = false;
+
+    /// The option of the file, for `required()`.
+    CLI::Option* add_to(CLI::App& verb);
+    [[nodiscard]] spectral::OutsideRange policy() const noexcept {
+        return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+    }
+};
+
+/// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
+[[nodiscard]] Stokes stokes_from_option(const std::string& text);
+
+/// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
+Wavelength wavelength_from_option(double um);
+[[nodiscard]] spectral::WavelengthGrid wavelengths_from_option(const std::string& text);
+
+}  // namespace hts::cli

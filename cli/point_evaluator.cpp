@@ -1,0 +1,141 @@
+#include "cli/point_evaluator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cli/usage.hpp"
+#include "hts/error.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr std::array known_columns{
+    "wavelength_um",    "theta_i_deg",           "phi_i_deg", "theta_r_deg", "phi_r_deg", "n", "k",
+    "rms_roughness_um", "correlation_length_um", "albedo"};
+
+double cell(const CsvRow& row, std::size_t column, const char* name) {
+    return number(row.fields[column], name);
+}
+
+Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const std::string& name) {
+    const double polar = cell(row, theta, ("theta_" + name + "_deg").c_str());
+    const double azimuth = cell(row, phi, ("phi_" + name + "_deg").c_str());
+    try {
+        return Direction::from_degrees(polar, azimuth);
+    } catch (const Error& error) {
+        throw Error{(name == "i" ? "light: " : "view: ") + std::string{error.what()}};
+    }
+}
+
+}  // namespace
+
+PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
+    : theta_i{points.required_column("theta_i_deg")},
+      phi_i{points.required_column("phi_i_deg")},
+      theta_r{points.required_column("theta_r_deg")},
+      phi_r{points.required_column("phi_r_deg")},
+      wavelength{needs_wavelength ? points.required_column("wavelength_um") : points.column("wavelength_um")},
+      n{points.column("n")},
+      k{points.column("k")},
+      rms_roughness{points.column("rms_roughness_um")},
+      correlation_length{points.column("correlation_length_um")},
+      albedo{points.column("albedo")} {}
+
+PointEvaluator::PointEvaluator(const CsvReader& points, std::optional<spectral::Reflector> reflector,
+                               std::optional<spectral::WavelengthGrid> wavelengths,
+                               spectral::OutsideRange policy)
+    : columns_{points, !wavelengths},
+      reflector_{std::move(reflector)},
+      wavelengths_{std::move(wavelengths)},
+      policy_{policy} {
+    if (wavelengths_ && columns_.wavelength) {
+        throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
+    }
+    if (!reflector_) require_material(points);
+    if (!same_for_all_rows()) return;
+    for (std::size_t i = 0; i < wavelengths_->size(); ++i)
+        samples_.push_back(sample(nullptr, (*wavelengths_)[i]));
+}
+
+void PointEvaluator::require_material(const CsvReader& points) const {
+    const std::array<std::pair<const char*, Column>, 4> needed{
+        {{"n", columns_.n},
+         {"k", columns_.k},
+         {"rms_roughness_um", columns_.rms_roughness},
+         {"correlation_length_um", columns_.correlation_length}}};
+    const auto absent = [](const auto& column) { return !column.second; };
+    if (std::all_of(needed.begin(), needed.end(), absent)) {
+        throw UsageError{
+            "--material missing: must be given, or columns n, k, rms_roughness_um, correlation_length_um"};
+    }
+    const auto gap = std::find_if(needed.begin(), needed.end(), absent);
+    if (gap == needed.end()) return;
+    throw Error{points.where_header() + "column " + gap->first +
+                " missing: must be in the header where no --material is given"};
+}
+
+bool PointEvaluator::same_for_all_rows() const noexcept {
+    return wavelengths_ && !columns_.n && !columns_.k && !columns_.albedo;
+}
+
+std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points) const {
+    std::vector<std::string> unused;
+    for (const std::string& column : points.columns()) {
+        const std::string& name = column;
+        if (std::find(known_columns.begin(), known_columns.end(), name) == known_columns.end()) {
+            unused.push_back(name);
+        }
+    }
+    return unused;
+}
+
+void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result) const {
+    const Direction in = direction(row, columns_.theta_i, columns_.phi_i, "i");
+    const Direction out = direction(row, columns_.theta_r, columns_.phi_r, "r");
+    const Surface rough = surface(row);
+    const View light = view(rough, in);
+    const PairFactors pair{rough, light, view(rough, out)};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Sample at = samples_.empty() ? sample(&row, wavelength(row, i)) : samples_[i];
+        const DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
+        const double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
+        result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
+                     pair.effective_roughness(),  pair.shadowing(), Mueller{}};
+        if (with_mueller) result[i].mueller = directional_diffuse_mueller(in, out, directional);
+    }
+}
+
+Surface PointEvaluator::surface(const CsvRow& row) const {
+    if (!columns_.rms_roughness && !columns_.correlation_length) return reflector_->surface;
+    const double rms_roughness = columns_.rms_roughness
+                                     ? cell(row, *columns_.rms_roughness, "rms_roughness_um")
+                                     : reflector_->surface.rms_roughness();
+    const double correlation_length = columns_.correlation_length
+                                          ? cell(row, *columns_.correlation_length, "correlation_length_um")
+                                          : reflector_->surface.correlation_length();
+    return {rms_roughness, correlation_length};
+}
+
+PointEvaluator::Sample PointEvaluator::sample(const CsvRow* row, const Wavelength& wavelength) const {
+    return {wavelength, index(row, wavelength), hts::uniform_diffuse(albedo(row, wavelength))};
+}
+
+RefractiveIndex PointEvaluator::index(const CsvRow* row, const Wavelength& wavelength) const {
+    if (columns_.n && columns_.k) return {cell(*row, *columns_.n, "n"), cell(*row, *columns_.k, "k")};
+    const RefractiveIndex own = reflector_->material.index(wavelength, policy_);
+    return {columns_.n ? cell(*row, *columns_.n, "n") : own.n(),
+            columns_.k ? cell(*row, *columns_.k, "k") : own.k()};
+}
+
+double PointEvaluator::albedo(const CsvRow* row, const Wavelength& wavelength) const {
+    if (columns_.albedo) return cell(*row, *columns_.albedo, "albedo");
+    return reflector_ ? reflector_->albedo(wavelength, policy_) : 0;
+}
+
+Wavelength PointEvaluator::wavelength(const CsvRow& row, std::size_t i) const {
+    if (wavelengths_) return (*wavelengths_)[i];
+    return Wavelength::from_micrometres(cell(row, *columns_.wavelength, "wavelength_um"));
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,72 @@
+/// Evaluates the rows of a points file with the library, one pair of directions a row.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cli/csv_reader.hpp"
+#include "spectral/reflectance.hpp"
+
+namespace hts::cli {
+
+/// The three terms at one pair and wavelength, and what the directional-diffuse term was made of.
+struct Evaluation {
+    double wavelength;  ///< [um]
+    DirectionalDiffuse directional;
+    double uniform_diffuse;       ///< [1/sr]
+    double specular_reflectance;  ///< [1]
+    double effective_roughness;   ///< [um]
+    double shadowing;             ///< S
+    Mueller mueller;              ///< of the directional-diffuse term [1/sr]
+};
+
+/// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um and albedo go
+/// before the material's.
+class PointEvaluator {
+  public:
+    ///   points        its header is looked at here, its rows are not
+    ///   reflector     may be missing if the rows say all but the albedo, which then is 0
+    ///   wavelengths   every row at each of these; may be missing if the rows have a wavelength
+    /// Throws UsageError or hts::Error if something is missing or said twice.
+    PointEvaluator(const CsvReader& points, std::optional<spectral::Reflector> reflector,
+                   std::optional<spectral::WavelengthGrid> wavelengths, spectral::OutsideRange policy);
+
+    /// Wavelengths per row.
+    [[nodiscard]] std::size_t wavelengths() const noexcept { return wavelengths_ ? wavelengths_->size() : 1; }
+    /// Columns that are in the header and mean nothing here.
+    [[nodiscard]] std::vector<std::string> unused_columns(const CsvReader& points) const;
+
+    /// One row into `result` of wavelengths() places; hts::Error names quantity, value and legal range.
+    void evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result) const;
+
+  private:
+    using Column = std::optional<std::size_t>;
+    struct Columns {
+        explicit Columns(const CsvReader& points, bool needs_wavelength);
+        std::size_t theta_i, phi_i, theta_r, phi_r;
+        Column wavelength, n, k, rms_roughness, correlation_length, albedo;
+    };
+    /// What is the same for all rows at one wavelength, or what one row says.
+    struct Sample {
+        Wavelength wavelength;
+        RefractiveIndex index;
+        double uniform_diffuse;
+    };
+
+    void require_material(const CsvReader& points) const;
+    [[nodiscard]] bool same_for_all_rows() const noexcept;
+    [[nodiscard]] Surface surface(const CsvRow& row) const;
+    [[nodiscard]] Sample sample(const CsvRow* row, const Wavelength& wavelength) const;
+    [[nodiscard]] RefractiveIndex index(const CsvRow* row, const Wavelength& wavelength) const;
+    [[nodiscard]] double albedo(const CsvRow* row, const Wavelength& wavelength) const;
+    [[nodiscard]] Wavelength wavelength(const CsvRow& row, std::size_t i) const;
+
+    Columns columns_;
+    std::optional<spectral::Reflector> reflector_;
+    std::optional<spectral::WavelengthGrid> wavelengths_;
+    spectral::OutsideRange policy_;
+    std::vector<Sample> samples_;  // one per wavelength if the same for all rows, else none
+};
+
+}  // namespace hts::cli

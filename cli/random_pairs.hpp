@@ -1,0 +1,22 @@
+/// The library's batch call on random directions: how fast it is.
+#pragma once
+
+#include <cstdint>
+
+#include "cli/summary.hpp"
+#include "spectral/reflectance.hpp"
+
+namespace hts::cli {
+
+/// What the batch call took, and the mean of its values, by which runs can be compared.
+struct RandomPairsResult {
+    Summary summary;
+    double mean_brdf;  ///< [1/sr]
+};
+
+/// BRDF spectra of `count` pairs, both directions uniform in solid angle over the hemisphere.
+///   seed   the same pairs, and the same mean, on every machine and for any number of threads
+[[nodiscard]] RandomPairsResult evaluate_random_pairs(const spectral::SpectralReflectance& reflectance,
+                                                      std::uint64_t count, std::uint64_t seed);
+
+}  // namespace hts::cli

@@ -1,0 +1,40 @@
+/// Runs the built command `hts` as a user would and keeps what it says.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hts::cli::testing {
+
+struct Result {
+    int exit_code;
+    std::string output;  ///< standard output
+    std::string errors;  ///< standard error
+};
+
+/// A folder of its own for one test, gone at its end; commands run inside it.
+class Workplace {
+  public:
+    Workplace();
+    ~Workplace();
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+    /// `hts ARGUMENTS`, by a shell, so that < and quotes work; `environment` stands in front
+    /// ("OMP_NUM_THREADS=1").
+    [[nodiscard]] Result hts(const std::string& arguments, const std::string& environment = "") const;
+    /// Writes a file and returns its name.
+    std::string file(const std::string& name, const std::string& text) const;
+    [[nodiscard]] std::string read(const std::string& name) const;
+    /// Names of the files and folders in it, sorted.
+    [[nodiscard]] std::vector<std::string> names() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// Cells of a CSV text, the header first.
+[[nodiscard]] std::vector<std::vector<std::string>> cells(const std::string& csv);
+
+}  // namespace hts::cli::testing

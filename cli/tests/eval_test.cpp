@@ -1,0 +1,167 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command.hpp"
+#include "comparison.hpp"
+#include "hts/he_torrance.hpp"
+
+using hts::cli::testing::cells;
+using hts::cli::testing::Workplace;
+using hts::testing::ReferenceTable;
+using hts::testing::relative_error;
+using hts::testing::WorstCase;
+
+namespace {
+
+const std::string aluminium =
+    R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al"})";
+const std::string header = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
+
+/// The input columns of hts/tests/reference/model.csv.
+std::string reference_points() {
+    std::ifstream in{HTS_SOURCE_DIR "/hts/tests/reference/model.csv"};
+    std::string points;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with('#')) continue;
+        std::size_t end = 0;
+        for (int comma = 0; comma < 10; ++comma) end = line.find(',', end) + 1;
+        points += line.substr(0, end - 1) + "\n";
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("hts eval agrees with 80 digits of the printed equations") {
+    const Workplace place;
+    place.file("points.csv", reference_points());
+    const auto result = place.hts("eval --points points.csv --mueller --output values.csv");
+    REQUIRE(result.exit_code == 0);
+    const auto values = cells(place.read("values.csv"));
+    const ReferenceTable table{"model.csv"};
+    REQUIRE(values.size() == table.size() + 1);
+    WorstCase diffuse{"hts eval: directional_diffuse", 1e-10};
+    WorstCase specular{"hts eval: specular_reflectance", 1e-10};
+    WorstCase mueller{"hts eval: Mueller elements, of m00", 1e-10};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const auto where = [row] { return "row " + std::to_string(row); };
+        for (std::size_t column = 10; column < values[0].size(); ++column) {
+            const std::string& name = values[0][column];
+            const double value = std::strtod(values[row + 1][column].c_str(), nullptr);
+            const double expected = table(row, name);
+            if (name == "directional_diffuse") diffuse.note(relative_error(value, expected), where);
+            if (name == "specular_reflectance" && expected > 1e-280) {
+                specular.note(relative_error(value, expected), where);
+            }
+            if (name.size() == 3 && name[0] == 'm') {
+                mueller.note(std::abs(value - expected) / table(row, "m00"), where);
+            }
+        }
+    }
+    diffuse.check();
+    specular.check();
+    mueller.check();
+}
+
+TEST_CASE("hts eval repeats the input columns as they stand and adds its own") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    place.file("points.csv",
+               "\xEF\xBB\xBF# a comment\r\nphi_r_deg,note,theta_i_deg,wavelength_um,theta_r_deg,phi_i_deg\r\n"
+               "180,\"a, b\",3e1,0.50,40,0\r\n\r\n-180.0,,30,5e-1,40.00,0\r\n");
+    const auto result = place.hts("eval --material al.json --points points.csv --detail");
+    REQUIRE(result.exit_code == 0);
+    std::istringstream lines{result.output};
+    std::string first, second, third;
+    std::getline(lines, first);
+    std::getline(lines, second);
+    std::getline(lines, third);
+    CHECK(
+        first ==
+        "phi_r_deg,note,theta_i_deg,wavelength_um,theta_r_deg,phi_i_deg,directional_diffuse,uniform_diffuse,"
+        "brdf,specular_reflectance,g,t,effective_roughness_um,shadowing,fresnel,method");
+    CHECK(second.starts_with("180,\"a, b\",3e1,0.50,40,0,1.061847933548"));
+    CHECK(third.starts_with("-180.0,,30,5e-1,40.00,0,1.061847933548"));
+    CHECK(result.errors.find("columns repeated but not used: note") != std::string::npos);
+    CHECK(result.errors.find("evaluations/s") != std::string::npos);
+}
+
+TEST_CASE("hts eval of one point, by standard input and of a grid agree") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    place.file("points.csv", header + "\n0.5,30,0,40,170\n");
+    place.file("pairs.csv", "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n30,0,40,170\n");
+    const auto single = cells(
+        place.hts("eval --material al.json --wavelength 0.5 --theta-i 30 --theta-r 40 --phi 170").output);
+    const auto piped = cells(place.hts("eval --material al.json --points - --output - < points.csv").output);
+    const auto grid =
+        cells(place.hts("eval --material al.json --points pairs.csv --wavelengths 0.5:0.7:3").output);
+    REQUIRE(single.size() == 2);
+    REQUIRE(grid.size() == 4);
+    CHECK(single == piped);
+    CHECK(grid[1].back() == single[1].back());
+    CHECK(grid[1][5] == single[1][5]);
+}
+
+TEST_CASE("material columns override the material, which may be left out") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    place.file(
+        "points.csv",
+        header + ",n,k,rms_roughness_um,correlation_length_um,albedo\n0.5,30,0,40,170,1.5,0,0.1,1,0.3\n");
+    const auto with = place.hts("eval --material al.json --points points.csv");
+    const auto without = place.hts("eval --points points.csv");
+    CHECK(with.exit_code == 0);
+    CHECK(with.output == without.output);
+    CHECK(std::stod(cells(with.output)[1][11]) == Approx(0.3 / 3.14159265358979324).epsilon(1e-15));
+}
+
+TEST_CASE("hts eval gives the same bytes for any number of threads") {
+    const Workplace place;
+    place.file("points.csv", reference_points());
+    const auto one = place.hts("eval --points points.csv --mueller", "OMP_NUM_THREADS=1");
+    const auto two = place.hts("eval --points points.csv --mueller", "OMP_NUM_THREADS=2");
+    const auto five = place.hts("eval --points points.csv --mueller", "OMP_NUM_THREADS=5");
+    CHECK(one.exit_code == 0);
+    CHECK(one.output == two.output);
+    CHECK(one.output == five.output);
+}
+
+TEST_CASE("hts eval writes JSON when asked or by the file's ending") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    const std::string point =
+        "eval --material al.json --wavelength 0.5 --theta-i 30 --theta-r 40 --phi 170 --detail ";
+    const auto json = nlohmann::json::parse(place.hts(point + "--json").output);
+    CHECK(place.hts(point + "--output answer.json").exit_code == 0);
+    CHECK(nlohmann::json::parse(place.read("answer.json")) == json);
+    REQUIRE(json.size() == 1);
+    CHECK(json[0]["brdf"].is_number());
+    CHECK(json[0]["method"] == "sum");
+}
+
+TEST_CASE("hts eval of polarised light") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    const std::string point = "eval --material al.json --wavelength 0.5 --theta-i 60 --theta-r 60 --phi 180 ";
+    const auto lit = cells(place.hts(point + "--polarisation s").output);
+    const std::size_t s0 = 9;
+    REQUIRE(lit[0][s0] == "s0");
+    CHECK(lit[0][s0 + 4] == "degree_of_polarisation");
+    CHECK(std::stod(lit[1][s0 + 4]) == Approx(1));
+    CHECK(std::stod(lit[1][s0 + 5]) == Approx(0).margin(1e-9));
+    CHECK(place.hts(point + "--polarisation 1,0,0,2").exit_code == 2);
+}
+
+TEST_CASE("hts eval of random pairs prints its rate") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    const auto result =
+        place.hts("eval --material al.json --wavelengths 0.4:0.7:31 --random-pairs 1000 --detail");
+    CHECK(result.exit_code == 0);
+    CHECK(result.errors.find("1000 pairs x 31 wavelengths") != std::string::npos);
+    CHECK(result.errors.find("evaluations/s") != std::string::npos);
+}

@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command.hpp"
+
+using hts::cli::testing::cells;
+using hts::cli::testing::Workplace;
+
+namespace {
+
+const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
+
+}  // namespace
+
+TEST_CASE("every verb explains itself with an example") {
+    const Workplace place;
+    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "materials"}) {
+        INFO(verb);
+        const auto help = place.hts(verb + " --help");
+        CHECK(help.exit_code == 0);
+        CHECK(help.output.find("Example") != std::string::npos);
+        CHECK(help.output.find("hts " + verb + " ") != std::string::npos);
+    }
+    CHECK(place.hts("--help").exit_code == 0);
+    CHECK(place.hts("--version").output.starts_with("hts 0."));
+}
+
+TEST_CASE("hts phi keeps the logarithm where phi underflows") {
+    const Workplace place;
+    place.file("gt.csv", "g,t\n50,120\n1e-3,1e5\n1e10,0\n0,1\n");
+    const auto rows = cells(place.hts("phi --points gt.csv").output);
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[0] == std::vector<std::string>{"g", "t", "phi", "log_phi", "method"});
+    CHECK(std::stod(rows[1][2]) == Approx(std::exp(std::stod(rows[1][3]))).epsilon(1e-12));
+    CHECK(rows[2][2] == "0");
+    CHECK(std::stod(rows[2][3]) < -800);
+    CHECK(std::stod(rows[3][2]) == Approx(1e-10).epsilon(1e-9));
+    CHECK(rows[4][3] == "-inf");
+}
+
+TEST_CASE("hts spectrum gives the spectrum and its colour") {
+    const Workplace place;
+    const std::string command =
+        "spectrum --material " + material + " --theta-i 30 --theta-r 40 --phi 180 --wavelengths 0.38:0.78:9 ";
+    const auto result = place.hts(command);
+    CHECK(result.exit_code == 0);
+    const auto rows = cells(result.output);
+    REQUIRE(rows.size() == 10);
+    CHECK(rows[0][0] == "wavelength_um");
+    CHECK(result.errors.find("XYZ") != std::string::npos);
+    CHECK(result.errors.find("sRGB") != std::string::npos);
+    CHECK(nlohmann::json::accept(place.hts(command + "--json").output));
+    CHECK(place.hts(command + "--illuminant E").errors != result.errors);
+}
+
+TEST_CASE("hts polar writes the curves, the script and the picture") {
+    const Workplace place;
+    const auto result = place.hts("polar --material " + material +
+                                  " --wavelength 0.5 --theta-i 10,45 --solid-angle 0.003 --output fig.svg");
+    CHECK(result.exit_code == 0);
+    CHECK(place.names() == std::vector<std::string>{"fig.csv", "fig.gnuplot", "fig.svg"});
+    CHECK(place.read("fig.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("hts materials lists the collection and describes one") {
+    const Workplace place;
+    const auto list = place.hts("materials");
+    for (const std::string name : {"Al", "Cu", "Au", "Ag", "Cr", "Fe", "Ni", "Ti", "W", "MgO", "Al2O3", "SiC",
+                                   "SiO2", "BK7", "PMMA", "polycarbonate", "polystyrene"}) {
+        INFO(name);
+        CHECK(list.output.find("\n" + name + ",") != std::string::npos);
+    }
+    const auto one = place.hts("materials Al --wavelengths 0.5,2");
+    CHECK(cells(one.output).size() == 3);
+    CHECK(one.errors.find("Rak") != std::string::npos);
+}
