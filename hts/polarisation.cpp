@@ -9,11 +9,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// s = k x z / |k x z| of a ray that travels towards the surface, k = -in; its opposite for one that leaves.
-Vector3 s_of_incident(const Direction& d) {
-    return {-d.sin_phi(), d.cos_phi(), 0};
-}
-
 /// p = s x k, the same expression for both rays.
 Vector3 p_vector(const Direction& d) {
     return {-d.cos_theta() * d.cos_phi(), -d.cos_theta() * d.sin_phi(), d.sin_theta()};
@@ -24,7 +19,7 @@ Vector3 p_vector(const Direction& d) {
 Vector3 s_of_facet(const Direction& in, const Direction& out) {
     const Vector3 normal = cross(out.vector(), in.vector());  // k_i x k_r
     const double length = std::hypot(normal.x, normal.y, normal.z);
-    return length < 1e-8 ? s_of_incident(in) : (1 / length) * normal;
+    return length < 1e-8 ? s_vector_of_incident(in) : (1 / length) * normal;
 }
 
 }  // namespace
@@ -52,6 +47,12 @@ double Stokes::degree_of_polarisation() const noexcept {
 
 double Stokes::angle_of_polarisation() const noexcept {
     return std::atan2(components_[2], components_[1]) / 2;
+}
+
+Mueller Mueller::from_elements(const std::array<double, 16>& elements) noexcept {
+    Mueller result;
+    result.elements_ = elements;
+    return result;
 }
 
 Mueller Mueller::depolariser(double reflectance) noexcept {
@@ -100,13 +101,21 @@ Stokes Mueller::operator*(const Stokes& incident) const noexcept {
     return {Stokes::Unchecked{}, reflected};
 }
 
+Vector3 s_vector_of_incident(const Direction& in) noexcept {
+    return {-in.sin_phi(), in.cos_phi(), 0};
+}
+
+Vector3 s_vector_of_reflected(const Direction& out) noexcept {
+    return -s_vector_of_incident(out);
+}
+
 JonesMatrix facet_jones(const Direction& in, const Direction& out,
                         const FresnelAmplitudes& amplitudes) noexcept {
     const auto& [f_s, f_p] = amplitudes;
     const Vector3 s_facet = s_of_facet(in, out);
-    const double cos_in = dot(s_of_incident(in), s_facet);
+    const double cos_in = dot(s_vector_of_incident(in), s_facet);
     const double sin_in = dot(p_vector(in), s_facet);
-    const double cos_out = -dot(s_of_incident(out), s_facet);
+    const double cos_out = dot(s_vector_of_reflected(out), s_facet);
     const double sin_out = dot(p_vector(out), s_facet);
     return {cos_out * cos_in * f_s + sin_out * sin_in * f_p, cos_out * sin_in * f_s - sin_out * cos_in * f_p,
             sin_out * cos_in * f_s - cos_out * sin_in * f_p, sin_out * sin_in * f_s + cos_out * cos_in * f_p};

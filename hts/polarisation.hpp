@@ -57,6 +57,8 @@ class Mueller {
   public:
     /// All zero.
     Mueller() noexcept = default;
+    /// From its elements, row by row.
+    [[nodiscard]] static Mueller from_elements(const std::array<double, 16>& elements) noexcept;
     /// Of a deterministic reflection: M_ij = Tr(sigma_i J sigma_j J^+) / 2.
     [[nodiscard]] static Mueller from_jones(const JonesMatrix& jones) noexcept;
     /// Unpolarised light of the given reflectance whatever comes in.
@@ -80,6 +82,10 @@ class Mueller {
   private:
     std::array<double, 16> elements_{};
 };
+
+/// s = k x z / |k x z| of a ray that arrives, k = -in, and of one that leaves, k = out.
+[[nodiscard]] Vector3 s_vector_of_incident(const Direction& in) noexcept;
+[[nodiscard]] Vector3 s_vector_of_reflected(const Direction& out) noexcept;
 
 /// Jones matrix of the facet that mirrors `in` into `out`: a rotation into the plane of both, diag(F_s, F_p),
 /// and a rotation out. Equal, but for the phase factor -1, to (61)-(64) of [He91] divided by |k_r x k_i|^2,
