@@ -41,7 +41,8 @@ bool DirectionOptions::any() const noexcept {
 std::string DirectionOptions::missing() const {
     if (!theta_i) return "--theta-i";
     if (!theta_r) return "--theta-r";
-    return phi || phi_r ? "" : "--phi";
+    if (phi || phi_r) return "";
+    return phi_i ? "--phi-r" : "--phi";
 }
 
 spectral::DirectionPair DirectionOptions::pair() const {

@@ -2,6 +2,7 @@
 
 #include "hts/phi.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -30,7 +31,7 @@ struct PhiOptions {
 
 void require_in_domain(double g, double t) {
     if (!(g >= 0 && g <= 1e300)) throw out_of_range("g", g, "", "from 0 to 1e+300");
-    if (!(t >= 0)) throw out_of_range("t", t, "", ">= 0 (from 0 to infinity)");
+    if (!(t >= 0 && std::isfinite(t))) throw out_of_range("t", t, "", ">= 0 and finite");
 }
 
 CsvReader single_point(const PhiOptions& options) {
@@ -74,7 +75,7 @@ void add_phi(CLI::App& program) {
     auto options = std::make_shared<PhiOptions>();
     verb->add_option("--points", options->points, "CSV file with columns g,t; - for standard input");
     verb->add_option("--g", options->g, "phase variance, 0 ... 1e300");
-    verb->add_option("--t", options->t, "lobe argument v_xy^2 tau^2 / 4, 0 ... infinity");
+    verb->add_option("--t", options->t, "lobe argument v_xy^2 tau^2 / 4, >= 0");
     options->output.add_to(*verb);
     verb->footer(help);
     verb->callback([options] { run(*options); });

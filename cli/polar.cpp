@@ -1,8 +1,11 @@
 // hts polar: in-plane polar plots as in He et al. 1991, Figures 7 to 10.
 
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <numbers>
 
 #include "cli/gnuplot.hpp"
 #include "cli/options.hpp"
@@ -86,8 +89,11 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     output.commit();
 }
 
-std::string degrees(double radians) {
-    return shortest(static_cast<double>(static_cast<int>(radians * 18000 / 3.14159265358979 + 0.5)) / 100);
+/// For the eye: four digits.
+std::string brief(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
 }
 
 PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflector,
@@ -95,13 +101,14 @@ PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflect
     PolarStyle style;
     style.title = reflector.name + ", λ = " + shortest(options.wavelength) + " µm";
     style.captions.push_back(
-        options.absolute ? "radius: BRDF [1/sr]"
-                         : "radius: BRDF / BRDF in the specular direction θr = θi (He et al. 1991, eq. 11)");
+        options.absolute
+            ? "radius: BRDF [1/sr]"
+            : "radius: BRDF / BRDF in the specular direction θ_r = θ_i, eq. 11 of He et al. 1991");
     if (options.logarithmic) style.captions.front() += ", logarithmic";
     const auto averaged = cones(options);
     style.captions.push_back(averaged ? "specular term averaged over source and receiver cones of " +
-                                            shortest(averaged->solid_angle()) + " sr (half angle " +
-                                            degrees(averaged->half_angle()) + "°)"
+                                            brief(averaged->solid_angle()) + " sr (half angle " +
+                                            brief(averaged->half_angle() * 180 / std::numbers::pi) + "°)"
                                       : "specular delta left out (--solid-angle averages it)");
     style.data_file = data_file;
     style.logarithmic = options.logarithmic;

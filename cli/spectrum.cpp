@@ -78,12 +78,11 @@ std::string title(const spectral::Reflector& reflector, const DirectionOptions& 
 std::string plot_script(const std::string& title, const spectral::WavelengthGrid& grid,
                         const Spectrum& spectrum) {
     std::ostringstream script;
-    script << "# hts spectrum: run `gnuplot` on this file to draw it again\n"
-           << "set title " << gnuplot_string(title) << " noenhanced\n"
+    script << "set title " << gnuplot_string(title) << " noenhanced\n"
            << "set xlabel 'wavelength [µm]'\nset ylabel 'BRDF [1/sr]'\n"
            << "set y2label 'specular reflectance'\nset ytics nomirror\nset y2tics\n"
-           << "set yrange [0:*]\nset y2range [0:*]\nset grid lc rgb '#dddddd'\nset key outside bottom center "
-              "horizontal\n"
+           << "set yrange [0:*]\nset y2range [0:*]\nset grid lc rgb '#dddddd'\n"
+           << "set bmargin at screen 0.18\nset key at screen 0.5,0.02 bottom center horizontal\n"
            << "$spectrum << EOD\n";
     for (std::size_t i = 0; i < grid.size(); ++i) {
         script << grid.micrometres()[i] << ' ' << spectrum.brdf[i] << ' ' << spectrum.specular_reflectance[i]

@@ -13,7 +13,7 @@ class Error : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
-/// "rms roughness -0.1 um: must be 0 or from 1e-60 to 1e+60 um".
+/// "wavelength -0.1 um: must be > 0".
 ///   unit       "" for a dimensionless quantity
 ///   legal      the legal range in words, with its unit where it has one
 [[nodiscard]] Error out_of_range(std::string_view quantity, double value, std::string_view unit,

@@ -9,7 +9,7 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double fresnel = 2e-15;  ///< of either amplitude, absolute
+inline constexpr double fresnel = 2e-15;  ///< of either amplitude, absolute, away from the critical angle
 }
 
 /// Complex refractive index relative to the medium of incidence.
@@ -35,14 +35,14 @@ struct FresnelAmplitudes {
     }
 };
 
-/// Fresnel amplitudes at a local angle of incidence.
+/// Fresnel amplitudes at a local angle of incidence [He91 (44)].
 ///   formula     F_s = (c - r)/(c + r), F_p = (N^2 c - r)/(N^2 c + r), r = sqrt(N^2 - 1 + c^2), N = n + ik,
-///   written
-///               as -d/(c + r)^2 and d (c^2 N^2 - sin^2)/(N^2 c + r)^2 with d = N^2 - 1, which does not
-///               cancel as N -> 1 [He91 (44); physics of Born and Wolf, section 1.5]
+///               written as -d/(c + r)^2 and d (c^2 N^2 - sin^2)/(N^2 c + r)^2 with d = N^2 - 1, which does
+///               not cancel as N -> 1
 ///   cos_theta   c, cosine of the angle of incidence   [1]   0 ... 1
 ///   limits      N = 1: both 0; c = 0: both -1
-///   error       accuracy::fresnel
+///   error       accuracy::fresnel / min(1, |r|): at the critical angle of total reflection, r = 0, the last bit
+///               of n or c moves the amplitudes by its square root
 [[nodiscard]] FresnelAmplitudes fresnel(double cos_theta, const RefractiveIndex& index) noexcept;
 
 }  // namespace hts

@@ -1,19 +1,21 @@
 /// The reflectance model of He, Torrance, Sillion and Greenberg (SIGGRAPH 1991) at one wavelength:
 ///
-///   f = specular + directional diffuse + uniform diffuse                                           [He91
-///   (5)]
+///   f = specular + directional diffuse + uniform diffuse                              [He91 (5)]
 ///
-///   specular             a delta in the mirror direction, reflectance |F|^2 exp(-g) S              [He91
-///   (73)] directional diffuse  |F|^2 G S D / (pi cos theta_i cos theta_r), D = pi^2 tau^2/(4 lambda^2)
-///   Phi(g, t)
-///                                                                                            [He91 (71),
-///                                                                                            (78)]
-///   uniform diffuse      a / pi: the paper prints a(lambda), but its numbers are albedos            [He91
-///   (72)]
+///   specular             a delta in the mirror direction,
+///                        reflectance |F|^2 exp(-g) S                                  [He91 (73)]
+///   directional diffuse  |F|^2 G S D / (pi cos theta_i cos theta_r),
+///                        D = pi^2 tau^2/(4 lambda^2) Phi(g, t)                        [He91 (71), (78)]
+///   uniform diffuse      a/pi; the paper prints a(lambda), but its numbers are albedos  [He91 (72)]
 ///
 /// Work that many evaluations share is split off: `view` once per direction, `PairFactors` once per pair, the
-/// rest once per wavelength. BRDFs are in 1/sr, reflectances 0 ... 1. Every function is total: 0 where a
-/// direction grazes, never NaN.
+/// rest once per wavelength. BRDFs are in 1/sr, reflectances 0 ... 1. Every function is total, never NaN.
+///
+/// At the horizon. As theta -> 90 deg the directional-diffuse term goes to 0, but only logarithmically, since
+/// sigma^2 ~ sigma_0^2/(2 ln K): at 89.9999999999 deg it can still be a quarter of its value at 89.99 deg. At
+/// exactly 90 deg it is 0. A table should end short of the horizon. The specular reflectance of a mirror
+/// (sigma_0 = 0) is 1 there; that of a rough surface goes to 0 at every wavelength, since the model shadows the
+/// mirror term too, even where lambda >> sigma_0 and a real surface would reflect all.
 #pragma once
 
 #include "hts/direction.hpp"
@@ -26,10 +28,13 @@
 
 namespace hts {
 
+// Of `directional_diffuse` and of each Mueller element beside element 00, and of `specular_reflectance`, relative,
+// above 1e-280, for sigma_0/tau >= 0.003. Narrower lobes are worse in proportion: |v_xy| keeps 4e-16, which is
+// relative to the lobe's width, (t/g) 4e-16/|v_xy| in all; inputs that carry their last bits do no better.
 namespace accuracy {
-inline constexpr double brdf = 4e-12;                  ///< of `directional_diffuse`, relative, above 1e-280
-inline constexpr double specular_reflectance = 7e-13;  ///< of `specular_reflectance`, relative, above 1e-280
-inline constexpr double mueller = 4e-12;               ///< of every Mueller element, relative to element 00
+inline constexpr double brdf = 4e-12;
+inline constexpr double specular_reflectance = 7e-13;
+inline constexpr double mueller = 4e-12;
 }  // namespace accuracy
 
 /// A direction together with what a given surface lets it see.

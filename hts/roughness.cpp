@@ -1,6 +1,7 @@
 #include "hts/roughness.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hts/lambert.hpp"
@@ -8,6 +9,7 @@
 namespace hts {
 
 double effective_roughness_ratio(double obstruction) noexcept {
+    if (!(obstruction >= 0)) return std::numeric_limits<double>::quiet_NaN();
     if (std::isinf(obstruction)) return 0;
     constexpr double inverse_sqrt_8pi = std::numbers::inv_sqrtpi / (2 * std::numbers::sqrt2);
     return 1 / std::sqrt(1 + lambert_w0_of_square(obstruction * inverse_sqrt_8pi));

@@ -12,9 +12,8 @@ inline constexpr double effective_roughness = 6e-16;  ///< of `effective_roughne
 /// Fraction of the rms roughness that stays visible, sigma / sigma_0.
 ///   formula       1 / sqrt(1 + W_0(K^2 / 8 pi)): closed form of [He91 (80), (81)], no iteration.
 ///                 Derivation: (81) reads z_0 sqrt(pi/2) = (sigma_0/4) K exp(-z_0^2 / 2 sigma_0^2) and (80)
-///                 sigma^2 = sigma_0^2 / (1 + z_0^2/sigma_0^2); with y = z_0^2/sigma_0^2, y exp(y) = K^2 / 8
-///                 pi
-///   obstruction   K of the incident plus K of the outgoing direction   [1]   0 ... infinity
+///                 sigma^2 = sigma_0^2/(1 + y), y = z_0^2/sigma_0^2; so y exp(y) = K^2 / 8 pi
+///   obstruction   K of the incident plus K of the outgoing direction   [1]   0 ... infinity; NaN below 0
 ///   range         [0, 1], falling; 1 at K = 0, 0 at infinity
 ///   error         accuracy::effective_roughness
 [[nodiscard]] double effective_roughness_ratio(double obstruction) noexcept;

@@ -23,12 +23,10 @@ struct Visibility {
 };
 
 /// Visibility along a direction.
-///   formula   S_1 / cos theta = (1 + erf c)/2 / (cos theta + (sigma_0/tau) sin theta ierfc(c)),
-///             ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c): the quotient of (24) with 0/0 at the horizon
-///             removed
+///   formula   S_1/cos theta = (1 + erf c)/2 / (cos theta + (sigma_0/tau) sin theta ierfc(c)),
+///             ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c): the quotient of (24) without its 0/0 at the horizon
 ///   limits    sigma_0 = 0: K = 0, S_1 = 1. At the horizon of a mirror 1/cos theta has no finite value; the
-///   member
-///             is then 0, since no light falls on a surface edge on
+///             member is then 0, since no light falls on a surface edge on
 ///   error     accuracy::shadowing, accuracy::obstruction
 [[nodiscard]] Visibility visibility(const Surface& surface, const Direction& direction) noexcept;
 

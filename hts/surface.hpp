@@ -1,14 +1,12 @@
-/// A randomly rough surface: Gaussian heights, isotropic, with autocorrelation C(r) = exp(-r^2 / tau^2) [He91
-/// (48)].
+/// A randomly rough surface: Gaussian heights, isotropic, with autocorrelation C(r) = exp(-r^2/tau^2) [He91 (48)].
 #pragma once
 
 namespace hts {
 
 class Surface {
   public:
-    ///   rms_roughness        sigma_0 [um]  0 (a mirror) or up to longest_length; the standard deviation of
-    ///   height correlation_length   tau [um]      shortest_length ... longest_length; distance at which C
-    ///   falls to 1/e
+    ///   rms_roughness        sigma_0 [um], standard deviation of height   0 (a mirror), or 1e-24 ... 1e24
+    ///   correlation_length   tau [um], distance at which C falls to 1/e   1e-24 ... 1e24
     /// Throws hts::Error outside these ranges.
     Surface(double rms_roughness, double correlation_length);
 

@@ -140,7 +140,7 @@ TEST_CASE("hts eval writes JSON when asked or by the file's ending") {
     CHECK(nlohmann::json::parse(place.read("answer.json")) == json);
     REQUIRE(json.size() == 1);
     CHECK(json[0]["brdf"].is_number());
-    CHECK(json[0]["method"] == "sum");
+    CHECK(json[0]["method"] == "table");
 }
 
 TEST_CASE("hts eval of polarised light") {

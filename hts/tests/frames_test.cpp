@@ -62,6 +62,46 @@ TEST_CASE("the sign of M23 in Mitsuba's convention") {
     CHECK(theirs(2, 3) / theirs(0, 0) == Approx(-0.717304).margin(1e-6));
 }
 
+TEST_CASE("Mitsuba's axes") {
+    const auto is = [](Vector3 a, Vector3 b) { return std::sqrt(dot(a - b, a - b)) < 1e-15; };
+    CHECK(is(hts::mitsuba_x_axis({0.6, 0, 0.8}), {0.8, 0, -0.6}));
+    CHECK(is(hts::mitsuba_x_axis({0, 0.6, 0.8}), {1, 0, 0}));
+    CHECK(is(hts::mitsuba_x_axis({0.6, 0, -0.8}), {0.8, 0, 0.6}));
+    CHECK(is(hts::mitsuba_x_axis({0.48, 0.36, 0.8}), {0.872, -0.096, -0.48}));
+}
+
+TEST_CASE("a field reflected in three dimensions has the Stokes vector that Mitsuba's matrix gives") {
+    // light arrives along k_i with its field along x or diagonal in Mitsuba's frame; the facet reflects the parts
+    // across and in its plane; time factor exp(-i omega t), y = k x x, S3 > 0 clockwise for the receiver
+    using Complex = std::complex<double>;
+    Random random{33};
+    for (int i = 0; i < 100; ++i) {
+        const Direction in = Direction::from_degrees(random.uniform(1, 89), random.uniform(0, 360));
+        const Direction out = Direction::from_degrees(random.uniform(1, 89), random.uniform(0, 360));
+        const auto f = hts::fresnel(wave_vector_change(in, out).cos_theta_d(), {0.183, 3.43});
+        const Vector3 ki = -in.vector();
+        const Vector3 kr = out.vector();
+        const Vector3 s = unit(cross(ki, kr));
+        const auto y_axis = [](Vector3 k) { return cross(k, hts::mitsuba_x_axis(k)); };
+        const Vector3 field = unit(hts::mitsuba_x_axis(ki) + 0.5 * y_axis(ki));
+        const Complex along_s = f.s * dot(field, s);
+        const Complex along_p = f.p * dot(field, cross(s, ki));
+        const auto component = [&](Vector3 axis) {
+            return along_s * dot(s, axis) + along_p * dot(cross(s, kr), axis);
+        };
+        const Complex x = component(hts::mitsuba_x_axis(kr));
+        const Complex y = component(y_axis(kr));
+        const double expected[4] = {std::norm(x) + std::norm(y), std::norm(x) - std::norm(y),
+                                    2 * (x * std::conj(y)).real(), 2 * (x * std::conj(y)).imag()};
+        const Mueller m = hts::mitsuba_mueller(gold_facet(in, out), in, out);
+        const hts::Stokes reflected = m * hts::Stokes{1, 0.6, 0.8, 0};
+        for (std::size_t k = 0; k < 4; ++k) {
+            INFO("component " << k);
+            CHECK(reflected[k] == Approx(expected[k]).margin(1e-11));
+        }
+    }
+}
+
 TEST_CASE("Mitsuba's axes lie across the ray and the change keeps what does not depend on frames") {
     Random random{32};
     for (int i = 0; i < 200; ++i) {

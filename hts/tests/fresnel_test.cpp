@@ -36,6 +36,19 @@ TEST_CASE("Fresnel amplitudes do not cancel as the index nears 1") {
     CHECK(std::abs(fresnel(0, {1, 0}).p) == 0);
 }
 
+TEST_CASE("Fresnel amplitudes at the critical angle lose no more than the inputs' last bits") {
+    // |F| = 1 beyond it; at r = 0 the error is that of r, the square root of the last bit
+    for (const double n : {0.051318396927193796, 0.5759, 0.9}) {
+        const double critical = std::sqrt((1 - n) * (1 + n));
+        for (const double offset : {0.0, 1e-14, 1e-10, 1e-4}) {
+            const auto f = fresnel(critical * (1 - offset), {n, 0});
+            const double root = std::sqrt(std::fmax(2 * offset * critical * critical, 1e-16));
+            CHECK(std::abs(f.s) == Approx(1).margin(hts::accuracy::fresnel / root));
+            CHECK(std::abs(f.p) == Approx(1).margin(hts::accuracy::fresnel / root));
+        }
+    }
+}
+
 TEST_CASE("Fresnel limits: normal, grazing, Brewster, total and perfect reflection") {
     const auto normal = fresnel(1, {1.5, 0.3});
     CHECK(std::abs(normal.s + normal.p) < 1e-16);

@@ -138,6 +138,62 @@ TEST_CASE("short wavelengths meet the Beckmann microfacet BRDF") {
     worst.check();
 }
 
+TEST_CASE("the approach to geometric optics is that of 50 digits") {
+    // f / (F S D_B / 4 cos cos) = 1 + (q^2/2 - 2 q + 1)/g + O(1/g^2), q = t/g
+    const ReferenceTable table{"limits.csv"};
+    WorstCase worst{"directional diffuse at large g", hts::accuracy::brdf};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const auto term = query_of(table, row).term();
+        worst.note(relative_error(term.brdf, table(row, "directional_diffuse")),
+                   [&] { return table.describe(row, inputs); });
+        const double g = term.phase_variance;
+        const double q = term.lobe_argument / g;
+        const double approach = 1 + (q * q / 2 - 2 * q + 1) / g;
+        const double beyond = 1.3 * (1 + std::pow(q, 4) / 8) / (g * g);
+        CHECK(term.brdf / table(row, "geometric_optics_limit") == Approx(approach).margin(beyond + 1e-11));
+    }
+    worst.check();
+}
+
+TEST_CASE("limits of the directional-diffuse term") {
+    const RefractiveIndex index{0.8, 6};
+    const auto half = Wavelength::from_micrometres(0.5);
+    const auto at = [&](const Surface& surface, double theta_i, double theta_r, double phi,
+                        Wavelength wavelength) {
+        return Query{surface, index, wavelength, Direction::from_degrees(theta_i, 0),
+                     Direction::from_degrees(theta_r, phi)}
+            .term()
+            .brdf;
+    };
+    const Surface rough{0.28, 1.77};
+    // the horizon: 0, approached from above
+    CHECK(at(rough, 80, 90, 180, half) == 0);
+    CHECK(at(rough, 90, 90, 180, half) == 0);
+    CHECK(at(rough, 80, 89.9999999999, 180, half) < at(rough, 80, 89.99, 180, half));
+    // exact backscatter, also at the normal: what its neighbours have
+    for (const double theta : {0.0, 30.0, 80.0}) {
+        CHECK(at(rough, theta, theta, 0, half) == Approx(at(rough, theta, theta, 1e-7, half)).epsilon(1e-7));
+        CHECK(at(rough, theta, theta, 0, half) > 0);
+    }
+    // an uncorrelated surface scatters nothing coherently, an endlessly correlated one only into the mirror direction
+    CHECK(at({0.28, 1e-20}, 30, 40, 180, half) < 1e-30);
+    CHECK(at({0.28, 1e20}, 30, 40, 180, half) == 0);
+    CHECK(at({0.28, 1e20}, 30, 30, 180, half) > 1e30);
+    // long waves see a mirror: 1/lambda^4, and the specular term tends to |F|^2 S
+    const auto long_wave = Wavelength::from_micrometres(1e6);
+    const auto longer_wave = Wavelength::from_micrometres(2e6);
+    CHECK(at(rough, 30, 40, 100, long_wave) / at(rough, 30, 40, 100, longer_wave) ==
+          Approx(16).epsilon(1e-6));
+    const auto in = view(rough, Direction::from_degrees(60, 0));
+    const double shadowing = in.visibility.shadowing * in.visibility.shadowing;
+    CHECK(hts::specular_reflectance(rough, in, long_wave, index).value() ==
+          Approx(hts::fresnel(in.direction.cos_theta(), index).unpolarised_reflectance() * shadowing)
+              .epsilon(1e-9));
+    // short waves: geometric optics, whose lobe no longer depends on the wavelength
+    CHECK(at(rough, 30, 40, 170, Wavelength::from_micrometres(1e-6)) ==
+          Approx(at(rough, 30, 40, 170, Wavelength::from_micrometres(1e-9))).epsilon(1e-9));
+}
+
 TEST_CASE("unpolarised light is the average over polarisations") {
     Random random{22};
     for (int i = 0; i < 1000; ++i) {

@@ -9,9 +9,12 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "hts/phi_sum.hpp"
 
 using hts::phi;
+using hts::phi_gradient;
 using hts::PhiMethod;
+using hts::phi_detail::phi_sum;
 using hts::testing::Random;
 using hts::testing::ReferenceTable;
 using hts::testing::relative_error;
@@ -97,17 +100,73 @@ TEST_CASE("phi obeys g^2 phi_gg + ... : its defining equation in g") {
     }
 }
 
-TEST_CASE("the two methods of phi meet") {
+TEST_CASE("the two ways of summing phi meet") {
     // m* = 50 and a width of 3 separate them; Phi itself changes by about 1e-9 over the gap taken here
-    WorstCase worst{"phi across its regimes", 1e-11};
+    WorstCase worst{"sums across their regimes", 1e-11};
     for (const double t : {0.0, 1.0, 10.0}) {
         const double g = 50 * std::exp(-t / 2500);
-        const auto below = phi(g * (1 - 1e-13), t);
-        const auto above = phi(g * (1 + 1e-13), t);
-        CHECK(below.method != above.method);
-        worst.note(relative_error(below.value, above.value), [&] { return at(g, t); });
+        const auto below = phi_sum(g * (1 - 1e-13), t);
+        const auto above = phi_sum(g * (1 + 1e-13), t);
+        CHECK(below.method == PhiMethod::sum);
+        CHECK(above.method == PhiMethod::trapezoid);
+        worst.note(std::abs(below.log - above.log), [&] { return at(g, t); });
+        worst.note(relative_error(below.inverse_mean, above.inverse_mean), [&] { return at(g, t); });
+        worst.note(std::abs(below.excess - above.excess) / g, [&] { return at(g, t); });
     }
     worst.check();
+}
+
+TEST_CASE("phi by summation agrees with 50 digits") {
+    const ReferenceTable table{"phi.csv"};
+    WorstCase log{"log of the sum", 1e-14};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const double expected = table(row, "log_phi");
+        log.note(std::abs(phi_sum(table(row, "g"), table(row, "t")).log - expected) /
+                     std::fmax(1, std::abs(expected)),
+                 [&] {
+                     return table.describe(row, {"g", "t"});
+                 });
+    }
+    log.check();
+}
+
+TEST_CASE("the gradient of phi agrees with 50 digits") {
+    const ReferenceTable table{"phi.csv"};
+    WorstCase value{"phi with its gradient", hts::accuracy::phi_gradient};
+    WorstCase d_g{"d phi / dg", hts::accuracy::phi_gradient};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const double g = table(row, "g"), expected = table(row, "phi"), psi_over_g = table(row, "psi") / g;
+        if (!(expected > representable)) continue;
+        const auto computed = phi_gradient(g, table(row, "t"));
+        const auto where = [&] { return table.describe(row, {"g", "t"}); };
+        value.note(relative_error(computed.value, expected), where);
+        d_g.note(std::abs(computed.d_g - (psi_over_g - expected)) / (psi_over_g + expected), where);
+        CHECK(computed.d_g == Approx(computed.value * computed.log_d_g));
+        CHECK(computed.d_t == Approx(computed.value * computed.log_d_t));
+    }
+    value.check();
+    d_g.check();
+}
+
+TEST_CASE("the gradient of phi at the edges of its domain") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(phi_gradient(0, 3).value == 0);
+    CHECK(phi_gradient(0, 3).d_g == std::exp(-3));
+    CHECK(phi_gradient(0, 3).d_t == 0);
+    CHECK(phi_gradient(5, infinity).value == 0);
+    CHECK(phi_gradient(1e-310, 2).d_g == Approx(std::exp(-2)));
+    CHECK(phi_gradient(1e12, 0).log_d_g == Approx(-1e-12).epsilon(1e-6));  // where Psi/g and Phi cancel
+    for (const double g : {0.0, 5e-324, 1e-300, 1e-10, 1.0, 50.0, 1e10, 1e300}) {
+        for (const double t : {0.0, 5e-324, 1e-300, 1.0, 1e10, 1e300, infinity}) {
+            const auto gradient = phi_gradient(g, t);
+            INFO(at(g, t));
+            CHECK(gradient.value >= 0);
+            CHECK(std::isfinite(gradient.d_g));
+            CHECK(gradient.d_t <= 0);
+            CHECK(gradient.log_d_t <= 0);
+            CHECK_FALSE(std::isnan(gradient.log_d_g));
+        }
+    }
 }
 
 TEST_CASE("phi is total") {

@@ -7,6 +7,7 @@
 
 #include "comparison.hpp"
 #include "hts/error.hpp"
+#include "hts/he_torrance.hpp"
 
 using hts::cross;
 using hts::Direction;
@@ -29,6 +30,23 @@ Direction random_direction(Random& random) {
 
 FresnelAmplitudes gold(const Direction& in, const Direction& out) {
     return hts::fresnel(wave_vector_change(in, out).cos_theta_d(), {0.183, 3.43});
+}
+
+void check_elements(const Mueller& computed, const double (&expected)[4][4]) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            INFO("element " << i << j);
+            CHECK(computed(i, j) == Approx(expected[i][j]).margin(1e-6));
+        }
+    }
+}
+
+Mueller with_s2_and_s3_reversed(const Mueller& m) {
+    std::array<double, 16> elements = m.elements();
+    for (std::size_t e = 0; e < 16; ++e) {
+        if ((e / 4 < 2) != (e % 4 < 2)) elements[e] = -elements[e];
+    }
+    return Mueller::from_elements(elements);
 }
 
 Mueller normalised_facet(const Direction& in, const Direction& out) {
@@ -83,27 +101,34 @@ TEST_CASE("the facet's Jones matrix is that of the paper but for a sign") {
 }
 
 TEST_CASE("the gold facets computed with SCATMECH") {
-    // normalised Mueller matrices in the psps frames, n = 0.183, k = 3.43, computed with NIST SCATMECH, whose
-    // azimuth of 30 degrees from the mirror direction turns against ours
+    // normalised Mueller matrices, n = 0.183, k = 3.43, computed with NIST SCATMECH. Its frames have s = z x k, the
+    // opposite of ours, and its S3 the opposite sign, so that S2 and S3 change sign together
     const Mueller mirror = normalised_facet(Direction::from_degrees(60, 0), Direction::from_degrees(60, 180));
-    CHECK(mirror(0, 1) == Approx(0.035982).margin(1e-6));
-    CHECK(mirror(1, 0) == Approx(0.035982).margin(1e-6));
-    CHECK(mirror(1, 1) == Approx(1).margin(1e-6));
-    CHECK(mirror(2, 2) == Approx(-0.695831).margin(1e-6));
-    CHECK(mirror(3, 3) == Approx(-0.695831).margin(1e-6));
-    CHECK(mirror(2, 3) == Approx(0.717304).margin(1e-6));
-    CHECK(mirror(3, 2) == Approx(-0.717304).margin(1e-6));
+    const double at_60[4][4] = {
+        {1, 0.035982, 0, 0}, {0.035982, 1, 0, 0}, {0, 0, -0.695831, 0.717304}, {0, 0, -0.717304, -0.695831}};
+    check_elements(mirror, at_60);
 
-    const Mueller skew =
-        normalised_facet(Direction::from_degrees(45, 0), Direction::from_degrees(45, 180 - 30));
-    const double expected[4][4] = {{1, 0.013551, -0.011992, 0},
-                                   {0.013551, 0.149902, -0.960620, 0.233657},
-                                   {-0.011992, -0.960620, -0.085510, 0.264034},
-                                   {0, -0.233657, -0.264034, -0.935608}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) {
-            INFO("element " << i << j);
-            CHECK(skew(i, j) == Approx(expected[i][j]).margin(1e-6));
+    const Direction in = Direction::from_degrees(45, 0);
+    const Direction out = Direction::from_degrees(45, 180 + 30);
+    const Mueller skew = with_s2_and_s3_reversed(normalised_facet(in, out));
+    const double psps[4][4] = {{1, 0.013551, -0.011992, 0},
+                               {0.013551, 0.149902, -0.960620, 0.233657},
+                               {-0.011992, -0.960620, -0.085510, 0.264034},
+                               {0, -0.233657, -0.264034, -0.935608}};
+    check_elements(skew, psps);
+}
+
+TEST_CASE("the specular Mueller matrix is that of the facet in the mirror direction") {
+    const hts::Surface smooth{0, 1};
+    const auto wavelength = hts::Wavelength::from_micrometres(0.5);
+    const hts::RefractiveIndex index{0.183, 3.43};
+    for (const double theta : {0.0, 20.0, 60.0, 89.0}) {
+        const Direction in = Direction::from_degrees(theta, 70);
+        const Mueller specular = hts::specular_mueller(smooth, view(smooth, in), wavelength, index);
+        const Mueller facet =
+            Mueller::from_jones(facet_jones(in, in.mirror(), hts::fresnel(in.cos_theta(), index)));
+        for (std::size_t e = 0; e < 16; ++e) {
+            CHECK(specular.elements()[e] == Approx(facet.elements()[e]).margin(1e-14));
         }
     }
 }

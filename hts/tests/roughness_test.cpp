@@ -33,6 +33,8 @@ TEST_CASE("effective roughness solves (80) and (81)") {
 }
 
 TEST_CASE("effective roughness has both limits and falls in between") {
+    CHECK(std::isnan(effective_roughness_ratio(-1)));
+    CHECK(std::isnan(effective_roughness_ratio(std::numeric_limits<double>::quiet_NaN())));
     CHECK(effective_roughness_ratio(0) == 1);
     CHECK(effective_roughness_ratio(std::numeric_limits<double>::infinity()) == 0);
     double before = 1;

@@ -1,0 +1,268 @@
+// phi for one pair and for spans, compiled for every instruction set and chosen at run time.
+#include "hts/phi_simd.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+#include "hts/phi_far.hpp"
+#include "hts/phi_table.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hts/phi_simd.cpp"
+#include "hwy/foreach_target.h"  // includes this file again for each instruction set
+
+#include "hts/phi_kernel-inl.hpp"
+#include "hts/polynomials-inl.hpp"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hts::phi_detail::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace hl = lanes::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR  // no vectors, as on x86 before SSSE3: the sums, slow but right
+
+double phi_one(double g, double t) {
+    return far_phi_value(g, t);
+}
+
+void phi_many(const double* g, const double* t, double* result, std::size_t count) {
+    std::transform(g, g + count, t, result, far_phi_value);
+}
+
+PhiForms forms() {
+    return {{phi_one, phi_one, phi_one}, {phi_many, phi_many, phi_many}, far_phi};
+}
+
+#else
+
+/// Sums of the cells' polynomials over x and over whole groups of z powers: `width` remain for each lane.
+template <class Spec, class Tag>
+struct Cells {
+    using T = typename Spec::Coefficient;
+    static constexpr hn::CappedTag<T, 4> pack{};
+    static constexpr std::size_t width = hn::MaxLanes(pack);  // powers of z in a vector
+    static constexpr std::size_t packs = Spec::lanes / width;
+    static_assert(width == 4 || width == 2);
+    using NarrowTag = hn::Rebind<T, Tag>;
+
+    static HWY_INLINE hn::Vec<decltype(pack)> sums(const T* cell, T x, T z) {
+        hn::Vec<decltype(pack)> sum[packs];
+        hl::polynomials<Spec::rows, packs>(sum, hn::Set(pack, x), hn::Set(pack, x * x),
+                                           [cell](int i, std::size_t k) HWY_ATTR {
+                                               return hn::Load(pack, cell + i * Spec::lanes + k * width);
+                                           });
+        if constexpr (packs > 1) {
+            const T z2 = z * z;
+            const auto zw = hn::Set(pack, width == 2 ? z2 : z2 * z2);
+            HTS_UNROLL
+            for (std::size_t k = packs - 1; k > 0; --k) sum[k - 1] = hn::MulAdd(sum[k], zw, sum[k - 1]);
+        }
+        return sum[0];
+    }
+
+    /// What `value` computes, for one lane.
+    static HWY_INLINE T fold(hn::Vec<decltype(pack)> sum, T z) {
+        if constexpr (width == 4) {
+            constexpr hn::CappedTag<T, 2> half{};
+            const auto lower = hn::LowerHalf(half, sum), upper = hn::UpperHalf(half, sum);
+            return last(hn::MulAdd(upper, hn::Set(half, z * z), lower), z);
+        } else
+            return last(sum, z);
+    }
+    template <class V>
+    static HWY_INLINE T last(V pair, T z) {
+        constexpr hn::CappedTag<T, 2> half{};
+        return hn::GetLane(hn::MulAdd(hn::Reverse2(half, pair), hn::Set(half, z), pair));
+    }
+
+    static HWY_INLINE hn::Vec<NarrowTag> narrow(hn::Vec<Tag> v) {
+        if constexpr (sizeof(T) == 4)
+            return hn::DemoteTo(NarrowTag{}, v);
+        else
+            return v;
+    }
+
+    static HWY_INLINE hn::Vec<Tag> value(const T* sums, hn::Vec<NarrowTag> z) {
+        constexpr NarrowTag n{};
+        hn::Vec<NarrowTag> a, b, c, e;
+        if constexpr (width == 4) {
+            hn::LoadInterleaved4(n, sums, a, b, c, e);
+            const auto z2 = hn::Mul(z, z);
+            a = hn::MulAdd(hn::MulAdd(e, z2, b), z, hn::MulAdd(c, z2, a));
+        } else {
+            hn::LoadInterleaved2(n, sums, a, b);
+            a = hn::MulAdd(b, z, a);
+        }
+        if constexpr (sizeof(T) == 4)
+            return hn::PromoteTo(Tag{}, a);
+        else
+            return a;
+    }
+};
+
+constexpr hn::FixedTag<double, 2> two{};
+
+template <class Spec>
+HWY_INLINE hn::Vec<decltype(two)> line_sums(const double* line, double x) {
+    hn::Vec<decltype(two)> sum[1];
+    hl::polynomials<Spec::line_rows, 1>(sum, hn::Set(two, x), hn::Set(two, x * x),
+                                        [line](int i, std::size_t)
+                                            HWY_ATTR { return hn::Load(two, line + 2 * i); });
+    return sum[0];
+}
+
+/// log2(Phi / factor)
+template <class Lanes>
+HWY_INLINE typename Lanes::Real exponent(const Lanes& o, typename Lanes::Real multiplier,
+                                         typename Lanes::Real slope, typename Lanes::Real width,
+                                         typename Lanes::Real cell) {
+    return o.neg_mul_add(multiplier, slope, o.add(width, cell));
+}
+
+/// A block of values in three passes, so that no pass waits for the one before: places across lanes,
+/// polynomials value by value (a row of coefficients fills a vector), exponentials across lanes.
+template <class Spec>
+struct Block {
+    static constexpr hn::CappedTag<double, 8> d{};
+    static constexpr std::size_t lanes = hn::MaxLanes(d), size = 64;
+    using Lanes = hl::WideLanes<hn::CappedTag<double, 8> >;
+    using C = Cells<Spec, hn::CappedTag<double, 8> >;
+    using T = typename Spec::Coefficient;
+    static constexpr typename C::NarrowTag narrow{};
+
+    HWY_ALIGN double multiplier[size], factor[size], line_x[size], lines[2 * size];
+    HWY_ALIGN std::int64_t cell[size], line[size];
+    HWY_ALIGN T x[size], z[size], sums[C::width * size];
+
+    /// count: a multiple of lanes. Returns whether the table has all cells; the factor is NaN where it has
+    /// not.
+    HWY_INLINE bool place_all(const Table<Spec>& table, const double* g, const double* t, std::size_t count) {
+        bool inside = true;
+        for (std::size_t i = 0; i < count; i += lanes) {
+            const auto p = place(Lanes{}, table, hn::LoadU(d, g + i), hn::LoadU(d, t + i));
+            hn::Store(p.multiplier, d, multiplier + i);
+            hn::Store(
+                hn::IfThenElse(p.inside, p.factor, hn::Set(d, std::numeric_limits<double>::quiet_NaN())), d,
+                factor + i);
+            hn::Store(p.line_x, d, line_x + i);
+            hn::Store(p.cell, Lanes::di, cell + i);
+            hn::Store(p.line, Lanes::di, line + i);
+            hn::Store(C::narrow(p.x), narrow, x + i);
+            hn::Store(C::narrow(p.z), narrow, z + i);
+            inside = inside && hn::AllTrue(d, p.inside);
+        }
+        return inside;
+    }
+
+    HWY_INLINE void add_polynomials(const Table<Spec>& table, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            hn::Store(C::sums(table.cells + cell[i], x[i], z[i]), C::pack, sums + C::width * i);
+            hn::Store(line_sums<Spec>(table.lines + line[i], line_x[i]), two, lines + 2 * i);
+        }
+    }
+
+    HWY_INLINE void exponentials(double* out, std::size_t count) const {
+        constexpr Lanes o{};
+        for (std::size_t i = 0; i < count; i += lanes) {
+            hn::Vec<decltype(d)> slope, width;
+            hn::LoadInterleaved2(d, lines + 2 * i, slope, width);
+            const auto q = C::value(sums + C::width * i, hn::Load(narrow, z + i));
+            hn::StoreU(
+                hl::scaled_exp2<Spec::exp_degree>(
+                    o, exponent(o, hn::Load(d, multiplier + i), slope, width, q), hn::Load(d, factor + i)),
+                d, out + i);
+        }
+    }
+
+    HWY_INLINE void run(const Table<Spec>& table, const double* g, const double* t, double* out,
+                        std::size_t count) {
+        const bool inside = place_all(table, g, t, count);
+        add_polynomials(table, count);
+        exponentials(out, count);
+        if (HWY_UNLIKELY(!inside))
+            for (std::size_t i = 0; i < count; ++i)
+                if (std::isnan(out[i])) out[i] = far_phi_value(g[i], t[i]);
+    }
+};
+
+/// exponent and factor of one pair: Phi = factor 2^exponent, or no table there.
+struct Tabled {
+    double exponent, factor;
+    bool inside;
+};
+
+/// The same operations in the same order as Block, hence the same bits.
+template <class Spec>
+HWY_INLINE Tabled tabled(const Table<Spec>& table, double g, double t) {
+    using C = Cells<Spec, hn::CappedTag<double, 1> >;
+    using T = typename Spec::Coefficient;
+    constexpr hl::Plain o{};
+    const auto p = place(o, table, g, t);
+    if (HWY_UNLIKELY(!p.inside)) return {0, 0, false};
+    const T z = static_cast<T>(p.z);
+    const T cell = C::fold(C::sums(table.cells + p.cell, static_cast<T>(p.x), z), z);
+    const auto line = line_sums<Spec>(table.lines + p.line, p.line_x);
+    const double slope = hn::GetLane(line);
+    const double width = hn::GetLane(hn::UpperHalf(hn::CappedTag<double, 1>{}, line));
+    return {exponent(o, p.multiplier, slope, width, static_cast<double>(cell)), p.factor, true};
+}
+
+template <class Spec>
+HWY_ATTR double phi_one(double g, double t) {
+    const Tabled p = tabled(table<Spec>(), g, t);
+    if (HWY_UNLIKELY(!p.inside)) return far_phi_value(g, t);
+    return hl::scaled_exp2<Spec::exp_degree>(hl::Plain{}, p.exponent, p.factor);
+}
+
+HWY_ATTR Phi phi_with_log(double g, double t) {
+    const Tabled p = tabled(table<High>(), g, t);
+    if (!p.inside || !(g > 0)) return far_phi(g, t);
+    return {hl::scaled_exp2<High::exp_degree>(hl::Plain{}, p.exponent, p.factor),
+            p.exponent * std::numbers::ln2 + std::log(p.factor), PhiMethod::table};
+}
+
+template <class Spec>
+HWY_ATTR void phi_many(const double* g, const double* t, double* out, std::size_t count) {
+    const Table<Spec>& tab = table<Spec>();
+    Block<Spec> block;
+    constexpr std::size_t lanes = Block<Spec>::lanes, size = Block<Spec>::size;
+    std::size_t i = 0;
+    for (; i + lanes <= count;) {
+        const std::size_t n = std::min(size, (count - i) / lanes * lanes);
+        block.run(tab, g + i, t + i, out + i, n);
+        i += n;
+    }
+    if (i == count) return;
+    double g_pad[lanes] = {}, t_pad[lanes] = {}, out_pad[lanes];
+    std::memcpy(g_pad, g + i, (count - i) * sizeof(double));
+    std::memcpy(t_pad, t + i, (count - i) * sizeof(double));
+    block.run(tab, g_pad, t_pad, out_pad, lanes);
+    std::memcpy(out + i, out_pad, (count - i) * sizeof(double));
+}
+
+PhiForms forms() {
+    return {{phi_one<Low>, phi_one<Medium>, phi_one<High>},
+            {phi_many<Low>, phi_many<Medium>, phi_many<High>},
+            phi_with_log};
+}
+
+#endif
+
+}  // namespace hts::phi_detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hts::phi_detail {
+
+HWY_EXPORT(forms);
+
+PhiForms phi_forms() noexcept {
+    return HWY_DYNAMIC_DISPATCH(forms)();
+}
+
+}  // namespace hts::phi_detail
+#endif
