@@ -157,7 +157,9 @@ void add_eval(CLI::App& program) {
     verb->add_option("--random-pairs", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
                      "the BRDF at all wavelengths in one call; prints mean and speed");
-    verb->add_option("--seed", options->seed, "of the random pairs")->capture_default_str();
+    verb->add_option("--seed", options->seed, "of the random pairs")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

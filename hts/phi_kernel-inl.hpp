@@ -72,13 +72,13 @@ struct Finder {
     }
 };
 
+/// inverse_g: 1/g, to a rounding error or two.
 template <class Spec, class Lanes>
 HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
-                              typename Lanes::Real t) {
+                              typename Lanes::Real t, typename Lanes::Real inverse_g) {
     using Real = typename Lanes::Real;
     using Int = typename Lanes::Int;
     const Finder<Spec, Lanes> find{o};
-    const Real inverse_g = o.divide(o.real(1.0), g);
     const Real v = o.mul_add(o.mul(t, o.real(v_scale)), o.mul(inverse_g, inverse_g), o.real(1.0));
     const auto top = o.greater_equal(g, o.real(Finder<Spec, Lanes>::high));
     const Int g_bits = o.bits(g);
@@ -91,8 +91,11 @@ HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename
 
     Place<Lanes> p;
     p.multiplier = o.select(saddle, o.mul(t, inverse_g), t);
-    p.inside = o.both(o.not_negative(o.bit_or(found, o.bit_or(g_bits, o.bits(t)))),
-                      o.at_most(p.multiplier, o.real(largest_ratio)));
+    // cells of the first terms hold for any g up to largest_first_t, and beyond as those of the saddle point do
+    const Real limit = o.select(saddle, o.real(largest_ratio),
+                                o.max(o.real(largest_first_t), o.mul(g, o.real(largest_ratio))));
+    p.inside =
+        o.both(o.not_negative(o.bit_or(found, o.bit_or(g_bits, o.bits(t)))), o.at_most(p.multiplier, limit));
     p.factor = o.select(saddle, inverse_g, g);
     const Int log2_nx = o.bit_and(o.template shift_right<3>(entry), o.integer(15));
     const Int log2_nz = o.bit_and(entry, o.integer(7));
@@ -107,6 +110,12 @@ HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename
         o.select_integer(saddle, find.line_piece(v_bits, table), o.integer(table.line_pieces)));
     p.line_x = find.position(o.template shift_left<Spec::line_sub>(v_bits));
     return p;
+}
+
+template <class Spec, class Lanes>
+HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
+                              typename Lanes::Real t) {
+    return place(o, table, g, t, o.divide(o.real(1.0), g));
 }
 
 }  // namespace hts::phi_detail::HWY_NAMESPACE

@@ -29,6 +29,7 @@ struct Medium { using Coefficient = float;  static constexpr double error = 1e-6
 struct High   { using Coefficient = double; static constexpr double error = 1e-12; static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5, line_rows = 10, line_sub = 3, exp_degree = 10; };
 // clang-format on
 
+inline constexpr double largest_first_t = 15;  // of t, in cells of the first terms, as g -> 0
 inline constexpr double largest_ratio = 1024;  // of t/g: cells of the saddle point are fitted up to it
 inline constexpr int octaves_per_row = 20;
 inline constexpr double v_scale = 5.43656365691809;  // 2 e

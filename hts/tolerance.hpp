@@ -1,8 +1,6 @@
 /// How much relative error a caller accepts, so that the library can take the cheapest form that meets it.
 #pragma once
 
-#include <compare>
-
 namespace hts {
 
 namespace accuracy {
@@ -25,8 +23,6 @@ class Tolerance {
     }
 
     [[nodiscard]] constexpr double relative_error() const noexcept { return relative_error_; }
-
-    friend constexpr auto operator<=>(const Tolerance&, const Tolerance&) = default;
 
   private:
     [[noreturn]] static void refuse(double relative_error);

@@ -1,5 +1,6 @@
 #include "spectral/reflectance.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -12,51 +13,57 @@ PairFactors factors(const Surface& surface, const DirectionPair& pair) {
     return {surface, view(surface, pair.in), view(surface, pair.out)};
 }
 
+std::vector<SpectralSample> look_up(const Reflector& reflector, const WavelengthGrid& wavelengths,
+                                    OutsideRange policy) {
+    std::vector<SpectralSample> samples;
+    samples.reserve(wavelengths.size());
+    for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+        samples.push_back({wavelengths[i], reflector.material.index(wavelengths[i], policy),
+                           hts::uniform_diffuse(reflector.albedo(wavelengths[i], policy))});
+    }
+    return samples;
+}
+
+void require_size(const char* call, std::size_t size, const char* rule, std::size_t expected) {
+    if (size == expected) return;
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " + rule +
+                " = " + std::to_string(expected)};
+}
+
 }  // namespace
 
 SpectralReflectance::SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                         OutsideRange policy)
-    : surface_{reflector.surface} {
-    samples_.reserve(wavelengths.size());
-    for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-        samples_.push_back({wavelengths[i], reflector.material.index(wavelengths[i], policy),
-                            hts::uniform_diffuse(reflector.albedo(wavelengths[i], policy))});
-    }
-}
-
-void SpectralReflectance::evaluate(const DirectionPair& pair, std::span<double> result) const noexcept {
-    const PairFactors shared = factors(surface_, pair);
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const Sample& sample = samples_[i];
-        result[i] =
-            hts::directional_diffuse(shared, sample.wavelength, sample.index).brdf + sample.uniform_diffuse;
-    }
-}
+                                         OutsideRange policy, Tolerance tolerance)
+    : prepared_{reflector.surface, look_up(reflector, wavelengths, policy), tolerance} {}
 
 std::vector<double> SpectralReflectance::brdf(const DirectionPair& pair) const {
     std::vector<double> result(size());
-    evaluate(pair, result);
+    prepared_.brdf(pair, result);
     return result;
 }
 
+void SpectralReflectance::brdf(const DirectionPair& pair, std::span<double> result) const {
+    require_size("brdf", result.size(), "wavelengths", size());
+    prepared_.brdf(pair, result);
+}
+
 void SpectralReflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
-    if (result.size() != pairs.size() * size()) {
-        throw Error{"brdf: result has " + std::to_string(result.size()) +
-                    " values: must be pairs x wavelengths = " + std::to_string(pairs.size() * size())};
-    }
-    const auto count = static_cast<std::ptrdiff_t>(pairs.size());
-#pragma omp parallel for schedule(dynamic, 64)
-    for (std::ptrdiff_t j = 0; j < count; ++j) {
-        const auto pair = static_cast<std::size_t>(j);
-        evaluate(pairs[pair], result.subspan(pair * size(), size()));
+    require_size("brdf", result.size(), "pairs x wavelengths", pairs.size() * size());
+    constexpr std::size_t chunk = 256;
+    const auto chunks = static_cast<std::ptrdiff_t>((pairs.size() + chunk - 1) / chunk);
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::ptrdiff_t j = 0; j < chunks; ++j) {
+        const std::size_t first = static_cast<std::size_t>(j) * chunk;
+        const std::size_t count = std::min(chunk, pairs.size() - first);
+        prepared_.brdf(pairs.subspan(first, count), result.subspan(first * size(), count * size()));
     }
 }
 
 std::vector<DirectionalDiffuse> SpectralReflectance::directional_diffuse(const DirectionPair& pair) const {
-    const PairFactors shared = factors(surface_, pair);
+    const PairFactors shared = factors(prepared_.surface(), pair);
     std::vector<DirectionalDiffuse> result;
     result.reserve(size());
-    for (const Sample& sample : samples_) {
+    for (const SpectralSample& sample : prepared_.samples()) {
         result.push_back(hts::directional_diffuse(shared, sample.wavelength, sample.index));
     }
     return result;
@@ -65,37 +72,38 @@ std::vector<DirectionalDiffuse> SpectralReflectance::directional_diffuse(const D
 std::vector<double> SpectralReflectance::uniform_diffuse() const {
     std::vector<double> result;
     result.reserve(size());
-    for (const Sample& sample : samples_) result.push_back(sample.uniform_diffuse);
+    for (const SpectralSample& sample : prepared_.samples()) result.push_back(sample.uniform_diffuse);
     return result;
 }
 
 std::vector<SpecularReflectance> SpectralReflectance::specular_reflectance(const Direction& in) const {
-    const View seen = view(surface_, in);
+    const View seen = view(prepared_.surface(), in);
     std::vector<SpecularReflectance> result;
     result.reserve(size());
-    for (const Sample& sample : samples_) {
-        result.push_back(hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index));
+    for (const SpectralSample& sample : prepared_.samples()) {
+        result.push_back(
+            hts::specular_reflectance(prepared_.surface(), seen, sample.wavelength, sample.index));
     }
     return result;
 }
 
 std::vector<Mueller> SpectralReflectance::mueller(const DirectionPair& pair) const {
-    std::vector<Mueller> result;
-    result.reserve(size());
-    const std::vector<DirectionalDiffuse> terms = directional_diffuse(pair);
-    for (std::size_t i = 0; i < size(); ++i) {
-        result.push_back(directional_diffuse_mueller(pair.in, pair.out, terms[i]) +
-                         Mueller::depolariser(samples_[i].uniform_diffuse));
-    }
+    std::vector<Mueller> result(size());
+    prepared_.mueller(pair, result);
     return result;
 }
 
+void SpectralReflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_size("mueller", result.size(), "wavelengths", size());
+    prepared_.mueller(pair, result);
+}
+
 std::vector<Mueller> SpectralReflectance::specular_mueller(const Direction& in) const {
-    const View seen = view(surface_, in);
+    const View seen = view(prepared_.surface(), in);
     std::vector<Mueller> result;
     result.reserve(size());
-    for (const Sample& sample : samples_) {
-        result.push_back(hts::specular_mueller(surface_, seen, sample.wavelength, sample.index));
+    for (const SpectralSample& sample : prepared_.samples()) {
+        result.push_back(hts::specular_mueller(prepared_.surface(), seen, sample.wavelength, sample.index));
     }
     return result;
 }

@@ -7,29 +7,42 @@
 #include <span>
 #include <vector>
 
+#include "hts/evaluation.hpp"
 #include "hts/he_torrance.hpp"
+#include "hts/tolerance.hpp"
 #include "spectral/reflector.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::spectral {
 
-/// Light from `in` seen from `out`.
-struct DirectionPair {
-    Direction in, out;
-};
+using hts::DirectionPair;
 
-/// A reflector with its optical constants looked up on a wavelength grid, ready for evaluation.
+/// A reflector with its optical constants looked up on a wavelength grid, ready for evaluation at a tolerance.
+///
+///     const SpectralReflectance reflectance{reflector, grid, OutsideRange::error, Tolerance{1e-6}};
+///     std::vector<double> spectrum(reflectance.size());
+///     reflectance.brdf({in, out}, spectrum);  // allocates nothing
+///
+/// The tolerance concerns brdf and mueller; the other terms keep the accuracy of he_torrance.hpp.
 class SpectralReflectance {
   public:
     /// Throws hts::Error if the grid leaves the range of the optical constants or albedo and `policy` is
     /// error.
+    ///   tolerance   relative error of brdf and mueller; from 1e-6 on vector lanes take over
     SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                        OutsideRange policy = OutsideRange::error);
+                        OutsideRange policy = OutsideRange::error,
+                        Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance});
 
-    [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
+    /// Number of wavelengths.
+    [[nodiscard]] std::size_t size() const noexcept { return prepared_.samples().size(); }
+    [[nodiscard]] Tolerance tolerance() const noexcept { return prepared_.tolerance(); }
+    /// Memory of this object alone; the table of Phi, hts::phi_table_bytes(tolerance()), is shared by all.
+    [[nodiscard]] std::size_t bytes() const noexcept { return prepared_.bytes(); }
 
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per wavelength.
     [[nodiscard]] std::vector<double> brdf(const DirectionPair& pair) const;
+    /// The same into `result` of size() values, else hts::Error; allocates nothing.
+    void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, into `result` of pairs.size() * size() values, all wavelengths of a pair
     /// together. Runs on all cores; the same bits for any number of threads.
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
@@ -43,19 +56,13 @@ class SpectralReflectance {
 
     /// Mueller matrix of both diffuse terms [1/sr], one per wavelength.
     [[nodiscard]] std::vector<Mueller> mueller(const DirectionPair& pair) const;
+    /// The same into `result` of size() matrices, else hts::Error; allocates nothing.
+    void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
     /// Mueller matrix of the specular term [1], one per wavelength.
     [[nodiscard]] std::vector<Mueller> specular_mueller(const Direction& in) const;
 
   private:
-    struct Sample {
-        Wavelength wavelength;
-        RefractiveIndex index;
-        double uniform_diffuse;  // BRDF [1/sr]
-    };
-    void evaluate(const DirectionPair& pair, std::span<double> result) const noexcept;
-
-    Surface surface_;
-    std::vector<Sample> samples_;
+    PreparedReflectance prepared_;
 };
 
 }  // namespace hts::spectral

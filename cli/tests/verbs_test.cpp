@@ -16,7 +16,7 @@ const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
 
 TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
-    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "materials"}) {
+    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "materials", "chart", "stability"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);
@@ -75,4 +75,38 @@ TEST_CASE("hts materials lists the collection and describes one") {
     const auto one = place.hts("materials Al --wavelengths 0.5,2");
     CHECK(cells(one.output).size() == 3);
     CHECK(one.errors.find("Rak") != std::string::npos);
+}
+
+TEST_CASE("hts stability passes the engine and shows where naive methods fail") {
+    const Workplace place;
+    const auto result = place.hts("stability --json --output reports/stability");
+    CHECK(result.exit_code == 0);
+    CHECK(result.errors.empty());
+    std::size_t rivals = 0;
+    for (const auto& row : nlohmann::json::parse(result.output)) {
+        const bool fails = row["verdict"] != "ok" && row["verdict"] != "model";
+        INFO(row["method"]);
+        if (row["engine"] == "yes") CHECK_FALSE(fails);
+        if (row["engine"] == "no" && fails) ++rivals;
+    }
+    CHECK(rivals >= 10);
+    CHECK(place.read("reports/stability/stability.html").find("</html>") != std::string::npos);
+    CHECK(place.read("reports/stability/stability.csv").starts_with("row,problem,method,"));
+    const auto table = place.hts("stability");
+    CHECK(table.exit_code == 0);
+    CHECK(table.output.find("engine: passes every row") != std::string::npos);
+}
+
+TEST_CASE("hts chart and hts stability need a folder that can be made") {
+    const Workplace place;
+    place.file("taken", "a file");
+    CHECK(place.hts("chart").exit_code == 2);
+    CHECK(place.hts("chart --output charts --seed -1").exit_code == 2);
+    for (const std::string verb : {"chart", "stability"}) {
+        const auto result = place.hts(verb + " --output taken/charts");
+        CHECK(result.exit_code == 1);
+        CHECK(result.output.empty());
+        CHECK(result.errors.find("taken/charts: cannot be made") != std::string::npos);
+    }
+    CHECK(place.names() == std::vector<std::string>{"taken"});
 }

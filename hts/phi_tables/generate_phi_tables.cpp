@@ -225,7 +225,7 @@ void print_exp2(std::ostream& out, int degree) {
 void write_exp2(const std::string& folder) {
     std::ofstream out{folder + "/exp2.hpp"};
     out << "// Polynomials of 2^f on [-1/2, 1/2], by power. Written by generate_phi_tables; do not "
-           "edit.\n#pragma once\n\n"
+           "edit.\n// clang-format off\n#pragma once\n\n"
            "#include <array>\n\nnamespace hts::lanes {\n\n"
            "template <int degree>\ninline constexpr std::array<double, degree + 1> exp2_coefficients{};\n";
     for (const int degree : {Low::exp_degree, Medium::exp_degree, High::exp_degree}) print_exp2(out, degree);

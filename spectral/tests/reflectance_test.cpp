@@ -12,8 +12,10 @@
 using hts::Direction;
 using hts::Stokes;
 using hts::Surface;
+using hts::Tolerance;
 using hts::spectral::DiffuseAlbedo;
 using hts::spectral::DirectionPair;
+using hts::spectral::OutsideRange;
 using hts::spectral::Reflector;
 using hts::spectral::SpectralReflectance;
 using hts::spectral::WavelengthGrid;
@@ -61,18 +63,46 @@ TEST_CASE("a spectrum is the model at each wavelength") {
 }
 
 TEST_CASE("many pairs give the same bits as one at a time, on any number of threads") {
-    const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7)};
-    const auto pairs = fan_of_pairs();
-    std::vector<double> serial;
-    for (const DirectionPair& pair : pairs) {
-        const auto spectrum = reflectance.brdf(pair);
-        serial.insert(serial.end(), spectrum.begin(), spectrum.end());
+    for (const double tolerance : {1e-12, 1e-6, 1e-3}) {
+        const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7),
+                                              OutsideRange::error, Tolerance{tolerance}};
+        const auto pairs = fan_of_pairs();
+        std::vector<double> serial;
+        for (const DirectionPair& pair : pairs) {
+            const auto spectrum = reflectance.brdf(pair);
+            serial.insert(serial.end(), spectrum.begin(), spectrum.end());
+        }
+        for (const int threads : {1, 2, 3}) {
+            omp_set_num_threads(threads);
+            std::vector<double> parallel(serial.size());
+            reflectance.brdf(pairs, parallel);
+            INFO("tolerance " << tolerance << ", " << threads << " threads");
+            CHECK(std::memcmp(parallel.data(), serial.data(), serial.size() * sizeof(double)) == 0);
+        }
     }
-    for (const int threads : {1, 2, 3}) {
-        omp_set_num_threads(threads);
-        std::vector<double> parallel(serial.size());
-        reflectance.brdf(pairs, parallel);
-        CHECK(std::memcmp(parallel.data(), serial.data(), serial.size() * sizeof(double)) == 0);
+}
+
+TEST_CASE("a coarser tolerance is met, with and without polarisation") {
+    const auto grid = WavelengthGrid::linear(0.38, 0.78, 7);
+    const SpectralReflectance exact{rough_aluminium(0.2), grid};
+    CHECK(exact.tolerance().relative_error() == 1e-12);
+    for (const double tolerance : {1e-6, 1e-3}) {
+        const SpectralReflectance fast{rough_aluminium(0.2), grid, OutsideRange::error, Tolerance{tolerance}};
+        std::vector<double> brdf(grid.size());
+        std::vector<hts::Mueller> mueller(grid.size());
+        for (const DirectionPair& pair : fan_of_pairs()) {
+            fast.brdf(pair, brdf);
+            fast.mueller(pair, mueller);
+            const auto expected = exact.brdf(pair);
+            const auto expected_mueller = exact.mueller(pair);
+            for (std::size_t i = 0; i < grid.size(); ++i) {
+                CHECK(brdf[i] == Approx(expected[i]).epsilon(tolerance));
+                CHECK(mueller[i](0, 0) == Approx(expected[i]).epsilon(tolerance));
+                CHECK(mueller[i](1, 2) ==
+                      Approx(expected_mueller[i](1, 2)).epsilon(tolerance).margin(tolerance * expected[i]));
+            }
+        }
+        CHECK(fast.bytes() > exact.bytes());
     }
 }
 
@@ -82,6 +112,11 @@ TEST_CASE("a result of the wrong size is refused") {
     std::vector<double> result(12);
     CHECK_THROWS_WITH(reflectance.brdf(pairs, result),
                       "brdf: result has 12 values: must be pairs x wavelengths = 2100");
+    CHECK_THROWS_WITH(reflectance.brdf(forward, result),
+                      "brdf: result has 12 values: must be wavelengths = 7");
+    std::vector<hts::Mueller> matrices(1);
+    CHECK_THROWS_WITH(reflectance.mueller(forward, matrices),
+                      "mueller: result has 1 values: must be wavelengths = 7");
 }
 
 TEST_CASE("polarised reflection adds up to the BRDF") {

@@ -1,0 +1,75 @@
+#include "bench/bench_inputs.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "spectral/material_files.hpp"
+
+namespace hts::bench {
+namespace {
+
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : bits_{seed} {}
+    double uniform(double low, double high) {
+        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+    }
+    Direction direction() {
+        const double cosine = 1 - uniform(0, 1);
+        const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+        const double azimuth = uniform(0, 2 * std::numbers::pi);
+        return Direction::from_vector({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine});
+    }
+
+  private:
+    std::mt19937_64 bits_;
+};
+
+PhiInputs drawn(double least_g, double most_g) {
+    Random random{20240601};
+    PhiInputs inputs;
+    for (std::size_t i = 0; i < bench_inputs; ++i) {
+        const double g = std::exp(random.uniform(std::log(least_g), std::log(most_g)));
+        inputs.g.push_back(g);
+        inputs.t.push_back(g * random.uniform(0, 50));
+    }
+    return inputs;
+}
+
+}  // namespace
+
+const PhiInputs& mixed_inputs() {
+    static const PhiInputs inputs = drawn(1e-3, 1e6);
+    return inputs;
+}
+
+PhiInputs inputs_at(double g) {
+    return drawn(g, g);
+}
+
+const std::vector<spectral::DirectionPair>& bench_pairs() {
+    static const std::vector<spectral::DirectionPair> pairs = [] {
+        Random random{20240602};
+        std::vector<spectral::DirectionPair> drawn;
+        for (std::size_t i = 0; i < bench_inputs; ++i) {
+            const Direction in = random.direction();
+            drawn.push_back({in, random.direction()});
+        }
+        return drawn;
+    }();
+    return pairs;
+}
+
+const spectral::Reflector& bench_reflector() {
+    static const spectral::Reflector aluminium{
+        "rough aluminium", {0.28, 1.77}, spectral::built_in_material("Al"), spectral::DiffuseAlbedo{0}};
+    return aluminium;
+}
+
+spectral::WavelengthGrid bench_wavelengths(int count) {
+    if (count == 1) return spectral::WavelengthGrid::from_micrometres({0.55});
+    return spectral::WavelengthGrid::linear(0.4, 0.7, count);
+}
+
+}  // namespace hts::bench

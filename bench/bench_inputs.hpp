@@ -1,0 +1,33 @@
+/// What the benchmarks share: inputs drawn beforehand with a fixed seed, and the surface that is evaluated.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bench/accuracy_sweep.hpp"
+#include "spectral/reflectance.hpp"
+
+namespace hts::bench {
+
+/// More than any cache of first or second level and any branch predictor remembers.
+inline constexpr std::size_t bench_inputs = std::size_t{1} << 17;
+
+/// Values per call of a batch benchmark: its inputs and results fit the first-level cache.
+inline constexpr std::size_t bench_block = 1024;
+
+/// g log-uniform in 1e-3 ... 1e6, t/g uniform in 0 ... 50.
+[[nodiscard]] const PhiInputs& mixed_inputs();
+
+/// The same t/g at one g.
+[[nodiscard]] PhiInputs inputs_at(double g);
+
+/// Pairs of directions, each uniform in solid angle over the hemisphere.
+[[nodiscard]] const std::vector<spectral::DirectionPair>& bench_pairs();
+
+/// sigma_0 = 0.28 um, tau = 1.77 um: the aluminium of He et al.
+[[nodiscard]] const spectral::Reflector& bench_reflector();
+
+/// `count` wavelengths over 0.4 ... 0.7 um.
+[[nodiscard]] spectral::WavelengthGrid bench_wavelengths(int count);
+
+}  // namespace hts::bench

@@ -1,0 +1,41 @@
+/// The benchmarks of hts_bench by their names, and what their loops share.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+
+namespace hts::bench {
+
+/// phi/<tol>, phi_at_g/<tol>/<g>, phi_batch/<tol>, phi_series_adaptive/<g>, phi_series_windowed/<g>,
+/// phi_series_from_one/<g>, phi_series_fixed/<terms>.
+void register_phi();
+
+/// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n> at n wavelengths.
+void register_spectral();
+
+/// Counters after the loop: items per second and time per item.
+inline void report_items(benchmark::State& state, std::size_t items_per_iteration) {
+    const auto items = static_cast<double>(state.iterations()) * static_cast<double>(items_per_iteration);
+    state.SetItemsProcessed(static_cast<std::int64_t>(items));
+    state.counters["per_item"] =
+        benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// Walks through indices 0, step, 2 step … below `size`, a multiple of step, again and again.
+class Cycle {
+  public:
+    explicit Cycle(std::size_t size, std::size_t step = 1) : size_{size}, step_{step} {}
+
+    std::size_t next() noexcept {
+        const std::size_t now = next_;
+        next_ = now + step_ < size_ ? now + step_ : 0;
+        return now;
+    }
+
+  private:
+    std::size_t size_, step_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace hts::bench

@@ -1,0 +1,88 @@
+// Benchmarks of whole BRDFs: this project's model and a GGX conductor of the same metal.
+
+#include <cstdint>
+#include <string>
+
+#include "bench/bench_inputs.hpp"
+#include "bench/bench_registrations.hpp"
+#include "bench/ggx.hpp"
+
+namespace hts::bench {
+namespace {
+
+/// The accuracy at which wave optics are compared with microfacets.
+constexpr Tolerance tolerance{1e-6};
+
+spectral::SpectralReflectance he_torrance(int wavelengths) {
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, tolerance};
+}
+
+/// As wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
+RoughConductor ggx(int wavelengths) {
+    const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
+    std::vector<double> n, k;
+    for (const double um : grid.micrometres()) {
+        const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
+        n.push_back(index.n());
+        k.push_back(index.k());
+    }
+    return {bench_reflector().surface.slope_width(), n, k};
+}
+
+/// One pair of directions per iteration.
+template <class Model>
+void evaluate(benchmark::State& state, const Model& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<double> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.brdf(pairs[cycle.next()], std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// A block of pairs per iteration.
+template <class Model>
+void evaluate_batch(benchmark::State& state, const Model& model) {
+    const std::span pairs{bench_pairs()};
+    std::vector<double> result(bench_block * model.size());
+    Cycle cycle{pairs.size(), bench_block};
+    for (auto _ : state) {
+        model.brdf(pairs.subspan(cycle.next(), bench_block), std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, bench_block);
+}
+
+void mueller(benchmark::State& state, const spectral::SpectralReflectance& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<Mueller> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.mueller(pairs[cycle.next()], std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void add(const std::string& name, int wavelengths, void (*benchmark)(benchmark::State&, int)) {
+    benchmark::RegisterBenchmark((name + '/' + std::to_string(wavelengths)).c_str(), benchmark, wavelengths);
+}
+
+}  // namespace
+
+void register_spectral() {
+    for (const int n : {1, 4, 8, 16, 31}) {
+        add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, he_torrance(w)); });
+        add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, ggx(w)); });
+        add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, he_torrance(w)); });
+        add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, ggx(w)); });
+        add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, he_torrance(w)); });
+    }
+}
+
+}  // namespace hts::bench

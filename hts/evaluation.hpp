@@ -1,0 +1,81 @@
+/// The diffuse terms of one surface at several wavelengths, prepared once for many fast evaluations.
+///
+/// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
+/// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
+/// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon take the
+/// exact path of he_torrance.hpp.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hts/he_torrance.hpp"
+#include "hts/tolerance.hpp"
+
+namespace hts {
+
+namespace accuracy {
+/// The coarser tolerances; finer ones give accuracy::brdf.
+inline constexpr double finest_lane_tolerance = 1e-6;
+}  // namespace accuracy
+
+/// Light from `in` seen from `out`.
+struct DirectionPair {
+    Direction in, out;
+};
+
+/// What a reflector is at one wavelength.
+struct SpectralSample {
+    Wavelength wavelength;
+    RefractiveIndex index;
+    double uniform_diffuse;  ///< BRDF [1/sr], see hts::uniform_diffuse
+};
+
+/// Surface, optical constants at each wavelength, and tolerance.
+///
+///     const hts::PreparedReflectance prepared{surface, samples, hts::Tolerance{1e-6}};
+///     std::vector<double> spectrum(samples.size());
+///     prepared.brdf({in, out}, spectrum);
+///
+/// Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits alone, in
+/// any batch and at any place in it.
+class PreparedReflectance {
+  public:
+    PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance);
+    ~PreparedReflectance();
+    PreparedReflectance(const PreparedReflectance& other);
+    PreparedReflectance(PreparedReflectance&& other) noexcept;
+    PreparedReflectance& operator=(PreparedReflectance other) noexcept;
+
+    [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
+    [[nodiscard]] std::span<const SpectralSample> samples() const noexcept { return samples_; }
+    [[nodiscard]] Tolerance tolerance() const noexcept { return tolerance_; }
+    /// Memory of this object alone; the table of Phi, phi_table_bytes(tolerance()), is shared by all.
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+    /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
+    ///   result   samples().size() values
+    ///   error    relative, at most the tolerance, above 1e-280; accuracy::brdf where that is more
+    void brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    /// The same for many pairs, all samples of a pair together, on the calling thread.
+    ///   result   pairs.size() * samples().size() values
+    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
+    /// Mueller matrix of both terms [1/sr], one per sample.
+    ///   result   samples().size() matrices
+    ///   error    of each element relative to element 00, as of brdf
+    void mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
+
+  private:
+    struct Lanes;
+    void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
+
+    Surface surface_;
+    std::vector<SpectralSample> samples_;
+    Tolerance tolerance_;
+    std::unique_ptr<const Lanes> lanes_;  // null where the exact path takes everything
+};
+
+}  // namespace hts

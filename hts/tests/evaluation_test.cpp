@@ -1,0 +1,189 @@
+// The lanes against the exact path of he_torrance.hpp, in every regime. HTS_EXHAUSTIVE=1 takes 10^7 points a
+// tolerance, otherwise 10^5.
+#include "hts/evaluation.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "comparison.hpp"
+
+using hts::Direction;
+using hts::DirectionPair;
+using hts::Mueller;
+using hts::PreparedReflectance;
+using hts::RefractiveIndex;
+using hts::SpectralSample;
+using hts::Surface;
+using hts::Tolerance;
+using hts::Wavelength;
+using hts::testing::Random;
+using hts::testing::relative_error;
+using hts::testing::WorstCase;
+
+namespace {
+
+constexpr double exact = hts::accuracy::finest_tolerance;
+
+/// Even polar angles, now and then the normal, the horizon and what is close to them.
+Direction direction(Random& random) {
+    const double phi = random.uniform(-4, 4);
+    const double pick = random.uniform(0, 8);
+    if (pick < 1) return Direction::from_degrees(random.one_of({0, 1e-9, 45, 89.99, 89.9999, 90}), 57 * phi);
+    if (pick < 2) return Direction::from_degrees(90 - random.logarithmic(1e-6, 10), 57 * phi);
+    return Direction::from_angles(random.uniform(0, 1.57), phi);
+}
+
+/// Any two directions, now and then the mirror's, backscatter's, or close to them.
+DirectionPair pair(Random& random) {
+    const Direction in = direction(random);
+    const double pick = random.uniform(0, 8);
+    if (pick < 1) return {in, in.mirror()};
+    if (pick < 2) return {in, in};
+    if (pick < 3) {
+        const hts::Vector3 near = in.mirror().vector();
+        const double step = random.logarithmic(1e-12, 0.1);
+        return {in, Direction::from_vector({near.x + step, near.y - step / 3, near.z + step / 2})};
+    }
+    return {in, direction(random)};
+}
+
+RefractiveIndex index(Random& random) {
+    const double pick = random.uniform(0, 4);
+    if (pick < 1) return {1 + random.one_of({0, 1e-12, 1e-6, -1e-6}), random.one_of({0, 1e-12, 1e-6})};
+    if (pick < 2) return {random.uniform(0.3, 3), 0};  // below 1: total reflection
+    return {random.logarithmic(0.02, 20), random.logarithmic(1e-3, 50)};
+}
+
+Surface surface(Random& random) {
+    const double pick = random.uniform(0, 8);
+    if (pick < 1) return {0, random.logarithmic(0.1, 100)};
+    if (pick < 2) return {random.logarithmic(1, 50), random.logarithmic(0.1, 3)};  // steep
+    const double sigma = random.logarithmic(1e-3, 16);
+    return {sigma, sigma / random.logarithmic(3e-3, 2)};
+}
+
+std::vector<SpectralSample> samples(Random& random, std::size_t count) {
+    std::vector<SpectralSample> result;
+    result.reserve(count);
+    const double diffuse = random.one_of({0, 0, 0.1});
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back({Wavelength::from_micrometres(random.logarithmic(0.3, 13)), index(random), diffuse});
+    }
+    return result;
+}
+
+std::string describe(const DirectionPair& p, const Surface& s, const SpectralSample& sample) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "theta " << std::acos(p.in.cos_theta()) << ", " << std::acos(p.out.cos_theta()) << ", sigma0 "
+         << s.rms_roughness() << ", tau " << s.correlation_length() << ", lambda "
+         << sample.wavelength.micrometres() << ", N " << sample.index.n() << " + " << sample.index.k() << 'i';
+    return text.str();
+}
+
+/// Worst errors of brdf and mueller over random surfaces, each with spectra of every length up to 20.
+void compare(double tolerance) {
+    const std::string name = "at tolerance " + std::to_string(tolerance);
+    WorstCase brdf{"brdf " + name, tolerance};
+    WorstCase matrices{"mueller " + name, tolerance};
+    Random random{20261122};
+    const std::size_t points = hts::testing::exhaustive() ? 10'000'000 : 100'000;
+    while (brdf.count() < points) {
+        const Surface ground = surface(random);
+        const std::size_t count = 1 + brdf.count() % 20;
+        const auto spectrum = samples(random, count);
+        const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}};
+        const PreparedReflectance slow{ground, spectrum, Tolerance{exact}};
+        std::vector<double> f(count);
+        std::vector<double> reference(count);
+        std::vector<Mueller> m(count);
+        std::vector<Mueller> reference_m(count);
+        for (int i = 0; i < 20; ++i) {
+            const DirectionPair p = pair(random);
+            fast.brdf(p, f);
+            slow.brdf(p, reference);
+            fast.mueller(p, m);
+            slow.mueller(p, reference_m);
+            for (std::size_t j = 0; j < count; ++j) {
+                const auto where = [&] { return describe(p, ground, spectrum[j]); };
+                if (!(std::isfinite(f[j]) && f[j] >= 0)) FAIL(f[j] << " at " << where());
+                if (reference[j] < 1e-280) continue;
+                brdf.note(relative_error(f[j], reference[j]), where);
+                for (std::size_t e = 0; e < 16; ++e) {
+                    matrices.note(std::abs(m[j].elements()[e] - reference_m[j].elements()[e]) / reference[j],
+                                  where);
+                }
+            }
+        }
+    }
+    brdf.check();
+    matrices.check();
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("lanes keep the tolerance in every regime") {
+    compare(1e-3);
+    compare(1e-6);
+}
+
+TEST_CASE("a pair has the same bits alone, in any batch and anywhere in it") {
+    Random random{5};
+    for (const std::size_t count : {1U, 3U, 4U, 5U, 8U, 16U, 31U, 100U}) {
+        const auto spectrum = samples(random, count);
+        for (const double tolerance : {1e-12, 1e-6, 1e-3}) {
+            const PreparedReflectance prepared{Surface{0.28, 1.77}, spectrum, Tolerance{tolerance}};
+            std::vector<DirectionPair> pairs;
+            pairs.reserve(150);
+            for (int i = 0; i < 150; ++i) pairs.push_back(pair(random));
+            std::vector<double> alone(pairs.size() * count);
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                prepared.brdf(pairs[i], std::span{alone}.subspan(i * count, count));
+            }
+            for (const std::size_t first : {0U, 1U, 7U, 64U, 149U}) {
+                std::vector<double> batch((pairs.size() - first) * count);
+                prepared.brdf(std::span{pairs}.subspan(first), batch);
+                INFO(count << " wavelengths from pair " << first << " at " << tolerance);
+                CHECK(same_bits(batch,
+                                {alone.begin() + static_cast<std::ptrdiff_t>(first * count), alone.end()}));
+            }
+        }
+    }
+}
+
+TEST_CASE("a prepared object says what memory it takes") {
+    Random random{6};
+    const auto few = samples(random, 4);
+    const auto many = samples(random, 400);
+    const Surface ground{0.28, 1.77};
+    const auto bytes = [&](const auto& spectrum, double tolerance) {
+        return PreparedReflectance{ground, spectrum, Tolerance{tolerance}}.bytes();
+    };
+    CHECK(bytes(few, exact) < bytes(few, 1e-6));
+    CHECK(bytes(few, 1e-6) < 1200);
+    // six columns, and the samples themselves
+    CHECK(bytes(many, 1e-6) - bytes(few, 1e-6) ==
+          sizeof(double) * 6 * (400 - 8) + sizeof(SpectralSample) * 396);
+}
+
+TEST_CASE("a copy of a prepared object is one of its own") {
+    Random random{7};
+    const auto spectrum = samples(random, 5);
+    PreparedReflectance original{Surface{0.28, 1.77}, spectrum, Tolerance{1e-6}};
+    const PreparedReflectance copy{original};
+    const DirectionPair p{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
+    std::vector<double> expected(5);
+    original.brdf(p, expected);
+    original = PreparedReflectance{Surface{0, 1}, spectrum, Tolerance{1e-6}};
+    std::vector<double> f(5);
+    copy.brdf(p, f);
+    CHECK(same_bits(f, expected));
+}
