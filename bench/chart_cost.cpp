@@ -69,7 +69,7 @@ std::string cost_script(const ChartData& data) {
     write_legend(out);
     out << "set lmargin at screen 0.075\nset rmargin at screen 0.755\nset bmargin at screen 0.115\n"
            "set tmargin at screen 0.905\nset logscale xy\nset grid xtics ytics lc rgb '#e4e4e4' lw 0.6\n"
-           "set xrange [1e-3:1e8]\nset yrange [1:1e8]\nset ytics "
+           "set xrange [1e-3:1e8]\nset yrange [1:1e9]\nset ytics "
         << script::time_tics()
         << "\nset xtics format '10^{%T}' 10\nset mxtics 1\nset mytics 1\n"
            "set xlabel 'phase variance g (t/g uniform in 0 … 10)'\nset ylabel 'time per value, one "

@@ -21,7 +21,7 @@ double marker_size(const ChartMethod& method) {
 
 std::string time_tics() {
     return "('1 ns' 1, '10 ns' 10, '100 ns' 100, '1 µs' 1e3, '10 µs' 1e4, '100 µs' 1e5, '1 ms' 1e6, "
-           "'10 ms' 1e7, '100 ms' 1e8)";
+           "'10 ms' 1e7, '100 ms' 1e8, '1 s' 1e9)";
 }
 
 void begin_page(std::ostream& out, int width, int height) {
