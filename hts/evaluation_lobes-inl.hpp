@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "hts/phi_cells-inl.hpp"
-#include "hts/phi_far.hpp"
+#include "hts/phi_terms-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::evaluation_detail::HWY_NAMESPACE {
@@ -105,7 +105,7 @@ struct Lobes {
         hn::Store(lobe, d, values);
         for (std::size_t j = 0; j < lanes; ++j) {
             if (std::isnan(values[j]))
-                values[j] = phi_detail::far_phi_value(g[i + j], t[i + j]) * scale[i + j];
+                values[j] = phi::phi_beyond_table<Spec>(g[i + j], t[i + j]) * scale[i + j];
         }
         return hn::Load(d, values);
     }

@@ -6,8 +6,8 @@
 /// g is the phase variance, t = v_xy^2 tau^2 / 4. Material, wavelength and directions enter only through
 /// these two.
 ///
-/// Tables of polynomials hold every (g, t) with t/g <= 700, most with t/g <= 1024, and all with t < 7 where g
-/// < 1; elsewhere the terms are summed. Wherever the arguments' own last bits count for more than an error
+/// Tables of polynomials hold every (g, t) with Phi > 1e-280, but for t > 7 where g < 1/128 (1/64 at tolerance
+/// 1e-3): there the few terms that count are summed. Wherever the arguments' own last bits count for more than an error
 /// stated here, they bound it: one ulp of t changes Phi by 1.1e-16 t/g at most.
 #pragma once
 
@@ -46,7 +46,7 @@ struct Phi {
 ///   limits   t = 0: exp(-g)(Ei(g) - ln g - gamma); g -> 0: g exp(-g - t); g -> infinity at fixed t/g:
 ///            exp(-t/g)/g
 ///   error    accuracy::phi, accuracy::log_phi
-///   cost     about 40 ns while t/g <= 700, up to 1 microsecond beyond; the same at every g
+///   cost     about 40 ns, at every g; up to 1 microsecond where Phi < 1e-280 or few terms are summed
 [[nodiscard]] Phi phi(double g, double t) noexcept;
 
 /// Phi alone, by the cheapest form that meets a tolerance: one for 1e-3 and coarser, one for 1e-6, one for

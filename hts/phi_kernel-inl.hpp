@@ -91,11 +91,7 @@ HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename
 
     Place<Lanes> p;
     p.multiplier = o.select(saddle, o.mul(t, inverse_g), t);
-    // cells of the first terms hold for any g up to largest_first_t, and beyond as those of the saddle point do
-    const Real limit = o.select(saddle, o.real(largest_ratio),
-                                o.max(o.real(largest_first_t), o.mul(g, o.real(largest_ratio))));
-    p.inside =
-        o.both(o.not_negative(o.bit_or(found, o.bit_or(g_bits, o.bits(t)))), o.at_most(p.multiplier, limit));
+    p.inside = o.not_negative(o.bit_or(found, o.bit_or(g_bits, o.bits(t))));
     p.factor = o.select(saddle, inverse_g, g);
     const Int log2_nx = o.bit_and(o.template shift_right<3>(entry), o.integer(15));
     const Int log2_nz = o.bit_and(entry, o.integer(7));

@@ -15,6 +15,7 @@
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
 #include "hts/phi_cells-inl.hpp"
+#include "hts/phi_terms-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -100,7 +101,7 @@ struct Block {
         exponentials(out, count);
         if (HWY_UNLIKELY(!inside))
             for (std::size_t i = 0; i < count; ++i)
-                if (std::isnan(out[i])) out[i] = far_phi_value(g[i], t[i]);
+                if (std::isnan(out[i])) out[i] = phi_beyond_table<Spec>(g[i], t[i]);
     }
 };
 
@@ -129,15 +130,16 @@ HWY_INLINE Tabled tabled(const Table<Spec>& table, double g, double t) {
 template <class Spec>
 HWY_ATTR double phi_one(double g, double t) {
     const Tabled p = tabled(table<Spec>(), g, t);
-    if (HWY_UNLIKELY(!p.inside)) return far_phi_value(g, t);
+    if (HWY_UNLIKELY(!p.inside)) return phi_beyond_table<Spec>(g, t);
     return hl::scaled_exp2<Spec::exp_degree>(hl::Plain{}, p.exponent, p.factor);
 }
 
 HWY_ATTR Phi phi_with_log(double g, double t) {
     const Tabled p = tabled(table<High>(), g, t);
     if (!p.inside || !(g > 0)) return far_phi(g, t);
-    return {hl::scaled_exp2<High::exp_degree>(hl::Plain{}, p.exponent, p.factor),
-            p.exponent * std::numbers::ln2 + std::log(p.factor), PhiMethod::table};
+    const double log = p.exponent * std::numbers::ln2 + std::log(p.factor);
+    if (log < least_log_phi) return far_phi(g, t);
+    return {hl::scaled_exp2<High::exp_degree>(hl::Plain{}, p.exponent, p.factor), log, PhiMethod::table};
 }
 
 template <class Spec>

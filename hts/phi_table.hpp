@@ -19,9 +19,8 @@ namespace hts::phi_detail {
 // One table per tolerance.
 //   error                what Phi is allowed
 //   rows, lanes          a cell holds rows x lanes coefficients: powers of x by powers of z
-//   emin, emax           octaves of g with cells of their own; below emin one row linear in g, from 2^emax
-//   one
-//                        row in 1/g
+//   emin, emax           octaves of g with cells of their own; below emin one row linear in g, where t < 7;
+//                        from 2^emax on one row in 1/g
 //   line_rows, line_sub  the pieces of F and W: coefficients, and log2 of pieces per octave of v
 // clang-format off
 struct Low    { using Coefficient = float;  static constexpr double error = 1e-3;  static constexpr int rows = 4,  lanes = 4,  emin = -6, emax = 3, line_rows = 5,  line_sub = 2, exp_degree = 3; };
@@ -29,8 +28,8 @@ struct Medium { using Coefficient = float;  static constexpr double error = 1e-6
 struct High   { using Coefficient = double; static constexpr double error = 1e-12; static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5, line_rows = 10, line_sub = 3, exp_degree = 10; };
 // clang-format on
 
-inline constexpr double largest_first_t = 15;  // of t, in cells of the first terms, as g -> 0
-inline constexpr double largest_ratio = 1024;  // of t/g: cells of the saddle point are fitted up to it
+inline constexpr double least_log_phi = -660;  // cells are fitted where ln Phi is more: above 1e-287
+inline constexpr int most_terms = 64;  // of the series below 2^emin, where Phi > 1e-287
 inline constexpr int octaves_per_row = 20;
 inline constexpr double v_scale = 5.43656365691809;  // 2 e
 inline constexpr double root2 = 1.4142135623730951;

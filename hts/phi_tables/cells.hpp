@@ -44,6 +44,14 @@ Point<Real> point_of(const Cell& cell, Real x, Real z) {
     return {Real(std::ldexp(1.0, cell.exponent)) * mantissa_at(zeta), v - 1};
 }
 
+/// Whether ln Phi > least_log_phi, by the saddle point.
+template <class Real>
+bool counts(const Point<Real>& p) {
+    using std::log;
+    const Real w = half_lambert(Real(p.t / (p.g * p.g)));
+    return p.g * saddle_exponent(w) - log(p.g) - w - log(1 + 2 * w) / 2 > Real(least_log_phi);
+}
+
 /// Q
 template <class Real>
 Real correction(bool saddle, const Point<Real>& p) {
@@ -127,7 +135,7 @@ double worst_error(const Cell& cell, const std::vector<double>& coefficients, do
             const long double first = cell.top && cell.zeta0 == 0 ? -1 + 2e-6L : -0.9999L;
             const long double z = j == 0 ? first : j == n - 1 ? 1 : -1 + 2 * (j + 0.61L) / n;
             const auto p = point_of<Spec>(cell, x, z);
-            if (cell.saddle && p.t > 1.01L * largest_ratio * p.g) continue;
+            if (!counts(p)) continue;
             const long double error = value_of<Spec>(coefficients, x / 2, z / 2) - correction(cell.saddle, p);
             worst = std::max(worst, static_cast<double>(std::abs(error) * std::log(2.0L)));
         }

@@ -20,8 +20,6 @@ using Digits50 =
 using boost::multiprecision::exp;
 using boost::multiprecision::log;
 
-constexpr int top_octaves = 10;  // of v, above 2^emax
-
 /// What the cells of Q may take of the error: the rest is rounding, F, W and 2^f.
 template <class Spec>
 constexpr double cell_share = Spec::error == 1e-12 ? 1e-13 : 0.4 * Spec::error;
@@ -40,11 +38,18 @@ struct Row {
     int octaves;
 };
 
+/// An octave in one piece.
+Cell octave_of(const Row& row, int octave) {
+    return {row.top, true, row.exponent, std::ldexp(1.0, octave), std::ldexp(2.0, octave), 0, 1};
+}
+
 template <class Spec>
 Row row_of(int exponent) {
-    if (exponent == Spec::emax) return {exponent, true, top_octaves};
-    const int octaves = static_cast<int>(std::log2(1 + largest_ratio * std::ldexp(1.0, exponent + 1))) + 1;
-    return {exponent, false, exponent < Spec::emin ? 3 : std::max(octaves, 4)};
+    if (exponent < Spec::emin) return {exponent, false, 3};
+    Row row{exponent, exponent == Spec::emax, 0};
+    // Phi is largest where an octave begins and g is largest (in the top row, at the same v, least)
+    while (counts(point_of<Spec, long double>(octave_of(row, row.octaves), -1, 1))) ++row.octaves;
+    return row;
 }
 
 /// The cells of an octave, cut into 2^log2_x by 2^log2_z.
@@ -119,14 +124,14 @@ void add_cells(Coefficients<Spec>& c) {
 /// Octaves of v that saddle cells reach.
 template <class Spec>
 int octaves_of_v(const Coefficients<Spec>& c) {
-    int octaves = top_octaves;
+    int octaves = row_of<Spec>(Spec::emax).octaves;
     for (int exponent = Spec::emin; exponent < Spec::emax; ++exponent) {
         const double g = std::ldexp(1.0, exponent);
         for (int octave = 0; octave < octaves_per_row; ++octave) {
             const auto slot =
                 static_cast<std::size_t>((exponent - Spec::emin + 1) * octaves_per_row + octave);
             if (c.directory[slot] == no_entry || (c.directory[slot] & saddle_bit) == 0) continue;
-            const double t = std::min(std::ldexp(2.0, octave) - 1, largest_ratio * 2 * g);
+            const double t = std::ldexp(2.0, octave) - 1;
             octaves = std::max(octaves, 1 + static_cast<int>(std::log2(1 + v_scale * t / (g * g))));
         }
     }
@@ -156,8 +161,10 @@ void add_line(Coefficients<Spec>& c, double v0, double v1) {
             width_here = width_here * x / 2 + interleaved[i - 1];
         }
         const auto expected = lines_at<long double>(v_at(x));
-        const long double error = std::max(std::abs(slope_here - expected.slope) * largest_ratio,
-                                           std::abs(width_here - expected.width));
+        // the slope's multiplier makes least_log_phi of it at most
+        const long double error =
+            std::max(std::abs(slope_here / expected.slope - 1) * -least_log_phi / std::log(2.0L),
+                     std::abs(width_here - expected.width));
         c.worst_line = std::max(c.worst_line, static_cast<double>(error * std::log(2.0L)));
     }
     c.lines.insert(c.lines.end(), interleaved.begin(), interleaved.end());
@@ -199,7 +206,7 @@ void write_table(const std::string& folder, const std::string& name, const std::
     std::ofstream out{folder + "/" + name + ".cpp"};
     out << "// Written by generate_phi_tables; do not edit. " << c.cells.size() / (Spec::rows * Spec::lanes)
         << " cells.\n// Worst error of ln Phi on the generator's own grid: " << c.worst_cell
-        << " by the cells, " << c.worst_line << " by the lines\n// at t/g = " << largest_ratio << ".\n"
+        << " by the cells, " << c.worst_line << " by the lines\n// at ln Phi = " << least_log_phi << ".\n"
         << "// clang-format off\n#include \"hts/phi_table.hpp\"\n\nnamespace hts::phi_detail {\nnamespace "
            "{\n\n";
     print(out, spec + "::Coefficient", "cells", c.cells, Spec::lanes);
@@ -208,6 +215,21 @@ void write_table(const std::string& folder, const std::string& name, const std::
     out << "\n}  // namespace\n\nconst Table<" << spec << "> table_" << name
         << " = {cells, lines, directory, " << c.line_pieces
         << ", sizeof cells + sizeof lines + sizeof directory};\n\n}  // namespace hts::phi_detail\n";
+}
+
+void write_terms(const std::string& folder) {
+    std::vector<double> logs, reciprocals;
+    for (int m = 1; m <= most_terms; ++m) {
+        logs.push_back(static_cast<double>((boost::math::lgamma(Digits50(m + 1)) + log(Digits50(m))) /
+                                           boost::math::constants::ln_two<Digits50>()));
+        reciprocals.push_back(1.0 / m);
+    }
+    std::ofstream out{folder + "/terms.hpp"};
+    out << "// log2(m! m) and 1/m, by m - 1. Written by generate_phi_tables; do not edit.\n// clang-format "
+           "off\n#pragma once\n\nnamespace hts::phi_detail {\n\n";
+    print(out, "double", "term_logs", logs, 4);
+    print(out, "double", "term_reciprocals", reciprocals, 4);
+    out << "\n}  // namespace hts::phi_detail\n";
 }
 
 void print_exp2(std::ostream& out, int degree) {
@@ -243,6 +265,7 @@ int main(int argc, char** argv) {
     }
     const std::string folder = argv[1];
     write_exp2(folder);
+    write_terms(folder);
     write_table<Low>(folder, "low", "Low");
     write_table<Medium>(folder, "medium", "Medium");
     write_table<High>(folder, "high", "High");

