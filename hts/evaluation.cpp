@@ -18,10 +18,6 @@ double square(double x) {
     return x * x;
 }
 
-PairFactors factors(const Surface& surface, const DirectionPair& pair) {
-    return {surface, view(surface, pair.in), view(surface, pair.out)};
-}
-
 /// Lengths and indices whose products stay far from the ends of a double's range, in any order.
 bool is_ordinary(const Surface& surface, const std::vector<SpectralSample>& samples) {
     const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
@@ -69,11 +65,12 @@ struct PreparedReflectance::Lanes {
 };
 
 PreparedReflectance::PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples,
-                                         Tolerance tolerance)
-    : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance} {
+                                         Tolerance tolerance, DiffuseLobe lobe)
+    : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
+    if (lobe == DiffuseLobe::none) return;
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance || !is_ordinary(surface_, samples_))
         return;
-    const Forms forms = evaluation_detail::forms(tolerance);
+    const Forms forms = evaluation_detail::forms(tolerance, lobe);
     if (forms.brdf_one == nullptr) return;
     lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_)});
 }
@@ -83,12 +80,14 @@ PreparedReflectance::PreparedReflectance(const PreparedReflectance& other)
     : surface_{other.surface_},
       samples_{other.samples_},
       tolerance_{other.tolerance_},
+      lobe_{other.lobe_},
       lanes_{other.lanes_ ? std::make_unique<const Lanes>(*other.lanes_) : nullptr} {}
 PreparedReflectance::PreparedReflectance(PreparedReflectance&&) noexcept = default;
 PreparedReflectance& PreparedReflectance::operator=(PreparedReflectance other) noexcept {
     std::swap(surface_, other.surface_);
     std::swap(samples_, other.samples_);
     std::swap(tolerance_, other.tolerance_);
+    std::swap(lobe_, other.lobe_);
     std::swap(lanes_, other.lanes_);
     return *this;
 }
@@ -120,21 +119,27 @@ void PreparedReflectance::mueller(const DirectionPair& pair, std::span<Mueller> 
 }
 
 void PreparedReflectance::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
-    const PairFactors shared = factors(surface_, pair);
+    std::transform(samples_.begin(), samples_.end(), result.begin(),
+                   [](const SpectralSample& sample) { return sample.uniform_diffuse; });
+    if (lobe_ == DiffuseLobe::none) return;
+    const PairFactors shared{surface_, pair.in, pair.out};
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
-        result[i] =
-            directional_diffuse(shared, sample.wavelength, sample.index).brdf + sample.uniform_diffuse;
+        result[i] += directional_diffuse(shared, sample.wavelength, sample.index, lobe_).brdf;
     }
 }
 
 void PreparedReflectance::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    const PairFactors shared = factors(surface_, pair);
+    std::transform(samples_.begin(), samples_.end(), result.begin(),
+                   [](const SpectralSample& sample) { return Mueller::depolariser(sample.uniform_diffuse); });
+    if (lobe_ == DiffuseLobe::none) return;
+    const PairFactors shared{surface_, pair.in, pair.out};
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
-        result[i] = directional_diffuse_mueller(
-                        pair.in, pair.out, directional_diffuse(shared, sample.wavelength, sample.index)) +
-                    Mueller::depolariser(sample.uniform_diffuse);
+        result[i] =
+            directional_diffuse_mueller(pair.in, pair.out,
+                                        directional_diffuse(shared, sample.wavelength, sample.index, lobe_)) +
+            result[i];
     }
 }
 

@@ -43,7 +43,9 @@ struct SpectralSample {
 /// any batch and at any place in it.
 class PreparedReflectance {
   public:
-    PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance);
+    ///   tolerance   of the lobe's arithmetic; what a limit neglects comes on top
+    PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance,
+                        DiffuseLobe lobe = DiffuseLobe::full);
     ~PreparedReflectance();
     PreparedReflectance(const PreparedReflectance& other);
     PreparedReflectance(PreparedReflectance&& other) noexcept;
@@ -52,6 +54,7 @@ class PreparedReflectance {
     [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
     [[nodiscard]] std::span<const SpectralSample> samples() const noexcept { return samples_; }
     [[nodiscard]] Tolerance tolerance() const noexcept { return tolerance_; }
+    [[nodiscard]] DiffuseLobe lobe() const noexcept { return lobe_; }
     /// Memory of this object alone; the table of Phi, phi_table_bytes(tolerance()), is shared by all.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -75,6 +78,7 @@ class PreparedReflectance {
     Surface surface_;
     std::vector<SpectralSample> samples_;
     Tolerance tolerance_;
+    DiffuseLobe lobe_;
     std::unique_ptr<const Lanes> lanes_;  // null where the exact path takes everything
 };
 

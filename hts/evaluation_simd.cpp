@@ -9,22 +9,21 @@
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
 #include "hts/evaluation_kernel-inl.hpp"
-#include "hts/evaluation_lobes-inl.hpp"
+#include "hts/evaluation_limits-inl.hpp"
 #include "hts/evaluation_pairs-inl.hpp"
 #include "hts/evaluation_turns-inl.hpp"
+#include "hts/phi_block-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::evaluation_detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace hl = lanes::HWY_NAMESPACE;
+namespace phi = phi_detail::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR  // no vectors, as on x86 before SSSE3: the exact path
 
-Forms forms_low() {
-    return {};
-}
-Forms forms_medium() {
+FormTable form_table() {
     return {};
 }
 
@@ -50,113 +49,115 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Su
     return pair_terms(o, surface, angles, o.real(one_plus_lambert(v)), o.real(shadowing));
 }
 
-/// Items of one pair: a lane is a wavelength.
-template <class Spec, std::size_t most_lanes>
+/// Items of one pair from a wavelength on: a lane is a wavelength.
+template <std::size_t most_lanes>
+struct Spectrum {
+    static constexpr hn::CappedTag<double, most_lanes> d{};
+    using Lanes = hl::WideLanes<hn::CappedTag<double, most_lanes> >;
+    using V = hn::Vec<decltype(d)>;
+    static constexpr std::size_t lanes = hn::MaxLanes(d);
+
+    const Prepared& p;
+    const PairTerms<V>& terms;
+    std::size_t first;
+
+    HWY_INLINE V load(Prepared::Column column, std::size_t i) const {
+        return hn::LoadU(d, p[column] + first + i);
+    }
+    HWY_INLINE FresnelTerms<V> fresnel(std::size_t i) const {
+        return fresnel_terms(
+            Lanes{}, terms.cos_squared,
+            IndexTerms<V>{load(Prepared::d_real, i), load(Prepared::d_imaginary_squared, i)});
+    }
+    HWY_INLINE V g(std::size_t i) const { return terms.variance * load(Prepared::wave_squared, i); }
+    HWY_INLINE V t(std::size_t i) const { return terms.argument * load(Prepared::wave_squared, i); }
+    HWY_INLINE V inverse_g(std::size_t i) const {
+        return terms.inverse_variance * load(Prepared::inverse_wave_squared, i);
+    }
+    HWY_INLINE V scale(std::size_t i) const {
+        return unpolarised(terms.lobe * load(Prepared::weight, i), fresnel(i));
+    }
+};
+
+/// The same with the Fresnel terms that a Mueller matrix multiplies left out.
+template <std::size_t most_lanes>
+struct PolarisedSpectrum : Spectrum<most_lanes> {
+    using V = typename Spectrum<most_lanes>::V;
+    HWY_INLINE V scale(std::size_t i) const {
+        const auto f = this->fresnel(i);
+        return this->terms.lobe * this->load(Prepared::weight, i) / (f.s_below * f.s_below * f.p_below);
+    }
+};
+
+/// The first `count` of a vector, to `to`.
+template <class D>
+HWY_INLINE void store_some(hn::Vec<D> value, D d, std::size_t count, double* to) {
+    if (HWY_LIKELY(count >= hn::MaxLanes(d))) {
+        hn::StoreU(value, d, to);
+    } else {
+        HWY_ALIGN double whole[hn::MaxLanes(d)];
+        hn::Store(value, d, whole);
+        std::copy_n(whole, count, to);
+    }
+}
+
+template <class Lobe>
 HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Block = Lobes<Spec, most_lanes>;
-    using V = typename Block::V;
-    constexpr auto d = Block::d;
-    constexpr typename Block::Lanes o{};
-    const PairTerms<V> terms = terms_of_one(o, p.surface, pair);
+    using Items = Spectrum<8>;
+    using Block = typename Lobe::template Block<8, Items>;
+    const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
     for (std::size_t first = 0; first < p.count; first += Block::size) {
         const std::size_t count = std::min(Block::size, p.count - first);
-        Block block;
-        for (std::size_t i = 0; i < count; i += Block::lanes) {
-            const std::size_t j = first + i;
-            const V wave = hn::LoadU(d, p[Prepared::wave_squared] + j);
-            const auto fresnel =
-                fresnel_terms(o, terms.cos_squared,
-                              IndexTerms<V>{hn::LoadU(d, p[Prepared::d_real] + j),
-                                            hn::LoadU(d, p[Prepared::d_imaginary_squared] + j)});
-            block.place(i, terms.variance * wave, terms.argument * wave,
-                        terms.inverse_variance * hn::LoadU(d, p[Prepared::inverse_wave_squared] + j),
-                        unpolarised(terms.lobe * hn::LoadU(d, p[Prepared::weight] + j), fresnel));
-        }
-        block.add_polynomials((count + Block::lanes - 1) / Block::lanes * Block::lanes);
-        for (std::size_t i = 0; i < count; i += Block::lanes) {
-            const V value = block.value(i) + hn::LoadU(d, p[Prepared::uniform] + first + i);
-            if (HWY_LIKELY(i + Block::lanes <= count)) {
-                hn::StoreU(value, d, result + first + i);
-            } else {
-                HWY_ALIGN double rest[Block::lanes];
-                hn::Store(value, d, rest);
-                std::copy_n(rest, count - i, result + first + i);
-            }
-        }
+        const Items items{p, terms, first};
+        Block block{items};
+        block.prepare((count + Items::lanes - 1) / Items::lanes * Items::lanes);
+        for (std::size_t i = 0; i < count; i += Items::lanes)
+            store_some(block.value(i) + items.load(Prepared::uniform, i), Items::d, count - i,
+                       result + first + i);
     }
 }
 
 /// The same where the wavelengths fit one vector.
-template <class Spec>
+template <class Lobe>
 HWY_INLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Block = Lobes<Spec, 4>;
-    using V = typename Block::V;
-    constexpr auto d = Block::d;
-    constexpr typename Block::Lanes o{};
-    const PairTerms<V> terms = terms_of_one(o, p.surface, pair);
-    const V wave = hn::LoadU(d, p[Prepared::wave_squared]);
-    const auto fresnel = fresnel_terms(
-        o, terms.cos_squared,
-        IndexTerms<V>{hn::LoadU(d, p[Prepared::d_real]), hn::LoadU(d, p[Prepared::d_imaginary_squared])});
-    Block block;
-    const V lobe = block.one_vector(terms.variance * wave, terms.argument * wave,
-                                    terms.inverse_variance * hn::LoadU(d, p[Prepared::inverse_wave_squared]),
-                                    unpolarised(terms.lobe * hn::LoadU(d, p[Prepared::weight]), fresnel));
-    const V value = lobe + hn::LoadU(d, p[Prepared::uniform]);
-    if (HWY_LIKELY(p.count == Block::lanes)) {
-        hn::StoreU(value, d, result);
-    } else {
-        HWY_ALIGN double whole[Block::lanes];
-        hn::Store(value, d, whole);
-        std::copy_n(whole, p.count, result);
-    }
+    using Items = Spectrum<4>;
+    const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
+    const Items items{p, terms, 0};
+    typename Lobe::template Block<4, Items> block{items};
+    store_some(block.one_vector() + items.load(Prepared::uniform, 0), Items::d, p.count, result);
 }
 
-template <class Spec>
+template <class Lobe>
 HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
-    if (p.count <= Lobes<Spec, 4>::lanes)
-        brdf_of_one_vector<Spec>(p, pair, result);
+    if (p.count <= Spectrum<4>::lanes)
+        brdf_of_one_vector<Lobe>(p, pair, result);
     else
-        brdf_of_one<Spec, 8>(p, pair, result);
+        brdf_of_one<Lobe>(p, pair, result);
     return true;
 }
 
-template <class Spec, std::size_t most_lanes>
+template <class Lobe, std::size_t most_lanes>
 HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
-    using Block = Lobes<Spec, most_lanes>;
-    using V = typename Block::V;
-    constexpr auto d = Block::d;
-    constexpr typename Block::Lanes o{};
-    const PairTerms<V> terms = terms_of_one(o, p.surface, pair);
+    using Items = PolarisedSpectrum<most_lanes>;
+    using Block = typename Lobe::template Block<most_lanes, Items>;
+    constexpr auto d = Items::d;
+    const auto terms = terms_of_one(typename Items::Lanes{}, p.surface, pair);
     const TurnedMueller turned{turns(pair)};
     for (std::size_t first = 0; first < p.count; first += Block::size) {
         const std::size_t count = std::min(Block::size, p.count - first);
-        Block block;
+        const Items items{{p, terms, first}};
+        Block block{items};
+        block.prepare((count + Items::lanes - 1) / Items::lanes * Items::lanes);
         HWY_ALIGN double diagonal[Block::size], beside[Block::size], real[Block::size],
             imaginary[Block::size];
-        for (std::size_t i = 0; i < count; i += Block::lanes) {
-            const std::size_t j = first + i;
-            const V wave = hn::LoadU(d, p[Prepared::wave_squared] + j);
-            const auto fresnel =
-                fresnel_terms(o, terms.cos_squared,
-                              IndexTerms<V>{hn::LoadU(d, p[Prepared::d_real] + j),
-                                            hn::LoadU(d, p[Prepared::d_imaginary_squared] + j)});
-            block.place(i, terms.variance * wave, terms.argument * wave,
-                        terms.inverse_variance * hn::LoadU(d, p[Prepared::inverse_wave_squared] + j),
-                        terms.lobe * hn::LoadU(d, p[Prepared::weight] + j) /
-                            (fresnel.s_below * fresnel.s_below * fresnel.p_below));
-            const auto m = fresnel_mueller(o, fresnel);
-            hn::Store(m.p, d, diagonal + i);
-            hn::Store(m.q, d, beside + i);
-            hn::Store(m.real, d, real + i);
-            hn::Store(m.imaginary, d, imaginary + i);
-        }
-        block.add_polynomials((count + Block::lanes - 1) / Block::lanes * Block::lanes);
-        for (std::size_t i = 0; i < count; i += Block::lanes) {
-            const V lobe = block.value(i);
-            for (double* a : {diagonal, beside, real, imaginary})
-                hn::Store(hn::Load(d, a + i) * lobe, d, a + i);
+        for (std::size_t i = 0; i < count; i += Items::lanes) {
+            const auto m = fresnel_mueller(typename Items::Lanes{}, items.fresnel(i));
+            const auto lobe = block.value(i);
+            hn::Store(m.p * lobe, d, diagonal + i);
+            hn::Store(m.q * lobe, d, beside + i);
+            hn::Store(m.real * lobe, d, real + i);
+            hn::Store(m.imaginary * lobe, d, imaginary + i);
         }
         for (std::size_t i = 0; i < count; ++i) {
             turned.store(diagonal[i], beside[i], real[i], imaginary[i], p[Prepared::uniform][first + i],
@@ -165,51 +166,65 @@ HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mue
     }
 }
 
-template <class Spec>
+template <class Lobe>
 HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
     if (p.count <= 4)
-        mueller_of_one<Spec, 4>(p, pair, result);
+        mueller_of_one<Lobe, 4>(p, pair, result);
     else
-        mueller_of_one<Spec, 8>(p, pair, result);
+        mueller_of_one<Lobe, 8>(p, pair, result);
     return true;
 }
 
-template <class Spec>
+/// Items of one wavelength: a lane is a pair.
+struct Pairs {
+    static constexpr auto d = PairBlock::d;
+    using V = PairBlock::V;
+
+    const PairBlock& block;
+    V wave_squared, inverse_wave_squared, weight;
+    IndexTerms<V> index;
+
+    HWY_INLINE Pairs(const PairBlock& of, const Prepared& p, std::size_t j)
+        : block{of},
+          wave_squared{hn::Set(d, p[Prepared::wave_squared][j])},
+          inverse_wave_squared{hn::Set(d, p[Prepared::inverse_wave_squared][j])},
+          weight{hn::Set(d, p[Prepared::weight][j])},
+          index{hn::Set(d, p[Prepared::d_real][j]), hn::Set(d, p[Prepared::d_imaginary_squared][j])} {}
+
+    HWY_INLINE V g(std::size_t i) const { return hn::Load(d, block.variance + i) * wave_squared; }
+    HWY_INLINE V t(std::size_t i) const { return hn::Load(d, block.argument + i) * wave_squared; }
+    HWY_INLINE V inverse_g(std::size_t i) const {
+        return hn::Load(d, block.inverse_variance + i) * inverse_wave_squared;
+    }
+    HWY_INLINE V scale(std::size_t i) const {
+        return unpolarised(hn::Load(d, block.lobe + i) * weight,
+                           fresnel_terms(PairBlock::Lanes{}, hn::Load(d, block.cos_squared + i), index));
+    }
+};
+
+template <class Lobe>
 HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> pairs,
                               std::span<const DirectionPair> next, double* result) {
-    using Block = Lobes<Spec, 8>;
-    using V = typename Block::V;
-    constexpr auto d = Block::d;
-    constexpr typename Block::Lanes o{};
+    constexpr auto d = PairBlock::d;
+    constexpr std::size_t lanes = PairBlock::lanes;
     PairBlock block;
     const bool ordinary = block.load(pairs, next);
-    const std::size_t count = (pairs.size() + Block::lanes - 1) / Block::lanes * Block::lanes;
+    const std::size_t count = (pairs.size() + lanes - 1) / lanes * lanes;
     block.evaluate(p.surface, count);
     for (std::size_t j = 0; j < p.count; ++j) {
-        Block lobes;
-        const V wave = o.real(p[Prepared::wave_squared][j]);
-        const V inverse_wave = o.real(p[Prepared::inverse_wave_squared][j]);
-        const IndexTerms<V> index{o.real(p[Prepared::d_real][j]),
-                                  o.real(p[Prepared::d_imaginary_squared][j])};
-        const V weight = o.real(p[Prepared::weight][j]);
-        const V uniform = o.real(p[Prepared::uniform][j]);
-        for (std::size_t i = 0; i < count; i += Block::lanes) {
-            const auto fresnel = fresnel_terms(o, hn::Load(d, block.cos_squared + i), index);
-            lobes.place(i, hn::Load(d, block.variance + i) * wave, hn::Load(d, block.argument + i) * wave,
-                        hn::Load(d, block.inverse_variance + i) * inverse_wave,
-                        unpolarised(hn::Load(d, block.lobe + i) * weight, fresnel));
-        }
-        lobes.add_polynomials(count);
-        HWY_ALIGN double values[Block::size];
-        for (std::size_t i = 0; i < count; i += Block::lanes)
-            hn::Store(lobes.value(i) + uniform, d, values + i);
+        const Pairs items{block, p, j};
+        typename Lobe::template Block<8, Pairs> lobes{items};
+        lobes.prepare(count);
+        HWY_ALIGN double values[PairBlock::size];
+        const auto uniform = hn::Set(d, p[Prepared::uniform][j]);
+        for (std::size_t i = 0; i < count; i += lanes) hn::Store(lobes.value(i) + uniform, d, values + i);
         for (std::size_t i = 0; i < pairs.size(); ++i) result[i * p.count + j] = values[i];
     }
     return ordinary;
 }
 
-template <class Spec>
+template <class Lobe>
 HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs, double* result) {
     bool ordinary = true;
     constexpr std::size_t size = PairBlock::size;
@@ -218,16 +233,33 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
             const std::size_t begin = std::min(at, pairs.size());
             return pairs.subspan(begin, std::min(size, pairs.size() - begin));
         };
-        ordinary &= brdf_of_block<Spec>(p, block(first), block(first + size), result + first * p.count);
+        ordinary &= brdf_of_block<Lobe>(p, block(first), block(first + size), result + first * p.count);
     }
     return ordinary;
 }
 
-Forms forms_low() {
-    return {brdf_one<phi_detail::Low>, brdf_many<phi_detail::Low>, mueller_one<phi_detail::Low>};
+/// Phi in full, as a Spec's table has it.
+template <class Spec>
+struct Full {
+    template <std::size_t most_lanes, class Items>
+    using Block = phi::PhiBlock<Spec, most_lanes, Items>;
+};
+struct FirstOrder {
+    template <std::size_t most_lanes, class Items>
+    using Block = FirstOrderBlock<most_lanes, Items>;
+};
+struct RoughLimit {
+    template <std::size_t most_lanes, class Items>
+    using Block = RoughLimitBlock<most_lanes, Items>;
+};
+
+template <class Lobe>
+Forms forms_of() {
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>};
 }
-Forms forms_medium() {
-    return {brdf_one<phi_detail::Medium>, brdf_many<phi_detail::Medium>, mueller_one<phi_detail::Medium>};
+FormTable form_table() {
+    return {forms_of<Full<phi_detail::Low> >(), forms_of<Full<phi_detail::Medium> >(), forms_of<FirstOrder>(),
+            forms_of<RoughLimit>()};
 }
 
 #endif
@@ -238,13 +270,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hts::evaluation_detail {
 
-HWY_EXPORT(forms_low);
-HWY_EXPORT(forms_medium);
+HWY_EXPORT(form_table);
 
-Forms forms(Tolerance tolerance) noexcept {
-    // leaves the low form of Phi room for the rounding of the rest
-    const bool low = tolerance.relative_error() >= phi_detail::Low::error;
-    return low ? HWY_DYNAMIC_DISPATCH(forms_low)() : HWY_DYNAMIC_DISPATCH(forms_medium)();
+Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept {
+    const FormTable table = HWY_DYNAMIC_DISPATCH(form_table)();
+    switch (lobe) {
+        case DiffuseLobe::first_order:
+            return table.first_order;
+        case DiffuseLobe::rough_limit:
+            return table.rough_limit;
+        default:
+            // leaves the low form of Phi room for the rounding of the rest
+            return tolerance.relative_error() >= phi_detail::Low::error ? table.low : table.medium;
+    }
 }
 
 }  // namespace hts::evaluation_detail

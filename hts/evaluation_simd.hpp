@@ -59,7 +59,12 @@ struct Forms {
     MuellerOne mueller_one;
 };
 
+/// What one instruction set has: Phi at 1e-3 and at 1e-6, and its limits.
+struct FormTable {
+    Forms low, medium, first_order, rough_limit;
+};
+
 /// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
-[[nodiscard]] Forms forms(Tolerance tolerance) noexcept;
+[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept;
 
 }  // namespace hts::evaluation_detail

@@ -1,6 +1,7 @@
 #include "hts/he_torrance.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hts/error.hpp"
@@ -19,6 +20,17 @@ double coherent_fraction(const Surface& surface, const View& in, const Wavelengt
         surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
     const double g = phase_variance(effective_roughness, 2 * in.direction.cos_theta(), wavelength);
     return std::exp(-g) * square(in.visibility.shadowing);
+}
+
+Phi limit(double log) {
+    return {std::exp(log), log, PhiMethod::limit};
+}
+
+Phi phi(DiffuseLobe lobe, double g, double t) {
+    if (lobe == DiffuseLobe::full) return hts::phi(g, t);
+    if (lobe == DiffuseLobe::none || g == 0)
+        return {0, -std::numeric_limits<double>::infinity(), PhiMethod::zero};
+    return limit(lobe == DiffuseLobe::first_order ? std::log(g) - g - t : -t / g - std::log(g));
 }
 
 }  // namespace
@@ -52,11 +64,25 @@ double PairFactors::lobe(double phi, const Wavelength& wavelength) const noexcep
     return std::numbers::pi / 4 * square(tau_over_lambda) * (root_g * phi * root_g) * shadowing_over_cosines_;
 }
 
+const char* name(DiffuseLobe lobe) noexcept {
+    switch (lobe) {
+        case DiffuseLobe::none:
+            return "none";
+        case DiffuseLobe::first_order:
+            return "first_order";
+        case DiffuseLobe::rough_limit:
+            return "rough_limit";
+        case DiffuseLobe::full:
+            return "full";
+    }
+    return "";
+}
+
 DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                       const RefractiveIndex& index) noexcept {
+                                       const RefractiveIndex& index, DiffuseLobe lobe_of) noexcept {
     const double g = pair.phase_variance(wavelength);
     const double t = pair.lobe_argument(wavelength);
-    const Phi roughness = phi(g, t);
+    const Phi roughness = phi(lobe_of, g, t);
     const FresnelAmplitudes amplitudes = fresnel(pair.cos_theta_d(), index);
     const double lobe = pair.lobe(roughness.value, wavelength);
     return {amplitudes.unpolarised_reflectance() * lobe, lobe, amplitudes, g, t, roughness.method};

@@ -50,6 +50,8 @@ class PairFactors {
   public:
     /// Both views must be of this surface.
     PairFactors(const Surface& surface, const View& in, const View& out) noexcept;
+    PairFactors(const Surface& surface, const Direction& in, const Direction& out) noexcept
+        : PairFactors{surface, view(surface, in), view(surface, out)} {}
 
     [[nodiscard]] const WaveVectorChange& change() const noexcept { return change_; }
     [[nodiscard]] double cos_theta_d() const noexcept { return cos_theta_d_; }
@@ -73,6 +75,16 @@ class PairFactors {
     double shadowing_over_cosines_;  // S / (cos theta_i cos theta_r)
 };
 
+/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for surfaces that need no more.
+enum class DiffuseLobe {
+    none,         ///< 0: a mirror, with its uniform diffuse term
+    first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large
+    rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution
+    full,         ///< Phi(g, t)
+};
+
+[[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
+
 /// Directional-diffuse BRDF and what it was made of.
 struct DirectionalDiffuse {
     double brdf;                   ///< [1/sr], unpolarised
@@ -86,7 +98,8 @@ struct DirectionalDiffuse {
 /// Directional-diffuse term for unpolarised light.
 ///   error   accuracy::brdf
 [[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index) noexcept;
+                                                     const RefractiveIndex& index,
+                                                     DiffuseLobe lobe = DiffuseLobe::full) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
 ///   error   accuracy::mueller

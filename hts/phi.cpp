@@ -33,6 +33,8 @@ const char* name(PhiMethod method) noexcept {
             return "sum";
         case PhiMethod::trapezoid:
             return "trapezoid";
+        case PhiMethod::limit:
+            return "limit";
     }
     return "";
 }

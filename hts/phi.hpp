@@ -30,6 +30,7 @@ enum class PhiMethod {
     table,      ///< piecewise polynomials about the saddle point
     sum,        ///< every term that counts, outwards from the largest
     trapezoid,  ///< trapezoidal rule in m with a stride: about 30 terms however large g is
+    limit,      ///< one of its limits, chosen by the caller
 };
 
 [[nodiscard]] const char* name(PhiMethod method) noexcept;

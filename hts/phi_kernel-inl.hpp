@@ -72,40 +72,60 @@ struct Finder {
     }
 };
 
+/// A point's coordinates, and where the directory says more.
+template <class Lanes>
+struct Coordinates {
+    typename Lanes::Real v;
+    typename Lanes::Int x_bits, zeta_bits;
+    typename Lanes::Int slot;  // in the directory
+};
+
 /// inverse_g: 1/g, to a rounding error or two.
 template <class Spec, class Lanes>
-HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
-                              typename Lanes::Real t, typename Lanes::Real inverse_g) {
-    using Real = typename Lanes::Real;
+HWY_INLINE Coordinates<Lanes> coordinates(const Lanes& o, typename Lanes::Real g, typename Lanes::Real t,
+                                          typename Lanes::Real inverse_g) {
+    const Finder<Spec, Lanes> find{o};
+    const auto v = o.mul_add(o.mul(t, o.real(v_scale)), o.mul(inverse_g, inverse_g), o.real(1.0));
+    const auto top = o.greater_equal(g, o.real(Finder<Spec, Lanes>::high));
+    const auto g_bits = o.bits(g);
+    const auto x_bits = o.bits(o.select(top, v, o.add(t, o.real(1.0))));
+    return {v, x_bits, o.bits(find.along_row(g, g_bits, inverse_g, top)),
+            o.add(o.template times<octaves_per_row>(find.row(g_bits)), find.octave(x_bits))};
+}
+
+/// found: the directory's entry at `at`'s slot.
+template <class Spec, class Lanes>
+HWY_INLINE Place<Lanes> place_at(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
+                                 typename Lanes::Real t, typename Lanes::Real inverse_g,
+                                 const Coordinates<Lanes>& at, typename Lanes::Int found) {
     using Int = typename Lanes::Int;
     const Finder<Spec, Lanes> find{o};
-    const Real v = o.mul_add(o.mul(t, o.real(v_scale)), o.mul(inverse_g, inverse_g), o.real(1.0));
-    const auto top = o.greater_equal(g, o.real(Finder<Spec, Lanes>::high));
-    const Int g_bits = o.bits(g);
-    const Int zeta_bits = o.bits(find.along_row(g, g_bits, inverse_g, top));
-    const Int x_bits = o.bits(o.select(top, v, o.add(t, o.real(1.0))));
-    const Int found = o.gather(
-        table.directory, o.add(o.template times<octaves_per_row>(find.row(g_bits)), find.octave(x_bits)));
     const Int entry = o.max0(found);  // lanes outside read the first cell; their result is not used
     const auto saddle = o.any_bit(entry, saddle_bit);
-
     Place<Lanes> p;
     p.multiplier = o.select(saddle, o.mul(t, inverse_g), t);
-    p.inside = o.not_negative(o.bit_or(found, o.bit_or(g_bits, o.bits(t))));
+    p.inside = o.not_negative(o.bit_or(found, o.bit_or(o.bits(g), o.bits(t))));
     p.factor = o.select(saddle, inverse_g, g);
     const Int log2_nx = o.bit_and(o.template shift_right<3>(entry), o.integer(15));
     const Int log2_nz = o.bit_and(entry, o.integer(7));
-    const Int jx = find.piece(x_bits, log2_nx);
-    const Int jz = find.piece(zeta_bits, log2_nz);
-    p.x = find.position(o.shift_left(x_bits, log2_nx));
-    p.z = find.position(o.shift_left(zeta_bits, log2_nz));
+    const Int jx = find.piece(at.x_bits, log2_nx);
+    const Int jz = find.piece(at.zeta_bits, log2_nz);
+    p.x = find.position(o.shift_left(at.x_bits, log2_nx));
+    p.z = find.position(o.shift_left(at.zeta_bits, log2_nz));
     const Int first = o.template shift_right<8>(entry);
     p.cell = o.template times<Spec::rows * Spec::lanes>(o.add(o.add(first, o.shift_left(jx, log2_nz)), jz));
-    const Int v_bits = o.bits(v);
+    const Int v_bits = o.bits(at.v);
     p.line = o.template times<2 * Spec::line_rows>(
         o.select_integer(saddle, find.line_piece(v_bits, table), o.integer(table.line_pieces)));
     p.line_x = find.position(o.template shift_left<Spec::line_sub>(v_bits));
     return p;
+}
+
+template <class Spec, class Lanes>
+HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
+                              typename Lanes::Real t, typename Lanes::Real inverse_g) {
+    const auto at = coordinates<Spec>(o, g, t, inverse_g);
+    return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.directory, at.slot));
 }
 
 template <class Spec, class Lanes>

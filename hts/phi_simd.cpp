@@ -14,8 +14,7 @@
 #define HWY_TARGET_INCLUDE "hts/phi_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
-#include "hts/phi_cells-inl.hpp"
-#include "hts/phi_terms-inl.hpp"
+#include "hts/phi_block-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,79 +38,13 @@ PhiForms forms() {
 
 #else
 
-/// A block of values in three passes, so that no pass waits for the one before: places across lanes,
-/// polynomials value by value (a row of coefficients fills a vector), exponentials across lanes.
-template <class Spec>
-struct Block {
-    static constexpr hn::CappedTag<double, 8> d{};
-    static constexpr std::size_t lanes = hn::MaxLanes(d), size = 64;
-    using Lanes = hl::WideLanes<hn::CappedTag<double, 8> >;
-    using C = Cells<Spec, hn::CappedTag<double, 8> >;
-    using T = typename Spec::Coefficient;
-    static constexpr typename C::NarrowTag narrow{};
-
-    HWY_ALIGN double multiplier[size], factor[size], line_x[size], lines[2 * size];
-    HWY_ALIGN std::int64_t cell[size], line[size];
-    HWY_ALIGN T x[size], z[size], sums[C::width * size];
-
-    /// count: a multiple of lanes. Returns whether the table has all cells; the factor is NaN where it has
-    /// not.
-    HWY_INLINE bool place_all(const Table<Spec>& table, const double* g, const double* t, std::size_t count) {
-        bool inside = true;
-        for (std::size_t i = 0; i < count; i += lanes) {
-            const auto p = place(Lanes{}, table, hn::LoadU(d, g + i), hn::LoadU(d, t + i));
-            hn::Store(p.multiplier, d, multiplier + i);
-            hn::Store(
-                hn::IfThenElse(p.inside, p.factor, hn::Set(d, std::numeric_limits<double>::quiet_NaN())), d,
-                factor + i);
-            hn::Store(p.line_x, d, line_x + i);
-            hn::Store(p.cell, Lanes::di, cell + i);
-            hn::Store(p.line, Lanes::di, line + i);
-            hn::Store(C::narrow(p.x), narrow, x + i);
-            hn::Store(C::narrow(p.z), narrow, z + i);
-            inside = inside && hn::AllTrue(d, p.inside);
-        }
-        return inside;
-    }
-
-    HWY_INLINE void add_polynomials(const Table<Spec>& table, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            hn::Store(C::sums(table.cells + cell[i], x[i], z[i]), C::pack, sums + C::width * i);
-            hn::Store(line_sums<Spec>(table.lines + line[i], line_x[i]), two, lines + 2 * i);
-        }
-    }
-
-    HWY_INLINE void exponentials(double* out, std::size_t count) const {
-        constexpr Lanes o{};
-        for (std::size_t i = 0; i < count; i += lanes) {
-            hn::Vec<decltype(d)> slope, width;
-            hn::LoadInterleaved2(d, lines + 2 * i, slope, width);
-            const auto q = C::value(sums + C::width * i, hn::Load(narrow, z + i));
-            hn::StoreU(
-                hl::scaled_exp2<Spec::exp_degree>(
-                    o, exponent(o, hn::Load(d, multiplier + i), slope, width, q), hn::Load(d, factor + i)),
-                d, out + i);
-        }
-    }
-
-    HWY_INLINE void run(const Table<Spec>& table, const double* g, const double* t, double* out,
-                        std::size_t count) {
-        const bool inside = place_all(table, g, t, count);
-        add_polynomials(table, count);
-        exponentials(out, count);
-        if (HWY_UNLIKELY(!inside))
-            for (std::size_t i = 0; i < count; ++i)
-                if (std::isnan(out[i])) out[i] = phi_beyond_table<Spec>(g[i], t[i]);
-    }
-};
-
 /// exponent and factor of one pair: Phi = factor 2^exponent, or no table there.
 struct Tabled {
     double exponent, factor;
     bool inside;
 };
 
-/// The same operations in the same order as Block, hence the same bits.
+/// The same operations in the same order as PhiBlock, hence the same bits.
 template <class Spec>
 HWY_INLINE Tabled tabled(const Table<Spec>& table, double g, double t) {
     using C = Cells<Spec, hn::CappedTag<double, 1> >;
@@ -142,22 +75,44 @@ HWY_ATTR Phi phi_with_log(double g, double t) {
     return {hl::scaled_exp2<High::exp_degree>(hl::Plain{}, p.exponent, p.factor), log, PhiMethod::table};
 }
 
+/// Phi itself, from arrays.
+struct Plain {
+    static constexpr hn::CappedTag<double, 8> d{};
+    using V = hn::Vec<decltype(d)>;
+    const double *gs, *ts;
+
+    HWY_INLINE V g(std::size_t i) const { return hn::LoadU(d, gs + i); }
+    HWY_INLINE V t(std::size_t i) const { return hn::LoadU(d, ts + i); }
+    HWY_INLINE V inverse_g(std::size_t i) const { return hn::Div(hn::Set(d, 1.0), g(i)); }
+    HWY_INLINE V scale(std::size_t) const { return hn::Set(d, 1.0); }
+};
+
+template <class Spec>
+using PlainBlock = PhiBlock<Spec, 8, Plain>;
+
+/// count: a multiple of the vector's lanes, no more than a block
+template <class Spec>
+HWY_INLINE void phi_of_block(const double* g, const double* t, double* out, std::size_t count) {
+    const Plain items{g, t};
+    PlainBlock<Spec> block{items};
+    block.prepare(count);
+    for (std::size_t i = 0; i < count; i += block.lanes) hn::StoreU(block.value(i), Plain::d, out + i);
+}
+
 template <class Spec>
 HWY_ATTR void phi_many(const double* g, const double* t, double* out, std::size_t count) {
-    const Table<Spec>& tab = table<Spec>();
-    Block<Spec> block;
-    constexpr std::size_t lanes = Block<Spec>::lanes, size = Block<Spec>::size;
+    constexpr std::size_t lanes = PlainBlock<Spec>::lanes, size = PlainBlock<Spec>::size;
     std::size_t i = 0;
     for (; i + lanes <= count;) {
         const std::size_t n = std::min(size, (count - i) / lanes * lanes);
-        block.run(tab, g + i, t + i, out + i, n);
+        phi_of_block<Spec>(g + i, t + i, out + i, n);
         i += n;
     }
     if (i == count) return;
     double g_pad[lanes] = {}, t_pad[lanes] = {}, out_pad[lanes];
     std::memcpy(g_pad, g + i, (count - i) * sizeof(double));
     std::memcpy(t_pad, t + i, (count - i) * sizeof(double));
-    block.run(tab, g_pad, t_pad, out_pad, lanes);
+    phi_of_block<Spec>(g_pad, t_pad, out_pad, lanes);
     std::memcpy(out + i, out_pad, (count - i) * sizeof(double));
 }
 

@@ -29,7 +29,7 @@ struct High   { using Coefficient = double; static constexpr double error = 1e-1
 // clang-format on
 
 inline constexpr double least_log_phi = -660;  // cells are fitted where ln Phi is more: above 1e-287
-inline constexpr int most_terms = 64;  // of the series below 2^emin, where Phi > 1e-287
+inline constexpr int most_terms = 64;          // of the series below 2^emin, where Phi > 1e-287
 inline constexpr int octaves_per_row = 20;
 inline constexpr double v_scale = 5.43656365691809;  // 2 e
 inline constexpr double root2 = 1.4142135623730951;

@@ -9,10 +9,6 @@
 namespace hts::spectral {
 namespace {
 
-PairFactors factors(const Surface& surface, const DirectionPair& pair) {
-    return {surface, view(surface, pair.in), view(surface, pair.out)};
-}
-
 std::vector<SpectralSample> look_up(const Reflector& reflector, const WavelengthGrid& wavelengths,
                                     OutsideRange policy) {
     std::vector<SpectralSample> samples;
@@ -33,8 +29,8 @@ void require_size(const char* call, std::size_t size, const char* rule, std::siz
 }  // namespace
 
 SpectralReflectance::SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                         OutsideRange policy, Tolerance tolerance)
-    : prepared_{reflector.surface, look_up(reflector, wavelengths, policy), tolerance} {}
+                                         OutsideRange policy, Tolerance tolerance, DiffuseLobe lobe)
+    : prepared_{reflector.surface, look_up(reflector, wavelengths, policy), tolerance, lobe} {}
 
 std::vector<double> SpectralReflectance::brdf(const DirectionPair& pair) const {
     std::vector<double> result(size());
@@ -60,11 +56,11 @@ void SpectralReflectance::brdf(std::span<const DirectionPair> pairs, std::span<d
 }
 
 std::vector<DirectionalDiffuse> SpectralReflectance::directional_diffuse(const DirectionPair& pair) const {
-    const PairFactors shared = factors(prepared_.surface(), pair);
+    const PairFactors shared{prepared_.surface(), pair.in, pair.out};
     std::vector<DirectionalDiffuse> result;
     result.reserve(size());
     for (const SpectralSample& sample : prepared_.samples()) {
-        result.push_back(hts::directional_diffuse(shared, sample.wavelength, sample.index));
+        result.push_back(hts::directional_diffuse(shared, sample.wavelength, sample.index, prepared_.lobe()));
     }
     return result;
 }

@@ -29,9 +29,11 @@ class SpectralReflectance {
     /// Throws hts::Error if the grid leaves the range of the optical constants or albedo and `policy` is
     /// error.
     ///   tolerance   relative error of brdf and mueller; from 1e-6 on vector lanes take over
+    ///   lobe        of brdf, mueller and directional_diffuse: a limit where the surface needs no more
     SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
                         OutsideRange policy = OutsideRange::error,
-                        Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance});
+                        Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance},
+                        DiffuseLobe lobe = DiffuseLobe::full);
 
     /// Number of wavelengths.
     [[nodiscard]] std::size_t size() const noexcept { return prepared_.samples().size(); }

@@ -11,6 +11,7 @@
 
 #include "comparison.hpp"
 
+using hts::DiffuseLobe;
 using hts::Direction;
 using hts::DirectionPair;
 using hts::Mueller;
@@ -86,8 +87,8 @@ std::string describe(const DirectionPair& p, const Surface& s, const SpectralSam
 }
 
 /// Worst errors of brdf and mueller over random surfaces, each with spectra of every length up to 20.
-void compare(double tolerance) {
-    const std::string name = "at tolerance " + std::to_string(tolerance);
+void compare(double tolerance, DiffuseLobe lobe = DiffuseLobe::full) {
+    const std::string name = std::string{"with lobe "} + hts::name(lobe) + " at " + std::to_string(tolerance);
     WorstCase brdf{"brdf " + name, tolerance};
     WorstCase matrices{"mueller " + name, tolerance};
     Random random{20261122};
@@ -96,8 +97,8 @@ void compare(double tolerance) {
         const Surface ground = surface(random);
         const std::size_t count = 1 + brdf.count() % 20;
         const auto spectrum = samples(random, count);
-        const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}};
-        const PreparedReflectance slow{ground, spectrum, Tolerance{exact}};
+        const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}, lobe};
+        const PreparedReflectance slow{ground, spectrum, Tolerance{exact}, lobe};
         std::vector<double> f(count);
         std::vector<double> reference(count);
         std::vector<Mueller> m(count);
@@ -133,6 +134,36 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 TEST_CASE("lanes keep the tolerance in every regime") {
     compare(1e-3);
     compare(1e-6);
+}
+
+TEST_CASE("lanes keep the tolerance of the lobe's limits") {
+    compare(1e-6, DiffuseLobe::first_order);
+    compare(1e-6, DiffuseLobe::rough_limit);
+    compare(1e-6, DiffuseLobe::none);
+}
+
+TEST_CASE("the limits of the lobe are those of Phi") {
+    const DirectionPair p{Direction::from_degrees(30, 0), Direction::from_degrees(35, 170)};
+    const auto brdf = [&](double roughness, double tolerance, DiffuseLobe lobe) {
+        const SpectralSample sample{Wavelength::from_micrometres(0.5), RefractiveIndex{1.5, 2}, 0.125};
+        std::vector<double> f(1);
+        PreparedReflectance{Surface{roughness, 10 * roughness}, {sample}, Tolerance{tolerance}, lobe}.brdf(p,
+                                                                                                           f);
+        return f[0] - 0.125;
+    };
+    for (const double tolerance : {1e-12, 1e-6}) {
+        CAPTURE(tolerance);
+        CHECK(brdf(0.3, tolerance, DiffuseLobe::none) == 0);
+        // g = 0.0022 and 8700: the next terms are g/4 e^(t/2) and about 0.6/g
+        const double smooth = brdf(0.002, tolerance, DiffuseLobe::full);
+        const double rough = brdf(4, tolerance, DiffuseLobe::full);
+        CHECK(relative_error(brdf(0.002, tolerance, DiffuseLobe::first_order), smooth) < 0.002);
+        CHECK(relative_error(brdf(4, tolerance, DiffuseLobe::rough_limit), rough) < 2e-4);
+        CHECK(relative_error(brdf(0.3, tolerance, DiffuseLobe::rough_limit),
+                             brdf(0.3, tolerance, DiffuseLobe::full)) > 1e-3);
+        CHECK(relative_error(brdf(0.3, tolerance, DiffuseLobe::first_order),
+                             brdf(0.3, tolerance, DiffuseLobe::full)) > 0.5);
+    }
 }
 
 TEST_CASE("a pair has the same bits alone, in any batch and anywhere in it") {
