@@ -6,6 +6,7 @@
 #include "bench/bench_inputs.hpp"
 #include "bench/bench_registrations.hpp"
 #include "bench/ggx.hpp"
+#include "bench/ggx_lanes.hpp"
 
 namespace hts::bench {
 namespace {
@@ -13,12 +14,14 @@ namespace {
 /// The accuracy at which wave optics are compared with microfacets.
 constexpr Tolerance tolerance{1e-6};
 
-spectral::SpectralReflectance he_torrance(int wavelengths) {
-    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, tolerance};
+spectral::SpectralReflectance he_torrance(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full) {
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, tolerance,
+            lobe};
 }
 
 /// As wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
-RoughConductor ggx(int wavelengths) {
+template <class Conductor = RoughConductor>
+Conductor ggx(int wavelengths) {
     const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
     std::vector<double> n, k;
     for (const double um : grid.micrometres()) {
@@ -81,8 +84,15 @@ void register_spectral() {
         add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, ggx(w)); });
         add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, he_torrance(w)); });
         add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, ggx(w)); });
+        add("eval/ggx_lanes", n, [](benchmark::State& s, int w) { evaluate(s, ggx<LaneConductor>(w)); });
+        add("eval_batch/ggx_lanes", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, ggx<LaneConductor>(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, he_torrance(w)); });
     }
+    add("eval/he_first_order", 4,
+        [](benchmark::State& s, int w) { evaluate(s, he_torrance(w, DiffuseLobe::first_order)); });
+    add("eval/he_rough_limit", 4,
+        [](benchmark::State& s, int w) { evaluate(s, he_torrance(w, DiffuseLobe::rough_limit)); });
 }
 
 }  // namespace hts::bench

@@ -34,6 +34,16 @@ void expect_error(StabilityRow& row, const std::string& where, std::string_view 
     row.judge(engine, {Verdict::silent, 1, "no error"}, where);
 }
 
+/// Phi is a number for numbers only: NaN in is NaN out, as documented, at every tolerance.
+void expect_nan(StabilityRow& row, double g, double t) {
+    const Contestant engine{"engine", true, 0, "Phi of what is no number, or negative, is NaN."};
+    const double low = phi(g, t, Tolerance{1e-3}), medium = phi(g, t, Tolerance{1e-6}),
+                 high = phi(g, t).value;
+    const bool right = std::isnan(low) && std::isnan(medium) && std::isnan(high);
+    row.judge(engine, {right ? Verdict::ok : Verdict::silent, 0, "Phi = " + brief(high)},
+              place({{"g", g}, {"t", t}}));
+}
+
 /// What the printed formulas make of the same input.
 void judge_printed(StabilityRow& row, const std::string& where, double value) {
     const Contestant printed{"model as printed", false, 0,
@@ -79,6 +89,10 @@ StabilityRow bad_input() {
             expect_error(row, where, bad.quantity, [&] { static_cast<void>(engine_model(p)); });
             judge_printed(row, where, Naive<double>::model(p));
         }
+    }
+    for (const double bad : {nan_value, -1.0}) {
+        expect_nan(row, bad, 1);
+        expect_nan(row, 1, bad);
     }
     expect_error(row, "vector (0, 0, 0)", "direction", [] {
         static_cast<void>(Direction::from_vector({0, 0, 0}));

@@ -6,6 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <catch2/catch.hpp>
 
+#include "bench/ggx_lanes.hpp"
 #include "comparison.hpp"
 #include "hts/error.hpp"
 
@@ -140,4 +141,34 @@ TEST_CASE("GGX refuses what it cannot use") {
     CHECK_THROWS_AS(RoughConductor(NAN, {1}, {1}), hts::Error);
     CHECK_THROWS_AS(RoughConductor(0.1, {}, {}), hts::Error);
     CHECK_THROWS_WITH(RoughConductor(0.1, {1, 2}, {1}), Catch::Contains("optical constants"));
+}
+
+TEST_CASE("the conductor in lanes is the scalar one") {
+    Random random{2};
+    WorstCase worst{"conductor in lanes", 1e-10};
+    for (const std::size_t count : {1U, 3U, 4U, 7U, 31U}) {
+        std::vector<double> n(count), k(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            n[i] = random.logarithmic(0.04, 8);
+            k[i] = random.logarithmic(0.1, 20);
+        }
+        const RoughConductor scalar{0.3, n, k};
+        const hts::bench::LaneConductor lanes{0.3, n, k};
+        std::vector<DirectionPair> pairs;
+        for (int i = 0; i < 100; ++i) pairs.push_back({random_direction(random), random_direction(random)});
+        std::vector<double> batch(pairs.size() * count), one(count), expected(count);
+        lanes.brdf(pairs, batch);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            scalar.brdf(pairs[i], expected);
+            lanes.brdf(pairs[i], one);
+            for (std::size_t j = 0; j < count; ++j) {
+                const auto where = [&] {
+                    return std::to_string(count) + " wavelengths, pair " + std::to_string(i);
+                };
+                worst.note(relative_error(one[j], expected[j]), where);
+                worst.note(relative_error(batch[i * count + j], expected[j]), where);
+            }
+        }
+    }
+    worst.check();
 }
