@@ -9,8 +9,16 @@
 namespace hts::spectral {
 namespace {
 
-std::vector<SpectralSample> look_up(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                    OutsideRange policy) {
+void require_size(const char* call, std::size_t size, const char* rule, std::size_t expected) {
+    if (size == expected) return;
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " + rule +
+                " = " + std::to_string(expected)};
+}
+
+}  // namespace
+
+std::vector<SpectralSample> spectral_samples(const Reflector& reflector, const WavelengthGrid& wavelengths,
+                                             OutsideRange policy) {
     std::vector<SpectralSample> samples;
     samples.reserve(wavelengths.size());
     for (std::size_t i = 0; i < wavelengths.size(); ++i) {
@@ -20,17 +28,9 @@ std::vector<SpectralSample> look_up(const Reflector& reflector, const Wavelength
     return samples;
 }
 
-void require_size(const char* call, std::size_t size, const char* rule, std::size_t expected) {
-    if (size == expected) return;
-    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " + rule +
-                " = " + std::to_string(expected)};
-}
-
-}  // namespace
-
 SpectralReflectance::SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
                                          OutsideRange policy, Tolerance tolerance, DiffuseLobe lobe)
-    : prepared_{reflector.surface, look_up(reflector, wavelengths, policy), tolerance, lobe} {}
+    : prepared_{reflector.surface, spectral_samples(reflector, wavelengths, policy), tolerance, lobe} {}
 
 std::vector<double> SpectralReflectance::brdf(const DirectionPair& pair) const {
     std::vector<double> result(size());

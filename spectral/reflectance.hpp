@@ -17,6 +17,12 @@ namespace hts::spectral {
 
 using hts::DirectionPair;
 
+/// What a reflector is at each wavelength of a grid. Throws hts::Error if the grid leaves the range of the optical
+/// constants or albedo and `policy` is error.
+[[nodiscard]] std::vector<SpectralSample> spectral_samples(const Reflector& reflector,
+                                                           const WavelengthGrid& wavelengths,
+                                                           OutsideRange policy = OutsideRange::error);
+
 /// A reflector with its optical constants looked up on a wavelength grid, ready for evaluation at a tolerance.
 ///
 ///     const SpectralReflectance reflectance{reflector, grid, OutsideRange::error, Tolerance{1e-6}};
