@@ -1,36 +1,18 @@
 #include "bench/bench_inputs.hpp"
 
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "bench/random.hpp"
 #include "spectral/material_files.hpp"
 
 namespace hts::bench {
 namespace {
 
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : bits_{seed} {}
-    double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
-    }
-    Direction direction() {
-        const double cosine = 1 - uniform(0, 1);
-        const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-        const double azimuth = uniform(0, 2 * std::numbers::pi);
-        return Direction::from_vector({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine});
-    }
-
-  private:
-    std::mt19937_64 bits_;
-};
-
 PhiInputs drawn(double least_g, double most_g) {
     Random random{20240601};
     PhiInputs inputs;
     for (std::size_t i = 0; i < bench_inputs; ++i) {
-        const double g = std::exp(random.uniform(std::log(least_g), std::log(most_g)));
+        const double g = random.logarithmic(least_g, most_g);
         inputs.g.push_back(g);
         inputs.t.push_back(g * random.uniform(0, 50));
     }

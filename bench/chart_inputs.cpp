@@ -1,25 +1,13 @@
 // The regimes of accuracy_sweep.hpp and their random inputs.
 
 #include <cmath>
-#include <random>
 
 #include "bench/accuracy_sweep.hpp"
+#include "bench/random.hpp"
 #include "hts/he_torrance.hpp"
 
 namespace hts::bench {
 namespace {
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : bits_{seed} {}
-    double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
-    }
-    double logarithmic(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-
-  private:
-    std::mt19937_64 bits_;
-};
 
 struct Input {
     double g, t, weight;

@@ -62,9 +62,9 @@ CsvReader single_point(const EvalOptions& options) {
     return CsvReader::from_text("wavelength_um," + header + shortest(*options.wavelength) + "," + row);
 }
 
-void warn_of_unused(const PointEvaluator& evaluator, const CsvReader& points) {
+void warn_of_unused(const CsvReader& points) {
     std::string names;
-    for (const std::string& name : evaluator.unused_columns(points))
+    for (const std::string& name : PointEvaluator::unused_columns(points))
         names += (names.empty() ? "" : ", ") + name;
     if (!names.empty())
         std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
@@ -75,25 +75,41 @@ std::optional<spectral::Reflector> reflector(const EvalOptions& options) {
     return spectral::read_reflector(options.material.path);
 }
 
+/// The material at the wavelengths that the options give, none if the points bring theirs.
+std::vector<SpectralSample> samples(const EvalOptions& options, const spectral::Reflector& reflector) {
+    const auto grid = wavelengths(options);
+    if (!grid) return {};
+    const char* option = options.wavelength ? "--wavelength" : "--wavelengths";
+    return samples_from_option(option, reflector, *grid, options.material.policy());
+}
+
+bool has_own_constants(const CsvReader& points) {
+    return points.column("n") || points.column("k") || points.column("albedo");
+}
+
 void evaluate_points(const EvalOptions& options) {
     CsvReader points = options.points.empty() ? single_point(options) : CsvReader{options.points};
     const bool own_wavelength = options.points.empty() && options.wavelength;
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
-    const PointEvaluator evaluator{points, reflector(options), grid, options.material.policy()};
-    warn_of_unused(evaluator, points);
+    const auto described = reflector(options);
+    if (described && !has_own_constants(points)) static_cast<void>(samples(options, *described));
+    const PointEvaluator evaluator{points, described, grid, options.material.policy()};
+    warn_of_unused(points);
     EvalAnswer answer{grid.has_value(), options.mueller, options.detail};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
     std::vector<std::string> columns = points.columns();
     for (std::string& added : answer.columns()) columns.push_back(std::move(added));
-    TableWriter table{output, format_of(options.output.path, options.output.json), std::move(columns)};
+    TableWriter table{output, format_of(options.output.path, options.output.json), columns};
+    ValidityWarning warning;
     const Summary summary = Transform<Evaluation>{points, table, evaluator.wavelengths()}.run(
         [&](const CsvRow& row, std::span<Evaluation> result) {
-            evaluator.evaluate(row, answer.needs_mueller(), result);
+            evaluator.evaluate(row, answer.needs_mueller(), result, warning);
         },
         [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
     output.commit();
+    warning.print();
     if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
 }
 
@@ -102,6 +118,11 @@ void evaluate_random(const EvalOptions& options) {
     const auto described = reflector(options);
     if (!grid || !described || *options.random_pairs == 0) {
         throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
+    }
+    const Direction normal = Direction::from_degrees(0, 0);
+    ValidityWarning warning;
+    for (const SpectralSample& sample : samples(options, *described)) {
+        warning.note(spectral::validity(described->surface, {normal, normal}, sample));
     }
     const spectral::SpectralReflectance reflectance{*described, *grid, options.material.policy()};
     const auto [summary, mean_brdf] = evaluate_random_pairs(reflectance, *options.random_pairs, options.seed);
@@ -116,6 +137,7 @@ void evaluate_random(const EvalOptions& options) {
     table.add(text);
     table.finish();
     output.commit();
+    warning.print();
     std::cerr << "hts: " << summary.text() << '\n';
 }
 

@@ -22,7 +22,7 @@ void append_detail(TableWriter::Row& row, const Evaluation& value) {
 
 std::vector<std::string> EvalAnswer::columns() const {
     std::vector<std::string> names;
-    if (wavelength) names.push_back("wavelength_um");
+    if (wavelength) names.emplace_back("wavelength_um");
     add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
     if (mueller) {
         add(names, {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13"});

@@ -11,8 +11,6 @@
 #include "cli/output.hpp"
 #include "hts/error.hpp"
 
-extern char** environ;
-
 namespace hts::cli {
 namespace {
 

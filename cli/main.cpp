@@ -23,6 +23,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_spectrum(program);
     hts::cli::add_polar(program);
     hts::cli::add_materials(program);
+    hts::cli::add_info(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
 }

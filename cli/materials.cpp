@@ -1,9 +1,7 @@
 // hts materials: the optical constants that come with the library, or those of a file.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -60,18 +58,16 @@ void list(TableWriter& table) {
     table.finish();
 }
 
+/// No built-in name has a point or a slash.
+bool looks_like_a_path(const std::string& name) {
+    return name.find_first_of("./") != std::string::npos || std::filesystem::exists(name);
+}
+
 Material material_of(const std::string& name) {
     const auto names = spectral::built_in_material_names();
     if (std::find(names.begin(), names.end(), name) != names.end()) return spectral::built_in_material(name);
-    if (std::filesystem::exists(name)) return spectral::read_material(name);
+    if (looks_like_a_path(name)) return spectral::read_material(name);
     return from_option("material", [&] { return spectral::built_in_material(name); });
-}
-
-/// To four digits.
-double rounded(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return number(text.data(), "wavelength");
 }
 
 /// Equal ratios over the range of a table, rounded between its ends; the visible for a constant.
@@ -80,8 +76,8 @@ spectral::WavelengthGrid sample_grid(const Material& material) {
     if (last >= longest_length) return spectral::WavelengthGrid::linear(0.4, 0.7, sample_size);
     std::vector<double> um{first};
     for (int i = 1; i < sample_size; ++i) {
-        const double next =
-            rounded(first * std::pow(last / first, static_cast<double>(i) / (sample_size - 1)));
+        const double exact = first * std::pow(last / first, static_cast<double>(i) / (sample_size - 1));
+        const double next = number(brief(exact), "wavelength");
         if (next > um.back() && next < last) um.push_back(next);
     }
     if (last > first) um.push_back(last);

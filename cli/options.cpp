@@ -1,9 +1,8 @@
 #include "cli/options.hpp"
 
-#include <vector>
-
 #include "cli/csv_reader.hpp"
 #include "cli/usage.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::cli {
 namespace {
@@ -69,6 +68,19 @@ Stokes stokes_from_option(const std::string& text) {
     if (text == "p") return Stokes::p_polarised();
     if (text == "unpolarised") return Stokes::unpolarised();
     return from_option("--polarisation", [&] { return stokes_from_numbers(text); });
+}
+
+void require_angles(const std::string& option, const std::vector<double>& degrees) {
+    for (const double angle : degrees) {
+        from_option(option, [angle] { return Direction::from_degrees(angle, 0); });
+    }
+}
+
+std::vector<SpectralSample> samples_from_option(const std::string& option,
+                                                const spectral::Reflector& reflector,
+                                                const spectral::WavelengthGrid& wavelengths,
+                                                spectral::OutsideRange policy) {
+    return spectral::located(option, [&] { return spectral_samples(reflector, wavelengths, policy); });
 }
 
 Wavelength wavelength_from_option(double um) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hts/polarisation.hpp"
 #include "spectral/reflectance.hpp"
@@ -47,6 +48,16 @@ struct MaterialOptions {
 
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
 [[nodiscard]] Stokes stokes_from_option(const std::string& text);
+
+/// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
+void require_angles(const std::string& option, const std::vector<double>& degrees);
+
+/// The material at wavelengths that an option gave; hts::Error that names the option if the material is not known
+/// there.
+[[nodiscard]] std::vector<SpectralSample> samples_from_option(const std::string& option,
+                                                              const spectral::Reflector& reflector,
+                                                              const spectral::WavelengthGrid& wavelengths,
+                                                              spectral::OutsideRange policy);
 
 /// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
 Wavelength wavelength_from_option(double um);

@@ -24,8 +24,8 @@ std::array<char, 4096> partial_of_signal{};  // what the handler removes; only o
 
 extern "C" void remove_partial(int signal) {
     if (partial_of_signal[0] != '\0') ::unlink(partial_of_signal.data());
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+    static_cast<void>(std::signal(signal, SIG_DFL));
+    static_cast<void>(std::raise(signal));
 }
 
 void remove_on_signal(const std::string& path) {
@@ -34,7 +34,7 @@ void remove_on_signal(const std::string& path) {
     std::copy(path.begin() + 1, path.end(), partial_of_signal.begin() + 1);
     partial_of_signal[path.size()] = '\0';
     partial_of_signal[0] = path[0];
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, remove_partial);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, remove_partial));
 }
 
 std::string followed(const std::string& path) {

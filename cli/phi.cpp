@@ -63,7 +63,7 @@ void run(const PhiOptions& options) {
     Output output{options.output.path};
     std::vector<std::string> columns = points.columns();
     columns.insert(columns.end(), {"phi", "log_phi", "method"});
-    TableWriter table{output, format_of(options.output.path, options.output.json), std::move(columns)};
+    TableWriter table{output, format_of(options.output.path, options.output.json), columns};
     Transform<Phi>{points, table, 1}.run(evaluate, append);
     output.commit();
 }

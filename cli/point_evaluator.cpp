@@ -79,10 +79,9 @@ bool PointEvaluator::same_for_all_rows() const noexcept {
     return wavelengths_ && !columns_.n && !columns_.k && !columns_.albedo;
 }
 
-std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points) const {
+std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points) {
     std::vector<std::string> unused;
-    for (const std::string& column : points.columns()) {
-        const std::string& name = column;
+    for (const std::string& name : points.columns()) {
         if (std::find(known_columns.begin(), known_columns.end(), name) == known_columns.end()) {
             unused.push_back(name);
         }
@@ -90,18 +89,21 @@ std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points)
     return unused;
 }
 
-void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result) const {
+void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
+                              ValidityWarning& warning) const {
     const Direction in = direction(row, columns_.theta_i, columns_.phi_i, "i");
     const Direction out = direction(row, columns_.theta_r, columns_.phi_r, "r");
     const Surface rough = surface(row);
     const View light = view(rough, in);
-    const PairFactors pair{rough, light, view(rough, out)};
+    const View seen = view(rough, out);
+    const PairFactors pair{rough, light, seen};
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Sample at = samples_.empty() ? sample(&row, wavelength(row, i)) : samples_[i];
         const DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
         const double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
         result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
                      pair.effective_roughness(),  pair.shadowing(), Mueller{}};
+        warning.note(spectral::validity(rough, light, seen, at));
         if (with_mueller) result[i].mueller = directional_diffuse_mueller(in, out, directional);
     }
 }

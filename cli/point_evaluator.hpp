@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/csv_reader.hpp"
+#include "cli/validity_warning.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::cli {
@@ -35,10 +36,12 @@ class PointEvaluator {
     /// Wavelengths per row.
     [[nodiscard]] std::size_t wavelengths() const noexcept { return wavelengths_ ? wavelengths_->size() : 1; }
     /// Columns that are in the header and mean nothing here.
-    [[nodiscard]] std::vector<std::string> unused_columns(const CsvReader& points) const;
+    [[nodiscard]] static std::vector<std::string> unused_columns(const CsvReader& points);
 
     /// One row into `result` of wavelengths() places; hts::Error names quantity, value and legal range.
-    void evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result) const;
+    ///   warning   is told the verdict on each
+    void evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
+                  ValidityWarning& warning) const;
 
   private:
     using Column = std::optional<std::size_t>;
@@ -48,11 +51,7 @@ class PointEvaluator {
         Column wavelength, n, k, rms_roughness, correlation_length, albedo;
     };
     /// What is the same for all rows at one wavelength, or what one row says.
-    struct Sample {
-        Wavelength wavelength;
-        RefractiveIndex index;
-        double uniform_diffuse;
-    };
+    using Sample = SpectralSample;
 
     void require_material(const CsvReader& points) const;
     [[nodiscard]] bool same_for_all_rows() const noexcept;

@@ -1,7 +1,5 @@
 // hts polar: in-plane polar plots as in He et al. 1991, Figures 7 to 10.
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "cli/polar_script.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/usage.hpp"
+#include "cli/validity_warning.hpp"
 #include "cli/verbs.hpp"
 
 namespace hts::cli {
@@ -48,12 +47,6 @@ struct PolarOptions {
     }
 };
 
-void require_angles(const std::vector<double>& angles) {
-    for (const double angle : angles) {
-        from_option("--theta-i", [angle] { return Direction::from_degrees(angle, 0); });
-    }
-}
-
 std::optional<EqualCones> cones(const PolarOptions& options) {
     if (!options.solid_angle) return std::nullopt;
     return from_option("--solid-angle", [&] { return EqualCones{*options.solid_angle}; });
@@ -89,13 +82,6 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     output.commit();
 }
 
-/// For the eye: four digits.
-std::string brief(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
-}
-
 PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflector,
                  const std::string& data_file) {
     PolarStyle style;
@@ -115,22 +101,40 @@ PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflect
     return style;
 }
 
-void run(const PolarOptions& options) {
-    wavelength_from_option(options.wavelength);
-    require_angles(options.theta_i);
-    static_cast<void>(cones(options));
-    const std::filesystem::path path{options.output.path};
-    const bool picture = path.extension() == ".svg";
-    if (picture && options.output.json) throw UsageError{"--json: must not come with an output .svg"};
-    const auto reflector = spectral::read_reflector(options.material.path);
+/// About the specular direction of each curve, where the lobe is.
+void warn(const std::vector<double>& theta_i, const Surface& surface, const SpectralSample& sample) {
+    ValidityWarning warning;
+    for (const double degrees : theta_i) {
+        const Direction in = Direction::from_degrees(degrees, 0);
+        warning.note(spectral::validity(surface, {in, in.mirror()}, sample));
+    }
+    warning.print();
+}
+
+void write(const PolarOptions& options, const spectral::Reflector& reflector) {
     const auto drawn = curves(options, reflector);
-    if (!picture) {
+    const std::filesystem::path path{options.output.path};
+    if (path.extension() != ".svg") {
         write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
         return;
     }
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
     draw(options.output.path, polar_script(drawn, style(options, reflector, data.filename().string())));
+}
+
+void run(const PolarOptions& options) {
+    wavelength_from_option(options.wavelength);
+    require_angles("--theta-i", options.theta_i);
+    static_cast<void>(cones(options));
+    if (options.output.json && std::filesystem::path{options.output.path}.extension() == ".svg") {
+        throw UsageError{"--json: must not come with an output .svg"};
+    }
+    const auto reflector = spectral::read_reflector(options.material.path);
+    const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
+    const auto samples = samples_from_option("--wavelength", reflector, grid, options.material.policy());
+    write(options, reflector);
+    warn(options.theta_i, reflector.surface, samples.front());
 }
 
 }  // namespace

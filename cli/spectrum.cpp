@@ -11,6 +11,7 @@
 #include "cli/spectrum_colour.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/usage.hpp"
+#include "cli/validity_warning.hpp"
 #include "cli/verbs.hpp"
 
 namespace hts::cli {
@@ -112,10 +113,18 @@ std::optional<SpectrumColour> colour(const SpectrumOptions& options, const spect
     }
 }
 
+void warn(const Surface& surface, const spectral::DirectionPair& pair,
+          std::span<const SpectralSample> samples) {
+    ValidityWarning warning;
+    for (const SpectralSample& sample : samples) warning.note(spectral::validity(surface, pair, sample));
+    warning.print();
+}
+
 void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = spectral::read_reflector(options.material.path);
+    const auto samples = samples_from_option("--wavelengths", reflector, grid, options.material.policy());
     const auto spectrum = spectrum_of({reflector, grid, options.material.policy()}, pair);
     const auto seen = colour(options, grid, spectrum);
 
@@ -128,6 +137,7 @@ void run(const SpectrumOptions& options) {
     write_table(output, format, grid, spectrum);
     if (format == Format::json) output.write("}\n");
     output.commit();
+    warn(reflector.surface, pair, samples);
     if (seen) std::cerr << title(reflector, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
         draw(options.plot, plot_script(title(reflector, options.directions), grid, spectrum));

@@ -19,12 +19,12 @@ std::string line(const char* part, const Xyz& colour, Illuminant illuminant) {
     const LinearRgb rgb = linear_srgb(colour, illuminant);
     const DisplayRgb display = DisplayRgb::from_linear(rgb);
     std::array<char, 320> text{};
-    std::snprintf(
+    static_cast<void>(std::snprintf(
         text.data(), text.size(),
         "  %-22s luminance factor %.5g   XYZ %.5g %.5g %.5g   xy %.4f %.4f   linear sRGB %.5g %.5g %.5g   "
         "display %s%s\n",
         part, colour.Y, colour.X, colour.Y, colour.Z, x, y, rgb.red, rgb.green, rgb.blue,
-        display.hex().c_str(), display.in_gamut() ? "" : " (clipped)");
+        display.hex().c_str(), display.in_gamut() ? "" : " (clipped)"));
     return text.data();
 }
 

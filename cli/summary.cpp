@@ -2,19 +2,16 @@
 
 #include <omp.h>
 
-#include <array>
-#include <cstdio>
+#include "cli/table_writer.hpp"
 
 namespace hts::cli {
 
 std::string Summary::text() const {
     const double evaluations = static_cast<double>(pairs) * static_cast<double>(wavelengths);
     const double rate = seconds > 0 ? evaluations / seconds : 0;
-    std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(),
-                  "%zu pairs x %zu wavelengths: %.3g s, %.3g evaluations/s, %d threads", pairs, wavelengths,
-                  seconds, rate, omp_get_max_threads());
-    return line.data();
+    return std::to_string(pairs) + " pairs x " + std::to_string(wavelengths) +
+           " wavelengths: " + brief(seconds, 3) + " s, " + brief(rate, 3) + " evaluations/s, " +
+           std::to_string(omp_get_max_threads()) + " threads";
 }
 
 }  // namespace hts::cli

@@ -48,18 +48,21 @@ Format format_of(std::string_view path, bool json) {
 }
 
 void append_number(std::string& text, double value) {
-    std::array<char, 32> digits{};
+    text += brief(value, 17);
+}
+
+std::string brief(double value, int digits) {
+    std::array<char, 32> text{};
     const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 17)
-            .ptr;
-    text.append(digits.data(), end);
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    return {text.data(), end};
 }
 
 std::string json_string(std::string_view text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-TableWriter::TableWriter(Output& output, Format format, std::vector<std::string> columns)
+TableWriter::TableWriter(Output& output, Format format, const std::vector<std::string>& columns)
     : output_{output}, format_{format} {
     if (format == Format::json) {
         keys_ = json_keys(columns);

@@ -17,15 +17,16 @@ enum class Format { csv, json };
 
 /// 17 significant digits, enough to read back the same double.
 void append_number(std::string& text, double value);
+/// For the eye: so many significant digits, without trailing zeros.
+[[nodiscard]] std::string brief(double value, int digits = 4);
 /// A JSON string with its quotes.
 [[nodiscard]] std::string json_string(std::string_view text);
 
 /// A table under construction. Rows are rendered as text first (by any thread) and then added in order.
 class TableWriter {
   public:
-    /// Throws hts::Error if JSON would get the same
-    /// key twice.
-    TableWriter(Output& output, Format format, std::vector<std::string> columns);
+    /// Throws hts::Error if JSON would get the same key twice.
+    TableWriter(Output& output, Format format, const std::vector<std::string>& columns);
 
     /// One row, cell by cell, appended to a text.
     class Row {

@@ -35,7 +35,8 @@ Material constant_from(const JsonValue& index) {
     const JsonValue k = index["k"];
     const double n_value = n.number();
     const double k_value = k.number();
-    return located(index.place(), [&] { return Material::constant({n_value, k_value}); });
+    located(n.place(), [&] { return RefractiveIndex{n_value, 0}; });
+    return located(k.place(), [&] { return Material::constant({n_value, k_value}); });
 }
 
 Material file_from(const JsonValue& index, const std::filesystem::path& folder) {

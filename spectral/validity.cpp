@@ -139,14 +139,18 @@ Severity Validity::severity() const noexcept {
 }
 
 Validity validity(const Surface& surface, const DirectionPair& pair, const SpectralSample& sample) noexcept {
-    const View in = view(surface, pair.in);
-    const View out = view(surface, pair.out);
+    return validity(surface, view(surface, pair.in), view(surface, pair.out), sample);
+}
+
+Validity validity(const Surface& surface, const View& in, const View& out,
+                  const SpectralSample& sample) noexcept {
     const PairFactors factors{surface, in, out};
     const Wavelength& wavelength = sample.wavelength;
     const bool mirror = surface.rms_roughness() == 0;  // without a lobe, tau means nothing
     const double length = mirror ? infinity : surface.correlation_length() / wavelength.micrometres();
-    const double facet = std::pow(factors.cos_theta_d(), 3);
-    const double curvature = mirror ? infinity : wavelength.wave_number() * curvature_radius(surface) * facet;
+    const double cosine = factors.cos_theta_d();
+    const double curvature =
+        mirror ? infinity : wavelength.wave_number() * curvature_radius(surface) * (cosine * cosine * cosine);
     Validity result{factors.phase_variance(wavelength),
                     {{{Criterion::correlation_length, length},
                       {Criterion::curvature, curvature},

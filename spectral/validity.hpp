@@ -159,6 +159,9 @@ struct Validity {
 ///   cost   less than an evaluation of the pair; allocates nothing
 [[nodiscard]] Validity validity(const Surface& surface, const DirectionPair& pair,
                                 const SpectralSample& sample) noexcept;
+/// The same from views of this surface.
+[[nodiscard]] Validity validity(const Surface& surface, const View& in, const View& out,
+                                const SpectralSample& sample) noexcept;
 
 /// Verdicts on a reflector over wavelengths and angles of incidence, each in its mirror direction, which among all
 /// pairs of directions that reach up to an angle is the worst: theta_d <= (theta_i + theta_r)/2, and S_1 falls.
