@@ -97,10 +97,15 @@ std::string error_text(spectral::ModelError error) {
     return brief(known->least) + " to " + brief(known->most) + " dB";
 }
 
-std::string verdict_text(Severity severity) {
-    if (severity == Severity::fine) return "inside the model's validity";
-    return severity == Severity::caution ? "inside the model's validity, with caution"
-                                         : "OUTSIDE the model's validity";
+std::string verdict_text(const MaterialValidity& validity) {
+    const Severity worst = validity.severity();
+    if (worst == Severity::fine) return "Inside the model's validity";
+    const auto as_bad = [worst](const Point& point) { return point.validity.severity() == worst; };
+    const auto points = validity.points();
+    return (worst == Severity::outside ? "OUTSIDE the model's validity at "
+                                       : "To be taken with caution at ") +
+           std::to_string(std::count_if(points.begin(), points.end(), as_bad)) + " of " +
+           std::to_string(points.size()) + " points (wavelengths x angles); measured worst:";
 }
 
 std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
@@ -210,12 +215,12 @@ std::string info_text(const MaterialInfo& info) {
          << brief(prepared_tolerance.relative_error()) << ", and " << info.phi_table_bytes
          << " bytes of Phi that all materials share\n"
          << angles_text(info) << '\n'
-         << verdict_text(info.validity.severity()) << '\n';
+         << verdict_text(info.validity) << '\n';
     for (const Criterion criterion : criteria()) text << finding_text(info, criterion);
     if (info.validity.perturbation_advised())
         text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
-    text << "Expected error of the model: " << error_text(info.validity.error())
-         << ", as measured on 1-D perfectly conducting surfaces up to 60 deg\n";
+    text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
+         << "\n(where known: as measured on 1-D perfectly conducting surfaces up to 60 deg)\n";
     return text.str();
 }
 

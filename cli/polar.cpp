@@ -86,7 +86,7 @@ PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflect
                  const std::string& data_file) {
     PolarStyle style;
     style.title = reflector.name + ", λ = " + shortest(options.wavelength) + " µm";
-    style.captions.push_back(
+    style.captions.emplace_back(
         options.absolute
             ? "radius: BRDF [1/sr]"
             : "radius: BRDF / BRDF in the specular direction θ_r = θ_i, eq. 11 of He et al. 1991");

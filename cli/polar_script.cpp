@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "cli/gnuplot.hpp"
+#include "cli/table_writer.hpp"
 #include "hts/error.hpp"
 
 namespace hts::cli {
@@ -43,18 +43,11 @@ double ring_step(double largest) {
     return 20 * power;
 }
 
-/// Rounded to what the eye reads: 0.30000000000000004 becomes 0.3.
-std::string label(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
-}
-
 std::vector<Ring> linear_rings(double largest) {
     const double step = ring_step(largest);
     const int count = static_cast<int>(std::ceil(largest / step * (1 - 1e-9)));
     std::vector<Ring> rings;
-    for (int i = 1; i <= count; ++i) rings.push_back({static_cast<double>(i) / count, label(i * step)});
+    for (int i = 1; i <= count; ++i) rings.push_back({static_cast<double>(i) / count, brief(i * step)});
     return rings;
 }
 

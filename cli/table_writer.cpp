@@ -31,6 +31,7 @@ void require_unique(std::vector<std::string> names) {
 std::vector<std::string> json_keys(const std::vector<std::string>& columns) {
     require_unique(columns);
     std::vector<std::string> keys;
+    keys.reserve(columns.size());
     for (const std::string& name : columns)
         keys.push_back((keys.empty() ? "" : ", ") + json_string(name) + ": ");
     return keys;

@@ -35,7 +35,7 @@ namespace hts::spectral {
 
 /// Radius of the rms curvature, tau^2/(2 sqrt(3) sigma_0) [um]; infinite for a mirror. Derivation: the variance of
 /// the second derivative along any one direction is C''''(0) = 12 sigma_0^2/tau^4 (heights Gaussian, C = exp(-r^2/tau^2)),
-/// and where slopes are gentle that derivative is the curvature [Tsang01 (9.4.17)].
+/// and where slopes are gentle that derivative is the curvature [Tsang00 (9.4.17)].
 [[nodiscard]] double curvature_radius(const Surface& surface) noexcept;
 
 // ---- regimes
@@ -97,11 +97,11 @@ struct Limits {
 
 /// Limits, with their origin ("exact": the method of moments for 1-D rough, perfectly conducting surfaces, each 50
 /// wavelengths long, 250 realisations; dB of the scattered intensity):
-///   correlation_length   caution 1: 0.4 to 1 dB from exact at tau = lambda; [Ulaby82 12-4] asks k tau > 6.
-///                        outside 1/2: 2 to 4.6 dB from exact at 0.35
-///   curvature            caution 2 pi: the radius is a wavelength at theta_d = 0 [Ulaby82 12-4]; cos^3, since light
-///                        that grazes a curved facet sees a penumbra of width (k R)^(-1/3) [Fock46].
-///                        outside 1: the penumbra covers all directions
+///   correlation_length   caution 1: 0.4 to 1 dB from exact at tau = lambda. outside 1/2: 2 to 4.6 dB at 0.35
+///   curvature            "the radius of curvature large compared to the wavelength" [He91 2.2]; cos^3 since
+///                        neighbours act in phase over a length 2/(k cos^2 theta_d), along which the surface turns
+///                        by that over R, to be small beside the grazing angle's cos theta_d [Fock65].
+///                        caution 2 pi: R is a wavelength at theta_d = 0. outside 1: nothing is large
 ///   slope                caution 1/4: rms slope 19 deg; above it exact differs by 0.7 to 1 dB at 60 deg.
 ///                        outside 1/sqrt(2): rms slope 1, no gentle one
 ///   shadowing            caution 0.95: above it a lossless surface (tau >= lambda, sigma_0/tau <= 1/4) returns its

@@ -51,13 +51,15 @@ TEST_CASE("bad material files") {
         {material("1e999", "1", al), {"m.json"}},
         {material("0.1", "-3", al), {"correlation_length_um", "-3", "> 0"}},
         {material("\"rough\"", "1", al), {"rms_roughness_um", "number"}},
-        {material("0.1", "1", R"("index": {"n": 1.5, "k": -0.2})"), {"index", "k", "-0.2", ">= 0"}},
-        {material("0.1", "1", R"("index": {"n": 0, "k": 1})"), {"index", "n", "0", "> 0"}},
+        {material("0.1", "1", R"("index": {"n": 1.5, "k": -0.2})"), {"\"index.k\"", "-0.2", ">= 0"}},
+        {material("0.1", "1", R"("index": {"n": 0, "k": 1})"), {"\"index.n\"", "0", "> 0"}},
         {material("0.1", "1", R"("index": "unobtainium")"), {"index", "unobtainium", "Al", "polystyrene"}},
         {material("0.1", "1", R"("index": {"file": "none.yml"})"), {"index", "none.yml"}},
         {material("0.1", "1", al + R"(, "diffuse_albedo": 1.5)"), {"diffuse_albedo", "1.5", "0 to 1"}},
         {material("0.1", "1", al + R"(, "diffuse_albedo": -0.5)"), {"diffuse_albedo", "-0.5", "0 to 1"}},
         {material("0.1", "1", al + R"(, "rougness": 2)"), {"rougness", "rms_roughness_um"}},
+        {material("0.1", "1", al + R"(, "diffuse_albedo": {"table": [[0.5, 1.5]]})"),
+         {"\"diffuse_albedo.table\"", "row 1", "1.5", "0 to 1"}},
         {R"({"model": "he", "rms_roughness_um": 0.1, "index": "Al"})", {"correlation_length_um", "missing"}},
         {R"({"rms_roughness_um": 0.1})", {"model", "missing"}},
         {R"({"model": "phong"})", {"model", "phong", "he"}},
@@ -121,7 +123,27 @@ TEST_CASE("files that are no files") {
                     {".", "directory"});
     check_complaint(place.hts("eval --material m.json --points p.csv --output none/answer.csv"), data_failed,
                     {"none/answer.csv", "written"});
+    check_complaint(place.hts("info none.json"), data_failed, {"none.json", "no such file"});
+    check_complaint(place.hts("materials ./none.yml"), data_failed, {"./none.yml", "no such file"});
+    check_complaint(place.hts("materials none.csv"), data_failed, {"none.csv", "no such file"});
     CHECK(place.names() == std::vector<std::string>{"m.json", "p.csv"});
+}
+
+TEST_CASE("a wavelength that the material does not have is traced to its option") {
+    const Workplace place;
+    place.file("m.json", material("0.28", "1.77", R"("index": "Al")"));
+    const std::string pair = " --theta-i 30 --theta-r 40 --phi 170";
+    const std::vector<std::pair<std::string, std::string>> commands{
+        {"eval --material m.json --wavelength 500" + pair, "--wavelength: "},
+        {"eval --material m.json --wavelengths 0.5,500" + pair, "--wavelengths: "},
+        {"eval --material m.json --wavelengths 0.5,500 --random-pairs 10", "--wavelengths: "},
+        {"spectrum --material m.json --wavelengths 0.5,500" + pair, "--wavelengths: "},
+        {"polar --material m.json --wavelength 500 --theta-i 30", "--wavelength: "},
+        {"info m.json --wavelengths 0.5,500", "--wavelengths: "}};
+    for (const auto& [command, option] : commands) {
+        check_complaint(place.hts(command), data_failed, {option, "500", "0.10332 to 200 um", "Al"});
+        CHECK(place.hts(command + " --clamp").exit_code == 0);
+    }
 }
 
 TEST_CASE("a file in the way is kept when the run fails") {
@@ -155,6 +177,9 @@ TEST_CASE("wrong usage") {
         {"spectrum --material m.json --theta-i 30", {"--theta-r"}},
         {"polar --material m.json --theta-i 30 --wavelength 0", {"0", "um", "> 0"}},
         {"materials unobtainium", {"unobtainium", "Al"}},
+        {"info", {"material"}},
+        {"info m.json --theta 0,91", {"--theta", "91", "0 to 90 deg"}},
+        {"info m.json --wavelengths 0.7:0.4:3", {"--wavelengths", "0.7", "0.4"}},
     };
     for (const auto& [arguments, named] : bad) {
         INFO("hts " << arguments);

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command.hpp"
+
+using hts::cli::testing::cells;
+using hts::cli::testing::Workplace;
+
+namespace {
+
+const std::string sandpaper = HTS_SOURCE_DIR "/cli/data/sandpaper.json";
+const std::string aluminium = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
+const std::string warning = "outside the model's validity";
+
+nlohmann::json finding(const nlohmann::json& info, const std::string& criterion) {
+    for (const auto& one : info["findings"]) {
+        if (one["criterion"] == criterion) return one;
+    }
+    FAIL("no finding of " << criterion);
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("hts info says that the paper's sandpaper is outside the model's validity, and why") {
+    const Workplace place;
+    const auto text = place.hts("info " + sandpaper + " --wavelengths 0.55");
+    CHECK(text.exit_code == 0);
+    for (const std::string part :
+         {"OUTSIDE the model's validity", "sigma0/tau = 4.4", "scattered more than once", "98.7 %",
+          "scale and index are chosen", "rough limit", "unknown"}) {
+        INFO(part);
+        CHECK(text.output.find(part) != std::string::npos);
+    }
+    const auto json =
+        nlohmann::json::parse(place.hts("info " + sandpaper + " --wavelengths 0.55 --json").output);
+    CHECK(json["validity"] == "outside");
+    CHECK(json["expected_error_db"].is_null());
+    CHECK(json["regimes"] == nlohmann::json{"rough limit"});
+    const auto slope = finding(json, "slope");
+    CHECK(slope["severity"] == "outside");
+    CHECK(slope["measured"].get<double>() == Approx(4.4));
+    CHECK(slope["measured"] > slope["outside"]);
+    CHECK(slope["reason"] != "");
+    CHECK(finding(json, "correlation length")["severity"] == "fine");
+}
+
+TEST_CASE("hts info agrees with hts eval on g and the mirror, in text, JSON and CSV") {
+    const Workplace place;
+    const std::string range = " --wavelengths 0.5,2 --theta 0,30";
+    CHECK(place.hts("info " + aluminium + range + " --output info.csv").exit_code == 0);
+    const auto rows = cells(place.read("info.csv"));
+    REQUIRE(rows.size() == 5);
+    place.file("points.csv",
+               "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n0.5,0,0,0,180\n0.5,30,0,30,180\n"
+               "2,0,0,0,180\n2,30,0,30,180\n");
+    const auto points =
+        cells(place.hts("eval --material " + aluminium + " --points points.csv --detail").output);
+    const auto column = [](const auto& table, const std::string& name) {
+        return static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), name) - table[0].begin());
+    };
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+        CHECK(rows[row][0] == points[row][0]);
+        CHECK(rows[row][1] == points[row][1]);
+        CHECK(rows[row][column(rows, "g")] == points[row][column(points, "g")]);
+        CHECK(std::stod(rows[row][column(rows, "mirror_share")]) ==
+              Approx(std::exp(-std::stod(points[row][column(points, "g")]))));
+    }
+    const auto json = nlohmann::json::parse(place.hts("info " + aluminium + range + " --json").output);
+    CHECK(json["phase_variance"][0].get<double>() == std::stod(rows[4][column(rows, "g")]));
+    CHECK(json["phase_variance"][1].get<double>() == std::stod(rows[1][column(rows, "g")]));
+    CHECK(json["wavelengths_um"] == nlohmann::json{0.5, 2.0});
+    CHECK(json["prepared_bytes"] > 0);
+    CHECK(place.hts("info " + aluminium + range + " -o info.json").exit_code == 0);
+    CHECK(nlohmann::json::parse(place.read("info.json")) == json);
+}
+
+TEST_CASE("hts info of a surface inside the model's validity says so and how far it is from exact") {
+    const Workplace place;
+    const auto info = place.hts("info " + aluminium + " --wavelengths 0.4:0.7:4 --theta 0,45");
+    CHECK(info.output.find("Inside the model's validity") != std::string::npos);
+    CHECK(info.output.find("0.3 to 0.5 dB") != std::string::npos);
+    CHECK(info.output.find("caution") == std::string::npos);
+    place.file("fine.json", R"({"model": "he", "rms_roughness_um": 0.01, "correlation_length_um": 0.1,
+                                "index": {"n": 1.5, "k": 0}})");
+    CHECK(place.hts("info fine.json").output.find("perturbation theory would do better") !=
+          std::string::npos);
+}
+
+TEST_CASE("one line warns of values outside the model's validity, and only of those") {
+    const Workplace place;
+    const std::string pair = " --theta-i 30 --theta-r 40 --phi 170";
+    for (const std::string& command : {"eval --wavelength 0.55" + pair, "spectrum" + pair,
+                                      std::string{"polar --wavelength 0.55 --theta-i 30,45"},
+                                      std::string{"eval --wavelengths 0.5,0.6 --random-pairs 10"}}) {
+        INFO(command);
+        const auto bad = place.hts(command + " --material " + sandpaper);
+        CHECK(bad.exit_code == 0);
+        const auto first = bad.errors.find(warning);
+        REQUIRE(first != std::string::npos);
+        CHECK(bad.errors.find(warning, first + 1) == std::string::npos);
+        CHECK(bad.errors.find("slope") != std::string::npos);
+        CHECK(bad.errors.find("hts info") != std::string::npos);
+        const auto good = place.hts(command + " --material " + aluminium);
+        CHECK(good.exit_code == 0);
+        CHECK(good.errors.find(warning) == std::string::npos);
+    }
+    place.file("points.csv",
+               "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,rms_roughness_um\n"
+               "0.5,0,0,0,180,0.28\n0.5,0,0,0,180,7.8\n0.5,80,0,80,180,0.28\n");
+    const auto some = place.hts("eval --points points.csv --material " + aluminium);
+    CHECK(some.errors.find("2 of 3 values are " + warning) != std::string::npos);
+}
