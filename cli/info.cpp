@@ -17,7 +17,8 @@ exp(-g) of the light that stays in the mirror direction, and how far the model's
 assumptions hold: tau/lambda, k R cos^3(theta), sigma0/tau, shadowing, the shadowed mirror
 term, energy. Each is fine, a caution, or outside the model's validity, which is said and
 is no failure. The expected error is that of the model against exact scattering, not of
-the arithmetic; it was measured on 1-D perfectly conducting surfaces up to 60 degrees.
+the arithmetic; it was measured on 1-D perfectly conducting surfaces, 60 degrees the
+largest angle on record.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.
 
 Examples:

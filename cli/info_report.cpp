@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -26,12 +27,14 @@ constexpr Tolerance prepared_tolerance{accuracy::finest_lane_tolerance};
 
 std::vector<Direction> directions(const std::vector<double>& theta) {
     std::vector<Direction> result;
+    result.reserve(theta.size());
     for (const double degrees : theta) result.push_back(Direction::from_degrees(degrees, 0));
     return result;
 }
 
 struct Range {
-    double least = INFINITY, greatest = -INFINITY;
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
 
     [[nodiscard]] std::string text() const {
         const std::string low = brief(least, 3), high = brief(greatest, 3);
@@ -220,7 +223,8 @@ std::string info_text(const MaterialInfo& info) {
     if (info.validity.perturbation_advised())
         text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
     text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
-         << "\n(where known: as measured on 1-D perfectly conducting surfaces up to 60 deg)\n";
+         << "\n(where known: as measured on 1-D perfectly conducting surfaces, 60 deg the largest angle on "
+            "record)\n";
     return text.str();
 }
 
@@ -264,10 +268,11 @@ void write_info_table(Output& output, const MaterialInfo& info) {
                       {"wavelength_um", "theta_deg", "n", "k", "diffuse_albedo", "g", "regime",
                        "mirror_share", "tau_over_lambda", "curvature", "slope", "shadowing", "mirror_loss",
                        "energy", "validity", "least_error_db", "most_error_db"}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string text;
     for (const Point& point : info.validity.points()) {
         const double g = phase_variance(point);
-        const auto error = decibels(point.validity.error).value_or(spectral::Decibels{NAN, NAN});
+        const auto error = decibels(point.validity.error).value_or(spectral::Decibels{nan, nan});
         TableWriter::Row row{table, text};
         row.field(shortest(micrometres(point))).field(shortest(degrees_of(info, point)));
         row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));

@@ -123,8 +123,8 @@ struct Finding {
 
 // ---- verdicts
 
-/// Distance of the model from exact scattering, by what has been measured of it (see `limits`). Perfectly
-/// conducting 1-D surfaces up to 60 degrees: for others a guide.
+/// Distance of the model from exact scattering, by what has been measured of it (see `limits`): perfectly
+/// conducting 1-D surfaces, 60 degrees the largest angle on record. For others a guide.
 enum class ModelError {
     none,     ///< sigma_0 = 0: Fresnel's equations
     best,     ///< 0.3 to 0.5 dB: tau >= 2 lambda, nothing to be cautious of

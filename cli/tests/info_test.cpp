@@ -94,8 +94,8 @@ TEST_CASE("one line warns of values outside the model's validity, and only of th
     const Workplace place;
     const std::string pair = " --theta-i 30 --theta-r 40 --phi 170";
     for (const std::string& command : {"eval --wavelength 0.55" + pair, "spectrum" + pair,
-                                      std::string{"polar --wavelength 0.55 --theta-i 30,45"},
-                                      std::string{"eval --wavelengths 0.5,0.6 --random-pairs 10"}}) {
+                                       std::string{"polar --wavelength 0.55 --theta-i 30,45"},
+                                       std::string{"eval --wavelengths 0.5,0.6 --random-pairs 10"}}) {
         INFO(command);
         const auto bad = place.hts(command + " --material " + sandpaper);
         CHECK(bad.exit_code == 0);
