@@ -12,12 +12,12 @@ namespace {
 
 /// Nodes equally spaced in log((1 + sin theta)/cos theta), which runs like theta at the normal and like
 /// -log(cos theta) at the horizon: from the normal to 89.9 degrees.
-constexpr std::size_t node_count = 80;
+constexpr std::size_t node_count = 128;
 constexpr double farthest = 7.0437600274740995;  // of 89.9 degrees
 
 /// Cubic interpolation: the value in a direction is the weighted sum of those at four nodes.
 struct Interpolation {
-    std::size_t first;
+    std::array<std::size_t, 4> nodes;
     std::array<double, 4> weights;
 };
 
@@ -29,15 +29,17 @@ Direction direction_of_node(std::size_t node) {
 Interpolation interpolation(const Direction& direction) {
     const double x = std::min(std::log((1 + direction.sin_theta()) / direction.cos_theta()), farthest);
     const double steps = x / farthest * (node_count - 1);
-    const auto first = static_cast<std::size_t>(std::clamp(steps - 1, 0.0, node_count - 4.0));
-    const double a = steps - static_cast<double>(first), b = a - 1, c = a - 2, d = a - 3;
-    return {first, {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6}};  // Lagrange on 0, 1, 2, 3
+    const auto second = static_cast<std::size_t>(std::min(steps, node_count - 3.0));
+    const std::size_t first = second == 0 ? 1 : second - 1;  // even about the normal
+    const double b = steps - static_cast<double>(second), a = b + 1, c = b - 1, d = b - 2;
+    return {{first, second, second + 1, second + 2},  // Lagrange's polynomials on -1, 0, 1, 2
+            {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6}};
 }
 
 double interpolated(const std::vector<double>& values, const Direction& direction) {
     const Interpolation at = interpolation(direction);
     double sum = 0;
-    for (std::size_t i = 0; i < at.weights.size(); ++i) sum += at.weights[i] * values[at.first + i];
+    for (std::size_t i = 0; i < at.weights.size(); ++i) sum += at.weights[i] * values[at.nodes[i]];
     return sum;
 }
 
@@ -51,7 +53,7 @@ class ScalingEquation {
             visit_lobe(surface, in, wavelength, [&](const Direction& out, double share) {
                 const Interpolation at = interpolation(out);
                 for (std::size_t j = 0; j < at.weights.size(); ++j)
-                    lobe_[i][at.first + j] += share * at.weights[j];
+                    lobe_[i][at.nodes[j]] += share * at.weights[j];
             });
         }
     }
@@ -147,7 +149,7 @@ HemisphericalReflectance directional_hemispherical_reflectance(const EnergyCompe
                                                                const Wavelength& wavelength,
                                                                const Direction& in) noexcept {
     constexpr double tolerance =
-        accuracy::compensated_energy / 100;  // a finer one would follow the spline's joints
+        accuracy::compensated_energy / 1000;  // a finer one would follow the spline's joints
     const View seen = view(surface, in);
     const double s = compensation.factor(in);
     const double lobe = lobe_integral(

@@ -18,7 +18,8 @@
 namespace hts::spectral {
 
 namespace accuracy {
-inline constexpr double hemispherical_reflectance = 1e-7;    ///< of the directional-diffuse term, relative
+inline constexpr double hemispherical_reflectance = 4e-8;    ///< of the directional-diffuse term, relative
+inline constexpr double totally_reflecting_facets = 4e-6;    ///< the same for a real index below 1
 inline constexpr double bihemispherical_reflectance = 1e-5;  ///< of each term, absolute
 }  // namespace accuracy
 
@@ -39,7 +40,8 @@ struct HemisphericalReflectance {
 };
 
 /// rho_dh of a surface without uniform diffuse term.
-///   error   specular: hts::accuracy::specular_reflectance; directional diffuse: accuracy::hemispherical_reflectance
+///   error   specular: hts::accuracy::specular_reflectance; directional diffuse: accuracy::hemispherical_reflectance,
+///           or totally_reflecting_facets where the reflectance of facets has a kink, at the critical angle
 ///   range   0 ... about 1.05; 0 at the horizon, but 1 there for a mirror (sigma_0 = 0)
 ///   cost    1 to 30 ms, the more the nearer to the horizon
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,

@@ -107,8 +107,8 @@ double lobe_integral(const Surface& surface, const View& in, const Wavelength& w
                      const LobeWeight& weight, Tolerance tolerance) {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
     constexpr unsigned levels = 8;
-    // Gauss's rule against Kronrod's: an estimate that is far too large on smooth panels
-    const double estimate = 10 * tolerance.relative_error();
+    // Gauss's rule against Kronrod's: on smooth panels an estimate that is far too large
+    const double estimate = 25 * tolerance.relative_error();
     const MirrorDisc disc{surface, in, wavelength};
     if (disc.empty()) return 0;
     const auto weighted = [&](const PairFactors& pair, const Direction& out, double share) {

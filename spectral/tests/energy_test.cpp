@@ -109,15 +109,19 @@ TEST_CASE(
     incident.check();
 }
 
-TEST_CASE("total internal reflection on the facets has a kink that the quadrature meets") {
+TEST_CASE("total reflection on the facets has a kink that the quadrature meets") {
     const Setting at{0.25, 0.3, 40};
     const RefractiveIndex thinner{0.7, 0};  // critical angle 44.4 degrees
     const double computed =
         directional_hemispherical_reflectance(at.surface(), thinner, one_um, at.in()).directional_diffuse;
-    const double plain =
-        hemisphere_integral(at.degrees * std::numbers::pi / 180, 0.002,
-                            [&](const Direction& out) { return lobe(at, thinner, at.in(), out); });
-    CHECK(computed == Approx(plain).epsilon(2e-5));  // the plain way does not see the kink
+    constexpr double finest = 0.02;  // panels as wide everywhere
+    const double plain = 2 * panel_sum(equal_panels(0, std::numbers::pi / 2, finest), [&](double theta) {
+                             return std::sin(theta) * std::cos(theta) *
+                                    panel_sum(equal_panels(0, std::numbers::pi, finest), [&](double phi) {
+                                        return lobe(at, thinner, at.in(), Direction::from_angles(theta, phi));
+                                    });
+                         });
+    CHECK(relative_error(computed, plain) < bound::totally_reflecting_facets);
 }
 
 TEST_CASE("what the mirror direction loses, the lobe gains, however narrow it is") {
@@ -215,7 +219,7 @@ TEST_CASE("the largest diffuse albedo is what the brightest angle leaves") {
     CHECK(limit.albedo == Approx(1 - fresnel_60).epsilon(1e-12));
     CHECK(limit.theta == steepest);
     CHECK(limit.reflectance == Approx(fresnel_60).epsilon(1e-12));
-    CHECK(largest_diffuse_albedo(smooth(1.5), one_um, std::numbers::pi / 2).albedo == 0);
+    CHECK(largest_diffuse_albedo(smooth(1.5), one_um, std::numbers::pi / 2).albedo < 1e-12);
     CHECK(largest_diffuse_albedo(smooth(1.5), one_um, 0).albedo == Approx(0.96).epsilon(1e-12));
     CHECK_THROWS_AS(largest_diffuse_albedo(smooth(1.5), one_um, 2), hts::Error);
     CHECK_THROWS_AS(largest_diffuse_albedo(smooth(1.5), one_um, -0.1), hts::Error);

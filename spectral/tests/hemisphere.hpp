@@ -23,6 +23,14 @@ inline std::vector<double> panels_towards(double place, double from, double to, 
     return ends;
 }
 
+/// Ends of panels over from ... to of equal width, at most `widest`.
+inline std::vector<double> equal_panels(double from, double to, double widest) {
+    const int count = static_cast<int>(std::ceil((to - from) / widest));
+    std::vector<double> ends;
+    for (int i = 0; i <= count; ++i) ends.push_back(from + (to - from) * i / count);
+    return ends;
+}
+
 /// Gauss's rule with 20 points on each panel.
 template <class Function>
 double panel_sum(const std::vector<double>& ends, Function&& f) {
