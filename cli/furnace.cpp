@@ -13,6 +13,7 @@
 #include "cli/parallel.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/verbs.hpp"
+#include "hts/error.hpp"
 #include "spectral/compensation.hpp"
 
 namespace hts::cli {
@@ -29,8 +30,7 @@ sigma_0/tau, sigma_0/lambda and the angle of incidence alone. Into the folder go
   furnace.svg, furnace.gnuplot   the total as a map, a panel per sigma_0/tau
 With --compensate-energy also the total with the library's optional compensation, and its
 map as furnace-compensated.svg.
-Some 20 s of one core's time with --quick, two minutes without; up to twice that with
---compensate-energy.
+Seconds with --quick, a minute or two without.
 
 Examples:
   hts furnace --output out/furnace --quick
@@ -48,7 +48,7 @@ struct FurnacePoint {
 
 FurnaceGrid furnace_grid(bool quick) {
     FurnaceGrid grid{{0.02, 0.05, 0.1, 0.25, 0.5, 1}, {}, {}};
-    const int roughnesses = quick ? 10 : 28, angles = quick ? 18 : 45;
+    const int roughnesses = quick ? 8 : 28, angles = quick ? 18 : 45;
     constexpr double least = 0.01, most = 5;  // sigma_0/lambda: from nearly a mirror to geometric optics
     for (int i = 0; i < roughnesses; ++i) {
         grid.roughnesses.push_back(least * std::pow(most / least, i / (roughnesses - 1.0)));
@@ -107,10 +107,11 @@ void write_table(const fs::path& path, const FurnaceGrid& grid, const std::vecto
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t curve = i / grid.degrees.size();
         TableWriter::Row row{table, text};
-        row.number(grid.slopes[curve / grid.roughnesses.size()]);
-        row.number(grid.roughnesses[curve % grid.roughnesses.size()]);
-        row.number(grid.degrees[i % grid.degrees.size()]).number(points[i].model.specular);
-        row.number(points[i].model.directional_diffuse).number(points[i].model.total());
+        row.field(shortest(grid.slopes[curve / grid.roughnesses.size()]));
+        row.field(shortest(grid.roughnesses[curve % grid.roughnesses.size()]));
+        row.field(shortest(grid.degrees[i % grid.degrees.size()]));
+        row.number(points[i].model.specular).number(points[i].model.directional_diffuse);
+        row.number(points[i].model.total());
         if (compensate) row.number(points[i].compensated);
         row.end();
     }

@@ -32,18 +32,22 @@ const TotalClass& class_of(double total) {
     return classes[i];
 }
 
-/// $cells: angle and half width, power of ten of the roughness and half height, colour.
+/// $cells: edges in angle and in powers of ten of the roughness, colour; neighbours in angle of one colour are one.
 void write_cells(std::ostream& out, const FurnaceGrid& grid, const double* totals) {
     const double half_width = (grid.degrees[1] - grid.degrees[0]) / 2;
     const double half_height = std::log10(grid.roughnesses[1] / grid.roughnesses[0]) / 2;
+    const std::size_t across = grid.degrees.size();
     out << "$cells << EOD\n";
     for (const double roughness : grid.roughnesses) {
         const double height = std::log10(roughness);
-        for (const double degrees : grid.degrees) {
-            out << degrees << ' ' << height << ' ' << degrees - half_width << ' ' << degrees + half_width
-                << ' ' << height - half_height << ' ' << height + half_height << ' '
-                << script::colour_number(class_of(*totals++).colour) << '\n';
+        for (std::size_t first = 0, next = 0; first < across; first = next) {
+            const TotalClass& each = class_of(totals[first]);
+            while (next < across && &class_of(totals[next]) == &each) ++next;
+            out << grid.degrees[first] - half_width << ' ' << grid.degrees[next - 1] + half_width << ' '
+                << height - half_height << ' ' << height + half_height << ' '
+                << script::colour_number(each.colour) << '\n';
         }
+        totals += across;
     }
     out << "EOD\n";
 }
@@ -99,7 +103,8 @@ std::string furnace_script(const FurnaceGrid& grid, const std::vector<double>& t
         write_cells(out, grid, totals.data() + i * grid.roughnesses.size() * grid.degrees.size());
         write_axes(out, {i, columns, rows});
         out << "set title 'σ_0/τ = " << shortest(grid.slopes[i]) << "' offset 0,-0.6 font ',14'\n"
-            << "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fs solid 1 border lw 0.3 lc rgb variable\n"
+            << "plot $cells using (($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid 1 border lw 0.3 "
+               "lc rgb variable\n"
                "unset label\nunset object\n";
     }
     out << "unset multiplot\n";

@@ -1,7 +1,7 @@
 /// Optional energy compensation: a He-Torrance surface whose facets lose nothing then reflects everything.
 ///
-/// NOT part of the published model, and off unless asked for. The model's lobes together reflect between 0.1 and 1.04 of
-/// the light where |F|^2 = 1 (`hts furnace`), since what is shadowed or meets a second facet is lost. Here the
+/// NOT part of the published model, and off unless asked for. The model's lobes together reflect between 0.01 and 1.05
+/// of the light where |F|^2 = 1 (`hts furnace`), since what is shadowed or meets a second facet is lost. Here the
 /// specular and the directional-diffuse term are multiplied by a factor of each direction,
 ///
 ///   f' = s(in) s(out) f,    rho_s' = s(in)^2 rho_s,
@@ -30,8 +30,8 @@ namespace hts::spectral {
 
 namespace accuracy {
 /// Of rho_dh of a lossless surface from 1, for incidence up to 85 degrees, sigma_0/tau 0.005 ... 1 and sigma_0/lambda
-/// 0.02 ... 5.
-inline constexpr double compensated_energy = 1e-3;
+/// 0.01 ... 5.
+inline constexpr double compensated_energy = 4e-4;
 }  // namespace accuracy
 
 /// The factor s of one surface at one wavelength, tabulated over theta.

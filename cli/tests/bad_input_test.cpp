@@ -154,6 +154,11 @@ TEST_CASE("wrong usage") {
         {"phi --g 1", {"--t"}},
         {"spectrum --material m.json --theta-i 30", {"--theta-r"}},
         {"polar --material m.json --theta-i 30 --wavelength 0", {"0", "um", "> 0"}},
+        {"albedo --material m.json --theta-i 30,95", {"--theta-i", "95", "0 to 90 deg"}},
+        {"albedo --material m.json --steepest -1", {"--steepest", "-1", "0 to 90 deg"}},
+        {"albedo --material m.json --measured 0.9", {"--measured", "one wavelength"}},
+        {"albedo", {"--material"}},
+        {"furnace --quick", {"--output"}},
         {"materials unobtainium", {"unobtainium", "Al"}},
     };
     for (const auto& [arguments, named] : bad) {
