@@ -1,12 +1,9 @@
 // Row 11: the energy that the model itself gains and loses, with a perfect mirror for a facet.
 
 #include <cmath>
-#include <numbers>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include "bench/stability_rows.hpp"
-#include "hts/he_torrance.hpp"
+#include "spectral/energy.hpp"
 
 namespace hts::bench {
 namespace {
@@ -21,37 +18,12 @@ struct Setting {
     }
 };
 
-/// The lobe's directional-hemispherical reflectance for |F|^2 = 1: trapezoidal rule around, Gauss's along
-/// theta_r.
-double lobe_reflectance(const Surface& surface, const View& in, const Wavelength& wavelength) {
-    constexpr int azimuths = 96;
-    const auto ring = [&](double theta) {
-        double sum = 0;
-        for (int i = 0; i <= azimuths; ++i) {
-            const View out = view(surface, Direction::from_angles(theta, std::numbers::pi * i / azimuths));
-            const PairFactors pair{surface, in, out};
-            const double phi_value =
-                phi(pair.phase_variance(wavelength), pair.lobe_argument(wavelength)).value;
-            sum += (i == 0 || i == azimuths ? 0.5 : 1.0) * pair.lobe(phi_value, wavelength);
-        }
-        return 2 * std::numbers::pi / azimuths * sum * std::sin(theta) * std::cos(theta);
-    };
-    double total = 0;
-    constexpr int pieces = 4;
-    for (int i = 0; i < pieces; ++i) {
-        const double width = std::numbers::pi / 2 / pieces;
-        total += boost::math::quadrature::gauss<double, 20>::integrate(ring, i * width, (i + 1) * width);
-    }
-    return total;
-}
-
 double total_reflectance(const Setting& at) {
     const Surface surface{at.roughness, at.roughness / at.slope};
-    const auto wavelength = Wavelength::from_micrometres(1);
-    const View in = view(surface, Direction::from_degrees(at.theta_degrees, 0));
-    const RefractiveIndex mirror{1, 1e20};
-    return lobe_reflectance(surface, in, wavelength) +
-           specular_reflectance(surface, in, wavelength, mirror).value();
+    return spectral::directional_hemispherical_reflectance(surface, spectral::PerfectMirror{},
+                                                           Wavelength::from_micrometres(1),
+                                                           Direction::from_degrees(at.theta_degrees, 0))
+        .total();
 }
 
 /// The lowest and the highest total over roughness and incidence at one slope, and where they are.
@@ -96,7 +68,6 @@ void judge(StabilityRow& row, double slope, const Extremes& extremes) {
 
 StabilityRow energy_of_the_model() {
     StabilityRow row{11, "energy: total reflectance of perfectly reflecting facets"};
-    // lobes wide enough for the quadrature
     for (const double slope : {0.05, 0.1, 0.25, 0.5, 1.0}) judge(row, slope, extremes_at(slope));
     return row;
 }

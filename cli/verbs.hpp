@@ -7,9 +7,11 @@ namespace hts::cli {
 
 /// Each adds its verb to the program. The work runs, and throws, while the command line is parsed:
 /// UsageError or CLI::ParseError for wrong usage, hts::Error for bad data.
+void add_albedo(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);
+void add_furnace(CLI::App& program);
 void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);
 void add_polar(CLI::App& program);

@@ -14,14 +14,6 @@ double square(double x) {
     return x * x;
 }
 
-/// exp(-g) S in the mirror direction: the share of a mirror's reflectance that roughness leaves.
-double coherent_fraction(const Surface& surface, const View& in, const Wavelength& wavelength) {
-    const double effective_roughness =
-        surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
-    const double g = phase_variance(effective_roughness, 2 * in.direction.cos_theta(), wavelength);
-    return std::exp(-g) * square(in.visibility.shadowing);
-}
-
 Phi limit(double log) {
     return {std::exp(log), log, PhiMethod::limit};
 }
@@ -91,6 +83,13 @@ DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength
 Mueller directional_diffuse_mueller(const Direction& in, const Direction& out,
                                     const DirectionalDiffuse& term) noexcept {
     return term.lobe * Mueller::from_jones(facet_jones(in, out, term.amplitudes));
+}
+
+double coherent_fraction(const Surface& surface, const View& in, const Wavelength& wavelength) noexcept {
+    const double effective_roughness =
+        surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
+    const double g = phase_variance(effective_roughness, 2 * in.direction.cos_theta(), wavelength);
+    return std::exp(-g) * square(in.visibility.shadowing);
 }
 
 SpecularReflectance specular_reflectance(const Surface& surface, const View& in, const Wavelength& wavelength,

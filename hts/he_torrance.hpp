@@ -118,6 +118,12 @@ class SpecularReflectance {
     double value_;
 };
 
+/// What roughness leaves of a mirror's reflectance in the mirror direction, exp(-g) S, all at theta_r = theta_i
+/// [He91 (73)].
+///   range   0 ... 1, 1 for a mirror      error   accuracy::specular_reflectance
+[[nodiscard]] double coherent_fraction(const Surface& surface, const View& in,
+                                       const Wavelength& wavelength) noexcept;
+
 /// Specular term for unpolarised light, |F(theta_i)|^2 exp(-g) S, all at theta_r = theta_i.
 ///   error   accuracy::specular_reflectance
 [[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,

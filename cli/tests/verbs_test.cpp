@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
 TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
     for (const std::string verb :
-         {"eval", "phi", "spectrum", "polar", "materials", "info", "chart", "stability"}) {
+         {"eval", "phi", "spectrum", "polar", "materials", "info", "chart", "stability", "albedo", "furnace"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);
@@ -76,6 +77,56 @@ TEST_CASE("hts materials lists the collection and describes one") {
     const auto one = place.hts("materials Al --wavelengths 0.5,2");
     CHECK(cells(one.output).size() == 3);
     CHECK(one.errors.find("Rak") != std::string::npos);
+}
+
+TEST_CASE("hts albedo splits the reflectance by term and finds a diffuse albedo") {
+    const Workplace place;
+    const auto result = place.hts("albedo --material " + material +
+                                  " --wavelengths 0.5,2 --theta-i 0,70 --compensate-energy");
+    CHECK(result.exit_code == 0);
+    const auto rows = cells(result.output);
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[0] == std::vector<std::string>{"wavelength_um", "theta_i_deg", "specular",
+                                              "directional_diffuse", "uniform_diffuse", "total",
+                                              "largest_albedo", "limited_at_deg", "compensated_total"});
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const auto number = [&](std::size_t column) { return std::stod(rows[i][column]); };
+        CHECK(number(5) == Approx(number(2) + number(3) + number(4)).epsilon(1e-15));
+        CHECK(number(5) + number(6) <= 1 + 1e-12);
+        CHECK(number(8) > number(5));
+        CHECK(number(8) < 1);
+    }
+    const std::string plastic = "albedo --wavelengths 0.46 --theta-i 0 --json --material " HTS_SOURCE_DIR
+                                "/cli/data/smooth-plastic.json ";
+    const auto solved = nlohmann::json::parse(place.hts(plastic + "--measured 0.195").output);
+    CHECK(solved[0]["measured_albedo"] == Approx(0.155).margin(0.0005));  // the paper: 0.15
+    CHECK(solved[0]["total"] == Approx(0.19).margin(0.0005));
+    const auto too_dark = place.hts(plastic + "--measured 0.01");
+    CHECK(too_dark.exit_code == 1);
+    CHECK(too_dark.errors.find("measured reflectance 0.01: must be from 0.0399") != std::string::npos);
+}
+
+TEST_CASE("hts albedo gives the same on one thread and on several") {
+    const Workplace place;
+    const std::string command = "albedo --material " + material + " --wavelengths 0.4:0.7:4 --theta-i 0,80";
+    CHECK(place.hts(command, "OMP_NUM_THREADS=1").output == place.hts(command, "OMP_NUM_THREADS=3").output);
+}
+
+TEST_CASE("hts furnace maps the energy that the model gains and loses") {
+    const Workplace place;
+    CHECK(place.hts("furnace --output map --quick").exit_code == 0);
+    const auto rows = cells(place.read("map/furnace.csv"));
+    CHECK(rows[0] == std::vector<std::string>{"sigma0_over_tau", "sigma0_over_lambda", "theta_i_deg",
+                                              "specular", "directional_diffuse", "total"});
+    double lowest = 1, highest = 1;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        lowest = std::min(lowest, std::stod(rows[i][5]));
+        highest = std::max(highest, std::stod(rows[i][5]));
+    }
+    CHECK(lowest < 0.1);
+    CHECK(highest > 1.03);
+    CHECK(nlohmann::json::parse(place.read("map/furnace.json")).size() == rows.size() - 1);
+    CHECK(place.read("map/furnace.svg").find("</svg>") != std::string::npos);
 }
 
 TEST_CASE("hts stability passes the engine and shows where naive methods fail") {
