@@ -72,4 +72,19 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
+spectral::SpectralReflectance bench_he_torrance(int wavelengths) {
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, bench_tolerance};
+}
+
+RoughConductor bench_conductor(int wavelengths) {
+    const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
+    std::vector<double> n, k;
+    for (const double um : grid.micrometres()) {
+        const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
+        n.push_back(index.n());
+        k.push_back(index.k());
+    }
+    return {bench_reflector().surface.slope_width(), n, k};
+}
+
 }  // namespace hts::bench

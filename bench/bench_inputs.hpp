@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/accuracy_sweep.hpp"
+#include "bench/ggx.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::bench {
@@ -29,5 +30,14 @@ inline constexpr std::size_t bench_block = 1024;
 
 /// `count` wavelengths over 0.4 ... 0.7 um.
 [[nodiscard]] spectral::WavelengthGrid bench_wavelengths(int count);
+
+/// The accuracy at which wave optics are compared with microfacets.
+inline constexpr Tolerance bench_tolerance{1e-6};
+
+/// That surface at those wavelengths.
+[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths);
+
+/// GGX facets of the same metal, as wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
+[[nodiscard]] RoughConductor bench_conductor(int wavelengths);
 
 }  // namespace hts::bench

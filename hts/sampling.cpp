@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "hts/roughness.hpp"
@@ -11,6 +12,7 @@ namespace hts {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double inv_pi = std::numbers::inv_pi;
 
 double square(double x) {
     return x * x;
@@ -35,18 +37,17 @@ enum Entry : std::size_t { specular_share = components, uniform_diffuse_share, i
 
 using Mixture = std::array<double, entries>;
 
-/// A vector in the frame where the light is (sine, 0, cosine).
+/// The light as (sine, 0, cosine). Any skew keeps the densities normalised, and a distant cotangent only ends a lobe, so
+/// zeros may be moved.
 struct Light {
-    double cosine, sine;
-    double visible_skew, raised_skew, cotangent;
+    double cosine, sine, inverse_cosine;
 
-    explicit Light(const Direction& in) : cosine{in.cos_theta()}, sine{in.sin_theta()} {
-        // Any skew keeps the densities normalised, and a distant cotangent only ends a lobe, so zeros are moved.
-        const double c = std::max(cosine, 1e-9);
-        visible_skew = sine / c;
-        raised_skew = (1 + sine) / c;
-        cotangent = cosine / std::max(sine, 1e-9);
-    }
+    explicit Light(const Direction& in)
+        : cosine{in.cos_theta()}, sine{in.sin_theta()}, inverse_cosine{1 / std::max(cosine, 1e-9)} {}
+
+    [[nodiscard]] double visible_skew() const { return sine * inverse_cosine; }
+    [[nodiscard]] double raised_skew() const { return (1 + sine) * inverse_cosine; }
+    [[nodiscard]] double cotangent() const { return cosine / std::max(sine, 1e-9); }
 };
 
 /// 1 + q_x a, moved into 0 ... 2.
@@ -56,36 +57,40 @@ double skewed(double a, double q_x) {
 
 using Densities = std::array<double, components>;
 
-/// Density of each component in solid angle [1/sr].
+/// Density of each component in solid angle [1/sr], 0 of one that is not wanted.
 ///   out   unit, z > 0
-Densities densities(const Light& light, double inverse_alpha_squared, double beam_scale, Vector3 out) {
+template <class Wanted>
+Densities densities(const Light& light, const Mixture& mixture, Vector3 out, const Wanted& wanted) {
+    const double inverse_alpha = mixture[inverse_alpha_squared];
     Densities d{};
     const double v_x = light.sine + out.x;
     const double v_z = light.cosine + out.z;
     const double horizontal = v_x * v_x + out.y * out.y;
-    d[beam] = beam_scale / pi * out.z * std::exp(-beam_scale * horizontal);
-    d[cosine] = out.z / pi * (1 + light.sine * out.x);
-    d[uniform] = 1 / (2 * pi);
+    if (wanted(beam)) d[beam] = mixture[beam_scale] * inv_pi * out.z * std::exp(-mixture[beam_scale] * horizontal);
+    d[cosine] = out.z * inv_pi * (1 + light.sine * out.x);
+    d[uniform] = inv_pi / 2;
     if (v_z < 1e-90) return d;
-    const double q_x = v_x / v_z;
-    const double x = horizontal / (v_z * v_z) * inverse_alpha_squared;
-    // of slopes over that of directions: |v|^2 / (2 v_z^3)
-    const double peak = inverse_alpha_squared / pi * (horizontal + v_z * v_z) / (2 * v_z * v_z * v_z);
+    const double inverse_v_z = 1 / v_z;
+    const double q_x = v_x * inverse_v_z;
+    const double q_squared = horizontal * inverse_v_z * inverse_v_z;
+    const double x = q_squared * inverse_alpha;
+    // solid angle per slopes: |v|^2 / (2 v_z^3)
+    const double peak = inverse_alpha * (inv_pi / 2) * (1 + q_squared) * inverse_v_z;
     const double e4 = std::exp(-x / 4);
     const double e2 = e4 * e4;
     const double e1 = e2 * e2;
-    const double visible = peak * skewed(light.visible_skew, q_x);
-    const double raised = peak * skewed(light.raised_skew, q_x);
+    const double visible = peak * skewed(light.visible_skew(), q_x);
+    const double raised = peak * skewed(light.raised_skew(), q_x);
     d[visible_1] = visible * e1;
     d[visible_2] = visible * e2 / 2;
     d[visible_4] = visible * e4 / 4;
     d[raised_half] = raised * e1 * e1 * 2;
     d[raised_1] = raised * e1;
     d[raised_2] = raised * e2 / 2;
-    if (q_x > light.cotangent) {
-        const double tail = std::exp((square(light.cotangent) * inverse_alpha_squared - x) / 16);
+    if (q_x * light.sine > light.cosine && (wanted(grazing_1) || wanted(grazing_4) || wanted(grazing_16))) {
+        const double tail = std::exp((square(light.cotangent()) * inverse_alpha - x) / 16);
         const double tail_4 = square(square(tail));
-        const double scaled = peak * 2 * std::sqrt(pi * inverse_alpha_squared) * q_x;
+        const double scaled = peak * 2 * std::sqrt(pi * inverse_alpha) * q_x;
         d[grazing_1] = scaled * square(square(tail_4));
         d[grazing_4] = scaled * tail_4 / 8;
         d[grazing_16] = scaled * tail / 64;
@@ -95,8 +100,9 @@ Densities densities(const Light& light, double inverse_alpha_squared, double bea
 
 /// Density of all of them, and of the uniform-diffuse lobe.
 double density(const Light& light, const Mixture& mixture, Vector3 out) {
-    const Densities each = densities(light, mixture[inverse_alpha_squared], mixture[beam_scale], out);
-    double sum = mixture[uniform_diffuse_share] * out.z / pi;
+    const Densities each =
+        densities(light, mixture, out, [&mixture](Component component) { return mixture[component] > 0; });
+    double sum = mixture[uniform_diffuse_share] * out.z * inv_pi;
     for (std::size_t i = 0; i < components; ++i) sum += mixture[i] * each[i];
     return sum;
 }
@@ -112,7 +118,7 @@ PlanePoint on_circle(double radius, double u) {
 }
 
 PlanePoint normal_point(double u1, double u2) {
-    return on_circle(std::sqrt(-std::log1p(-u1)), u2);
+    return on_circle(std::sqrt(-std::log(1 - u1)), u2);
 }
 
 /// x, or -x with the probability that makes the density p(x) = skew/2 of p(x) + p(-x).
@@ -131,12 +137,12 @@ PlanePoint facet(const Light& light, Component component, double alpha, const Di
     q.x *= alpha;
     q.y *= alpha;
     if (component < grazing_1) {
-        const double skew = component < raised_half ? light.visible_skew : light.raised_skew;
+        const double skew = component < raised_half ? light.visible_skew() : light.raised_skew();
         return {reversed(q.x, skewed(skew, q.x), u[0]), q.y};
     }
     // |q|^2 of the normal point serves for q_x, its one azimuth and another radius for q_y
-    const double q_y = alpha * on_circle(std::sqrt(-std::log1p(-u[0])), u[2]).y;
-    return {std::sqrt(square(light.cotangent) - square(alpha) * std::log1p(-u[1])), q_y};
+    const double q_y = alpha * on_circle(std::sqrt(-std::log(1 - u[0])), u[2]).y;
+    return {std::sqrt(square(light.cotangent()) - square(alpha) * std::log(1 - u[1])), q_y};
 }
 
 Vector3 hemisphere_point(double z, double u) {
@@ -172,6 +178,7 @@ Vector3 drawn(const Light& light, const Mixture& mixture, Component component, c
 constexpr std::size_t node_count = 33;
 constexpr std::size_t trials = 1200;  // per node: a hundred of each component
 constexpr int rounds = 30;
+constexpr double least_share = 0.002;          // less is dropped, to save its cost
 constexpr double least_uniform_share = 0.004;  // bounds every weight
 
 /// Nodes lie evenly in sqrt(cos theta), the more densely the more the light grazes.
@@ -221,9 +228,9 @@ Trials tried(const PreparedReflectance& lobe, const Direction& in, const Mixture
         const Vector3 out = drawn(light, scales, component,
                                   {golden_fraction(i, 0), golden_fraction(i, 1), golden_fraction(i, 2)});
         if (!(out.z > 0)) continue;
-        const Densities d = densities(light, scales[inverse_alpha_squared], scales[beam_scale], out);
+        const Densities d = densities(light, scales, out, [](Component) { return true; });
         double mean = 0;
-        for (const double density : d) mean += density / components;
+        for (const double density : d) mean += density / std::size_t{components};
         double brdf = 0;
         lobe.brdf({in, Direction::from_vector(out)}, {&brdf, 1});
         const double reflected = brdf * out.z / mean;
@@ -239,7 +246,7 @@ Trials tried(const PreparedReflectance& lobe, const Direction& in, const Mixture
 /// integral of reflected^2 density_i/density^2, so a share grows by the root of its own.
 Densities shares_of_least_variance(const Trials& trials_of_node) {
     Densities shares;
-    shares.fill(1.0 / components);
+    shares.fill(1.0 / std::size_t{components});
     for (int round = 0; round < rounds; ++round) {
         Densities gain{};
         for (const Trial& trial : trials_of_node.each) {
@@ -252,8 +259,10 @@ Densities shares_of_least_variance(const Trials& trials_of_node) {
         for (std::size_t i = 0; i < components; ++i) sum += shares[i] *= std::sqrt(gain[i]);
         for (double& share : shares) share /= sum;
     }
-    for (double& share : shares) share *= 1 - least_uniform_share;
-    shares[uniform] += least_uniform_share;
+    for (double& share : shares) share = share < least_share ? 0 : share;
+    shares[uniform] = std::max(shares[uniform], least_uniform_share);
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (double& share : shares) share /= sum;
     return shares;
 }
 
@@ -288,13 +297,33 @@ Mixture mixture_at(std::span<const double> nodes, const Direction& in) {
     return mixture;
 }
 
+/// What a uniform number chooses, and where within its share: again uniform.
+struct Choice {
+    std::size_t entry;  // a component, specular_share, uniform_diffuse_share, or more: nothing
+    double rest;
+};
+
+Choice chosen(const Mixture& mixture, double u) {
+    std::size_t entry = 0;
+    double sum = 0;
+    double below = 0;
+    for (std::size_t i = 0; i <= uniform_diffuse_share; ++i) {
+        sum += mixture[i];
+        const bool passed = u >= sum;
+        entry += passed ? 1 : 0;
+        below = passed ? sum : below;
+    }
+    const double share = entry <= uniform_diffuse_share ? mixture[entry] : 1;
+    return {entry, std::min((u - below) / share, 1 - 0x1p-53)};
+}
+
 Vector3 in_frame_of(const Direction& in, const Direction& out) {
     return {out.sin_theta() * (out.cos_phi() * in.cos_phi() + out.sin_phi() * in.sin_phi()),
             out.sin_theta() * (out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi()), out.cos_theta()};
 }
 
 Direction out_of_frame(const Direction& in, Vector3 v) {
-    return Direction::from_vector(
+    return Direction::from_unit_vector(
         {v.x * in.cos_phi() - v.y * in.sin_phi(), v.x * in.sin_phi() + v.y * in.cos_phi(), v.z});
 }
 
@@ -340,30 +369,16 @@ double DirectionSampler::pdf(const Direction& in, const Direction& out) const no
 
 DirectionDraw DirectionSampler::draw(const Direction& in, const Uniforms& u) const noexcept {
     const Mixture mixture = mixture_at(nodes_, in);
-    double left = u[0];
-    // What is left of u[0], stretched to its share, is again uniform.
-    const auto chosen = [&left](double share) {
-        if (left < share) {
-            left /= share;
-            return true;
-        }
-        left -= share;
-        return false;
-    };
-    if (chosen(mixture[specular_share])) return {in.mirror(), Lobe::specular, mixture[specular_share]};
+    const Choice choice = chosen(mixture, u[0]);
+    if (choice.entry == specular_share) return {in.mirror(), Lobe::specular, mixture[specular_share]};
+    if (choice.entry > uniform_diffuse_share) return {in.mirror(), Lobe::none, 0};
     const Light light{in};
-    const auto above = [&](Vector3 out, Lobe lobe) -> DirectionDraw {
-        if (!(out.z > 0)) return {in.mirror(), Lobe::none, 0};
-        return {out_of_frame(in, out), lobe, density(light, mixture, out)};
-    };
-    if (chosen(mixture[uniform_diffuse_share])) {
-        return above(hemisphere_point(std::sqrt(1 - u[1]), u[2]), Lobe::uniform_diffuse);
-    }
-    for (std::size_t i = 0; i < components; ++i) {
-        if (!chosen(mixture[i])) continue;
-        return above(drawn(light, mixture, static_cast<Component>(i), {left, u[1], u[2]}), Lobe::directional_diffuse);
-    }
-    return {in.mirror(), Lobe::none, 0};
+    const bool is_uniform = choice.entry == uniform_diffuse_share;
+    const Vector3 out = is_uniform ? hemisphere_point(std::sqrt(1 - u[1]), u[2])
+                                   : drawn(light, mixture, static_cast<Component>(choice.entry), {choice.rest, u[1], u[2]});
+    if (!(out.z > 0)) return {in.mirror(), Lobe::none, 0};
+    return {out_of_frame(in, out), is_uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse,
+            density(light, mixture, out)};
 }
 
 WeightedDirection DirectionSampler::sample(const Direction& in, const Uniforms& u) const noexcept {

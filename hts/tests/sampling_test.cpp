@@ -91,9 +91,9 @@ double patch(const Function& f, double theta0, double theta1, double phi0, doubl
     using Quadrature = boost::math::quadrature::gauss_kronrod<double, 15>;
     const auto ring = [&](double theta) {
         const auto along = [&](double phi) { return f(theta, phi); };
-        return std::sin(theta) * Quadrature::integrate(along, phi0, phi1, 6, tolerance / 10);
+        return std::sin(theta) * Quadrature::integrate(along, phi0, phi1, 15, tolerance / 10);
     };
-    return Quadrature::integrate(ring, theta0, theta1, 6, tolerance);
+    return Quadrature::integrate(ring, theta0, theta1, 12, tolerance);
 }
 
 /// Edges that grow away from a centre by factors of 2.5, between two ends.
