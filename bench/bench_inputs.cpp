@@ -73,7 +73,8 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
 }
 
 spectral::SpectralReflectance bench_he_torrance(int wavelengths) {
-    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, bench_tolerance};
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error,
+            bench_tolerance};
 }
 
 RoughConductor bench_conductor(int wavelengths) {

@@ -14,7 +14,9 @@ namespace {
 
 DirectionSampler he_sampler() {
     const auto wavelength = Wavelength::from_micrometres(0.55);
-    return {bench_reflector().surface, {wavelength, bench_reflector().material.index(wavelength), 0}, bench_tolerance};
+    return {bench_reflector().surface,
+            {wavelength, bench_reflector().material.index(wavelength), 0},
+            bench_tolerance};
 }
 
 GgxSampler ggx_sampler() {
@@ -90,7 +92,9 @@ void register_sampling() {
         static const GgxSampler sampler = ggx_sampler();
         return sampler.draw(in, {u[1], u[2]});
     };
-    const auto add = [](const char* name, void (*run)(benchmark::State&)) { benchmark::RegisterBenchmark(name, run); };
+    const auto add = [](const char* name, void (*run)(benchmark::State&)) {
+        benchmark::RegisterBenchmark(name, run);
+    };
     add("sample/he/4", [](benchmark::State& s) { sample(s, bench_he_torrance(4), he); });
     add("sample/ggx/4", [](benchmark::State& s) { sample(s, bench_conductor(4), ggx); });
     add("draw/he", [](benchmark::State& s) { draw_only(s, he); });

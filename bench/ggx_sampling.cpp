@@ -22,8 +22,7 @@ double GgxSampler::pdf(const Direction& in, const Direction& out) const noexcept
     const double vertical = v.z * v.z;
     const double squared = horizontal + vertical;
     const double bracket = alpha_squared_ * vertical + horizontal;
-    return alpha_squared_ * squared * squared /
-           (2 * std::numbers::pi * bracket * bracket * (cosine + reach));
+    return alpha_squared_ * squared * squared / (2 * std::numbers::pi * bracket * bracket * (cosine + reach));
 }
 
 GgxDraw GgxSampler::draw(const Direction& in, const std::array<double, 2>& u) const noexcept {

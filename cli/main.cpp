@@ -22,6 +22,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_phi(program);
     hts::cli::add_spectrum(program);
     hts::cli::add_polar(program);
+    hts::cli::add_sample(program);
     hts::cli::add_materials(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);

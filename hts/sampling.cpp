@@ -22,18 +22,32 @@ double square(double x) {
 
 /// The densities of the header, each facet lobe once per width.
 enum Component : std::size_t {
-    visible_1, visible_2, visible_4,
-    raised_half, raised_1, raised_2,
-    grazing_1, grazing_4, grazing_16,
-    beam, cosine, uniform,
+    visible_half,
+    visible_1,
+    visible_2,
+    raised_half,
+    raised_1,
+    raised_2,
+    grazing_1,
+    grazing_4,
+    grazing_16,
+    beam,
+    cosine,
+    uniform,
     components
 };
 
 /// alpha^2 of a facet lobe over that of the mixture.
-constexpr std::array<double, 9> width{1, 2, 4, 0.5, 1, 2, 1, 4, 16};
+constexpr std::array<double, 9> width{0.5, 1, 2, 0.5, 1, 2, 1, 4, 16};
 
 /// What a mixture consists of at one angle of incidence: probability of each component, of the other lobes, and scales.
-enum Entry : std::size_t { specular_share = components, uniform_diffuse_share, inverse_alpha_squared, beam_scale, entries };
+enum Entry : std::size_t {
+    specular_share = components,
+    uniform_diffuse_share,
+    inverse_alpha_squared,
+    beam_scale,
+    entries
+};
 
 using Mixture = std::array<double, entries>;
 
@@ -66,7 +80,8 @@ Densities densities(const Light& light, const Mixture& mixture, Vector3 out, con
     const double v_x = light.sine + out.x;
     const double v_z = light.cosine + out.z;
     const double horizontal = v_x * v_x + out.y * out.y;
-    if (wanted(beam)) d[beam] = mixture[beam_scale] * inv_pi * out.z * std::exp(-mixture[beam_scale] * horizontal);
+    if (wanted(beam))
+        d[beam] = mixture[beam_scale] * inv_pi * out.z * std::exp(-mixture[beam_scale] * horizontal);
     d[cosine] = out.z * inv_pi * (1 + light.sine * out.x);
     d[uniform] = inv_pi / 2;
     if (v_z < 1e-90) return d;
@@ -76,14 +91,13 @@ Densities densities(const Light& light, const Mixture& mixture, Vector3 out, con
     const double x = q_squared * inverse_alpha;
     // solid angle per slopes: |v|^2 / (2 v_z^3)
     const double peak = inverse_alpha * (inv_pi / 2) * (1 + q_squared) * inverse_v_z;
-    const double e4 = std::exp(-x / 4);
-    const double e2 = e4 * e4;
+    const double e2 = std::exp(-x / 2);
     const double e1 = e2 * e2;
     const double visible = peak * skewed(light.visible_skew(), q_x);
     const double raised = peak * skewed(light.raised_skew(), q_x);
+    d[visible_half] = visible * e1 * e1 * 2;
     d[visible_1] = visible * e1;
     d[visible_2] = visible * e2 / 2;
-    d[visible_4] = visible * e4 / 4;
     d[raised_half] = raised * e1 * e1 * 2;
     d[raised_1] = raised * e1;
     d[raised_2] = raised * e2 / 2;
@@ -151,7 +165,8 @@ Vector3 hemisphere_point(double z, double u) {
 }
 
 /// Draws from one component; z <= 0 where the draw is none.
-Vector3 drawn(const Light& light, const Mixture& mixture, Component component, const DirectionSampler::Uniforms& u) {
+Vector3 drawn(const Light& light, const Mixture& mixture, Component component,
+              const DirectionSampler::Uniforms& u) {
     switch (component) {
         case uniform:
             return hemisphere_point(1 - u[1], u[2]);
@@ -191,7 +206,8 @@ double node_cosine(std::size_t node) {
 void set_scales(Mixture& mixture, const Surface& surface, const View& in, double wave_number) {
     const double k_tau = wave_number * surface.correlation_length();
     const double c = in.direction.cos_theta();
-    const double vertical = 2 * std::min(1.0, std::sqrt(c * c + std::min(1.0, in.direction.sin_theta() / k_tau)));
+    const double vertical =
+        2 * std::min(1.0, std::sqrt(c * c + std::min(1.0, in.direction.sin_theta() / k_tau)));
     const double sigma = surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
     const double g = square(wave_number * sigma * vertical);
     const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
@@ -275,7 +291,8 @@ Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, d
     Mixture mixture{};
     set_scales(mixture, lobe.surface(), seen, sample.wavelength.wave_number());
     const Trials results = tried(lobe, in, mixture);
-    const double specular = specular_reflectance(lobe.surface(), seen, sample.wavelength, sample.index).value();
+    const double specular =
+        specular_reflectance(lobe.surface(), seen, sample.wavelength, sample.index).value();
     const double total = specular + results.albedo + uniform_diffuse_albedo;
     if (!(total > 0)) return mixture;
     mixture[specular_share] = specular / total;
@@ -346,7 +363,8 @@ const char* name(Lobe lobe) noexcept {
 DirectionSampler::DirectionSampler(const Surface& surface, const SpectralSample& sample, Tolerance tolerance)
     : reflectance_{surface, {sample}, tolerance} {
     const SpectralSample without_uniform{sample.wavelength, sample.index, 0};
-    const PreparedReflectance directional{surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
+    const PreparedReflectance directional{
+        surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
     nodes_.reserve(node_count * entries);
     for (std::size_t i = 0; i < node_count; ++i) {
         const Mixture mixture = fitted(directional, sample.uniform_diffuse * pi, node_cosine(i));
@@ -374,8 +392,9 @@ DirectionDraw DirectionSampler::draw(const Direction& in, const Uniforms& u) con
     if (choice.entry > uniform_diffuse_share) return {in.mirror(), Lobe::none, 0};
     const Light light{in};
     const bool is_uniform = choice.entry == uniform_diffuse_share;
-    const Vector3 out = is_uniform ? hemisphere_point(std::sqrt(1 - u[1]), u[2])
-                                   : drawn(light, mixture, static_cast<Component>(choice.entry), {choice.rest, u[1], u[2]});
+    const Vector3 out =
+        is_uniform ? hemisphere_point(std::sqrt(1 - u[1]), u[2])
+                   : drawn(light, mixture, static_cast<Component>(choice.entry), {choice.rest, u[1], u[2]});
     if (!(out.z > 0)) return {in.mirror(), Lobe::none, 0};
     return {out_of_frame(in, out), is_uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse,
             density(light, mixture, out)};

@@ -47,8 +47,8 @@ struct Case {
     [[nodiscard]] Direction in() const { return Direction::from_degrees(theta, 20); }
     [[nodiscard]] std::string text() const {
         std::ostringstream text;
-        text << "sigma0/lambda " << roughness_over_wavelength << ", sigma0/tau " << slope << ", theta_i " << theta
-             << ", N " << index.n() << " + " << index.k() << "i, albedo " << albedo;
+        text << "sigma0/lambda " << roughness_over_wavelength << ", sigma0/tau " << slope << ", theta_i "
+             << theta << ", N " << index.n() << " + " << index.k() << "i, albedo " << albedo;
         return text.str();
     }
 };
@@ -91,9 +91,9 @@ double patch(const Function& f, double theta0, double theta1, double phi0, doubl
     using Quadrature = boost::math::quadrature::gauss_kronrod<double, 15>;
     const auto ring = [&](double theta) {
         const auto along = [&](double phi) { return f(theta, phi); };
-        return std::sin(theta) * Quadrature::integrate(along, phi0, phi1, 15, tolerance / 10);
+        return std::sin(theta) * Quadrature::integrate(along, phi0, phi1, 8, tolerance / 10);
     };
-    return Quadrature::integrate(ring, theta0, theta1, 12, tolerance);
+    return Quadrature::integrate(ring, theta0, theta1, 8, tolerance);
 }
 
 /// Edges that grow away from a centre by factors of 2.5, between two ends.
@@ -118,7 +118,8 @@ double reflectance_by_quadrature(const Case& c) {
     const SpectralSample sample = c.sample();
     const auto reflected = [&](double theta, double from_mirror) {
         const Direction out = Direction::from_angles(theta, pi + from_mirror);
-        return directional_diffuse({surface, seen, view(surface, out)}, sample.wavelength, sample.index).brdf *
+        return directional_diffuse({surface, seen, view(surface, out)}, sample.wavelength, sample.index)
+                   .brdf *
                std::cos(theta);
     };
     const double width = std::min(0.5, surface.slope_width() + 0.2 * c.slope / c.roughness_over_wavelength);
@@ -186,7 +187,8 @@ class Cells {
         std::vector<Angles> pilot;
         for (int i = 0; i < 12000; ++i) {
             const auto drawn = sampler.draw(in, uniforms(random));
-            if (drawn.lobe != Lobe::none && drawn.lobe != Lobe::specular) pilot.push_back(angles(in, drawn.out));
+            if (drawn.lobe != Lobe::none && drawn.lobe != Lobe::specular)
+                pilot.push_back(angles(in, drawn.out));
         }
         std::vector<double> thetas;
         for (const Angles& a : pilot) thetas.push_back(a.theta);
@@ -211,13 +213,30 @@ class Cells {
         for (std::size_t i = 0; i + 1 < thetas_.size(); ++i) {
             for (std::size_t j = 0; j + 1 < azimuths_[i].size(); ++j) {
                 result[{i, j}] =
-                    patch(density, thetas_[i], thetas_[i + 1], azimuths_[i][j], azimuths_[i][j + 1], 1e-6);
+                    cell(density, {thetas_[i], thetas_[i + 1]}, {azimuths_[i][j], azimuths_[i][j + 1]},
+                         azimuths_[i][azimuths_[i].size() / 2] - azimuths_[i][azimuths_[i].size() / 2 - 1]);
             }
         }
         return result;
     }
 
   private:
+    /// Integral over a cell, in pieces that grow away from the lobe, which outer cells contain the flank of.
+    template <class Function>
+    [[nodiscard]] double cell(const Function& f, std::pair<double, double> theta,
+                              std::pair<double, double> phi, double width) const {
+        const std::size_t middle = thetas_.size() / 2;
+        const auto rows =
+            edges(theta.first, theta.second, thetas_[middle], thetas_[middle] - thetas_[middle - 1]);
+        const auto columns = edges(phi.first, phi.second, 0, width);
+        double sum = 0;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            for (std::size_t j = 1; j < columns.size(); ++j)
+                sum += patch(f, rows[i - 1], rows[i], columns[j - 1], columns[j], 1e-5);
+        }
+        return sum;
+    }
+
     const DirectionSampler& sampler_;
     Direction in_;
     std::vector<double> thetas_;
@@ -288,7 +307,8 @@ TEST_CASE("draws fall as their density says, and density, specular and none make
         if (p < least) least = p;
         ++tests;
         INFO(c.text() << ", total " << total << ", none " << none / n);
-        CHECK(p > 1 - std::pow(1 - significance, static_cast<double>(stride()) / static_cast<double>(cases().size())));
+        CHECK(p > 1 - std::pow(1 - significance,
+                               static_cast<double>(stride()) / static_cast<double>(cases().size())));
         const double error = std::sqrt(std::max(none, 1.0)) / n + 2e-6;
         sums.note(std::abs(total + none / n - 1) / error, [&] { return c.text(); });
     }
@@ -298,7 +318,7 @@ TEST_CASE("draws fall as their density says, and density, specular and none make
 
 TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
     WorstCase means{"mean weight from the reflectance, in standard errors", 4};
-    WorstCase to_45{"relative deviation of weights to 45 deg, sigma0/tau <= 0.25", 0.3};
+    WorstCase to_45{"relative deviation of weights to 45 deg, sigma0/tau <= 0.25", 0.33};
     WorstCase at_60{"the same at 60 deg", 1};
     WorstCase to_80{"the same at 75 and 80 deg", 1.5};
     WorstCase beyond{"the same at 89 deg", 2.5};
@@ -319,13 +339,18 @@ TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
             if (drawn.lobe != Lobe::specular) lobe.add(drawn.weight);
             if (drawn.lobe == Lobe::none) ++lobe.none;
         }
-        const double specular = specular_reflectance(c.surface(), view(c.surface(), in), c.sample().wavelength, c.index).value();
+        const double specular =
+            specular_reflectance(c.surface(), view(c.surface(), in), c.sample().wavelength, c.index).value();
         const double reflectance = specular + reflectance_by_quadrature(c) + c.albedo;
         const double error = all.deviation() / std::sqrt(static_cast<double>(draws())) + 1e-5 * reflectance;
         means.note(std::abs(all.mean() - reflectance) / error, where);
         if (lobe.count < draws() / 100) continue;
         const double relative = lobe.deviation() / lobe.mean();
-        WorstCase& bound = c.slope > 0.25 ? steep : c.theta <= 45 ? to_45 : c.theta <= 60 ? at_60 : c.theta <= 80 ? to_80 : beyond;
+        WorstCase& bound = c.slope > 0.25  ? steep
+                           : c.theta <= 45 ? to_45
+                           : c.theta <= 60 ? at_60
+                           : c.theta <= 80 ? to_80
+                                           : beyond;
         if (c.albedo == 0) bound.note(relative, where);
         most.note(lobe.most / lobe.mean(), where);
         none.note(static_cast<double>(lobe.none) / static_cast<double>(lobe.count), where);
