@@ -32,7 +32,7 @@ namespace hts {
 
 namespace accuracy {
 /// Of `DirectionSampler::pdf`, relative, for sigma_0/tau >= 0.005 and above 1e-280: rounding alone.
-inline constexpr double pdf = 1e-11;
+inline constexpr double pdf = 5e-12;
 }  // namespace accuracy
 
 /// Which term a direction was drawn from.
