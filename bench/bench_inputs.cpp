@@ -72,20 +72,20 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
-spectral::SpectralReflectance bench_he_torrance(int wavelengths) {
-    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error,
-            bench_tolerance};
+spectral::SpectralReflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, bench_tolerance,
+            lobe};
 }
 
-RoughConductor bench_conductor(int wavelengths) {
+OpticalConstants bench_constants(int wavelengths) {
     const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
-    std::vector<double> n, k;
+    OpticalConstants constants;
     for (const double um : grid.micrometres()) {
         const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
-        n.push_back(index.n());
-        k.push_back(index.k());
+        constants.n.push_back(index.n());
+        constants.k.push_back(index.k());
     }
-    return {bench_reflector().surface.slope_width(), n, k};
+    return constants;
 }
 
 }  // namespace hts::bench

@@ -35,9 +35,20 @@ inline constexpr std::size_t bench_block = 1024;
 inline constexpr Tolerance bench_tolerance{1e-6};
 
 /// That surface at those wavelengths.
-[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths);
+[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths,
+                                                              DiffuseLobe lobe = DiffuseLobe::full);
+
+/// The metal's optical constants at those wavelengths.
+struct OpticalConstants {
+    std::vector<double> n, k;
+};
+[[nodiscard]] OpticalConstants bench_constants(int wavelengths);
 
 /// GGX facets of the same metal, as wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
-[[nodiscard]] RoughConductor bench_conductor(int wavelengths);
+template <class Conductor = RoughConductor>
+[[nodiscard]] Conductor bench_conductor(int wavelengths) {
+    const auto [n, k] = bench_constants(wavelengths);
+    return {bench_reflector().surface.slope_width(), n, k};
+}
 
 }  // namespace hts::bench

@@ -62,7 +62,8 @@ void register_spectral() {
         add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor(w)); });
         add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
         add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
-        add("eval/ggx_lanes", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor<LaneConductor>(w)); });
+        add("eval/ggx_lanes", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_conductor<LaneConductor>(w)); });
         add("eval_batch/ggx_lanes", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor<LaneConductor>(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
