@@ -54,4 +54,20 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
+spectral::SpectralReflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
+    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, bench_tolerance,
+            lobe};
+}
+
+OpticalConstants bench_constants(int wavelengths) {
+    const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
+    OpticalConstants constants;
+    for (const double um : grid.micrometres()) {
+        const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
+        constants.n.push_back(index.n());
+        constants.k.push_back(index.k());
+    }
+    return constants;
+}
+
 }  // namespace hts::bench

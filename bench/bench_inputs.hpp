@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/accuracy_sweep.hpp"
+#include "bench/ggx.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::bench {
@@ -29,5 +30,25 @@ inline constexpr std::size_t bench_block = 1024;
 
 /// `count` wavelengths over 0.4 ... 0.7 um.
 [[nodiscard]] spectral::WavelengthGrid bench_wavelengths(int count);
+
+/// The accuracy at which wave optics are compared with microfacets.
+inline constexpr Tolerance bench_tolerance{1e-6};
+
+/// That surface at those wavelengths.
+[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths,
+                                                              DiffuseLobe lobe = DiffuseLobe::full);
+
+/// The metal's optical constants at those wavelengths.
+struct OpticalConstants {
+    std::vector<double> n, k;
+};
+[[nodiscard]] OpticalConstants bench_constants(int wavelengths);
+
+/// GGX facets of the same metal, as wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
+template <class Conductor = RoughConductor>
+[[nodiscard]] Conductor bench_conductor(int wavelengths) {
+    const auto [n, k] = bench_constants(wavelengths);
+    return {bench_reflector().surface.slope_width(), n, k};
+}
 
 }  // namespace hts::bench

@@ -14,6 +14,10 @@ void register_phi();
 /// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n> at n wavelengths.
 void register_spectral();
 
+/// sample/<model>/4, draw/<model>, pdf/<model> of models he and ggx: a direction with its density and the weights at 4
+/// wavelengths, without weights, and the density of a given pair.
+void register_sampling();
+
 /// Counters after the loop: items per second and time per item.
 inline void report_items(benchmark::State& state, std::size_t items_per_iteration) {
     const auto items = static_cast<double>(state.iterations()) * static_cast<double>(items_per_iteration);

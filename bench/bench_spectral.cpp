@@ -5,32 +5,10 @@
 
 #include "bench/bench_inputs.hpp"
 #include "bench/bench_registrations.hpp"
-#include "bench/ggx.hpp"
 #include "bench/ggx_lanes.hpp"
 
 namespace hts::bench {
 namespace {
-
-/// The accuracy at which wave optics are compared with microfacets.
-constexpr Tolerance tolerance{1e-6};
-
-spectral::SpectralReflectance he_torrance(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full) {
-    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, tolerance,
-            lobe};
-}
-
-/// As wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
-template <class Conductor = RoughConductor>
-Conductor ggx(int wavelengths) {
-    const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
-    std::vector<double> n, k;
-    for (const double um : grid.micrometres()) {
-        const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
-        n.push_back(index.n());
-        k.push_back(index.k());
-    }
-    return {bench_reflector().surface.slope_width(), n, k};
-}
 
 /// One pair of directions per iteration.
 template <class Model>
@@ -80,19 +58,20 @@ void add(const std::string& name, int wavelengths, void (*benchmark)(benchmark::
 
 void register_spectral() {
     for (const int n : {1, 4, 8, 16, 31}) {
-        add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, he_torrance(w)); });
-        add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, ggx(w)); });
-        add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, he_torrance(w)); });
-        add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, ggx(w)); });
-        add("eval/ggx_lanes", n, [](benchmark::State& s, int w) { evaluate(s, ggx<LaneConductor>(w)); });
+        add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
+        add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor(w)); });
+        add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
+        add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
+        add("eval/ggx_lanes", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_conductor<LaneConductor>(w)); });
         add("eval_batch/ggx_lanes", n,
-            [](benchmark::State& s, int w) { evaluate_batch(s, ggx<LaneConductor>(w)); });
-        add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, he_torrance(w)); });
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor<LaneConductor>(w)); });
+        add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
     }
     add("eval/he_first_order", 4,
-        [](benchmark::State& s, int w) { evaluate(s, he_torrance(w, DiffuseLobe::first_order)); });
+        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::first_order)); });
     add("eval/he_rough_limit", 4,
-        [](benchmark::State& s, int w) { evaluate(s, he_torrance(w, DiffuseLobe::rough_limit)); });
+        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::rough_limit)); });
 }
 
 }  // namespace hts::bench

@@ -24,6 +24,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_polar(program);
     hts::cli::add_albedo(program);
     hts::cli::add_furnace(program);
+    hts::cli::add_sample(program);
     hts::cli::add_materials(program);
     hts::cli::add_info(program);
     hts::cli::add_chart(program);

@@ -54,6 +54,13 @@ Direction Direction::from_vector(Vector3 v) {
     return {v.z / length, radius / length, v.x / radius, v.y / radius};
 }
 
+Direction Direction::from_unit_vector(Vector3 v) noexcept {
+    const double radius = std::sqrt(v.x * v.x + v.y * v.y);
+    if (!(radius > 0)) return {1, 0, 1, 0};
+    const double inverse = 1 / radius;
+    return {v.z, radius, v.x * inverse, v.y * inverse};
+}
+
 double WaveVectorChange::cos_theta_d() const noexcept {
     return std::fmin(1, std::sqrt(squared()) / 2);
 }

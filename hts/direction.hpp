@@ -50,6 +50,9 @@ class Direction {
     /// 0.
     [[nodiscard]] static Direction from_vector(Vector3 vector);
 
+    /// From a vector known to have length 1, to rounding, and z >= 0, unchecked; a vertical one gets azimuth 0.
+    [[nodiscard]] static Direction from_unit_vector(Vector3 vector) noexcept;
+
     [[nodiscard]] double cos_theta() const noexcept { return cos_theta_; }
     [[nodiscard]] double sin_theta() const noexcept { return sin_theta_; }
     [[nodiscard]] double cos_phi() const noexcept { return cos_phi_; }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "command.hpp"
@@ -18,7 +19,7 @@ const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
 TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
     for (const std::string verb :
-         {"eval", "phi", "spectrum", "polar", "materials", "info", "chart", "stability", "albedo", "furnace"}) {
+         {"eval", "phi", "spectrum", "polar", "sample", "albedo", "furnace", "materials", "info", "chart", "stability"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);
@@ -64,6 +65,59 @@ TEST_CASE("hts polar writes the curves, the script and the picture") {
     CHECK(result.exit_code == 0);
     CHECK(place.names() == std::vector<std::string>{"fig.csv", "fig.gnuplot", "fig.svg"});
     CHECK(place.read("fig.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("hts sample draws directions with density and weight") {
+    const Workplace place;
+    const std::string command =
+        "sample --material " + material + " --wavelength 2 --theta-i 45 --count 4000 --seed 3 ";
+    const auto result = place.hts(command);
+    CHECK(result.exit_code == 0);
+    CHECK(result.errors.find("mean weight") != std::string::npos);
+    const auto rows = cells(result.output);
+    REQUIRE(rows.size() == 4001);
+    CHECK(rows[0] == std::vector<std::string>{"theta_r_deg", "phi_r_deg", "lobe", "pdf", "weight"});
+    // weight pdf is what hts eval says: BRDF times cosine, or the specular reflectance
+    std::set<std::string> seen;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (!seen.insert(rows[i][2]).second || rows[i][2] == "none") continue;
+        const auto answer =
+            cells(place
+                      .hts("eval --material " + material + " --wavelength 2 --theta-i 45 --theta-r " +
+                           rows[i][0] + " --phi " + rows[i][1])
+                      .output);
+        const std::string column = rows[i][2] == "specular" ? "specular_reflectance" : "brdf";
+        const auto at = std::find(answer[0].begin(), answer[0].end(), column) - answer[0].begin();
+        const double cosine = column == "brdf" ? std::cos(std::stod(rows[i][0]) * std::acos(-1) / 180) : 1;
+        INFO(rows[i][2]);
+        CHECK(std::stod(rows[i][3]) * std::stod(rows[i][4]) ==
+              Approx(std::stod(answer[1][static_cast<std::size_t>(at)]) * cosine).epsilon(1e-9));
+    }
+    CHECK(seen.size() == 3);
+    CHECK(place.hts(command).output == result.output);
+    CHECK(place.hts("sample --material " + material + " --wavelength 2 --theta-i 45 --count 4000 --seed 4")
+              .output != result.output);
+    CHECK(nlohmann::json::parse(place.hts(command + "--json").output).size() == 4000);
+    CHECK(place.hts(command + "--output dirs.csv --plot dirs.svg").exit_code == 0);
+    CHECK(place.read("dirs.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("hts sample names what is wrong") {
+    const Workplace place;
+    const std::string command = "sample --material " + material;
+    const auto wrong = [&](const std::string& arguments, const std::string& message) {
+        const auto result = place.hts(command + arguments);
+        INFO(arguments << ": " << result.errors);
+        CHECK(result.exit_code == 2);
+        CHECK(result.output.empty());
+        CHECK(result.errors.find(message) != std::string::npos);
+    };
+    wrong(" --wavelength -1 --theta-i 45", "wavelength -1 um");
+    wrong(" --wavelength 0.5 --theta-i 95", "polar angle 95 deg");
+    wrong(" --wavelength 0.5", "--theta-i");
+    wrong(" --wavelength 0.5 --theta-i 45 --count 0", "--count");
+    wrong(" --wavelength 0.5 --theta-i 45 --seed -1", "--seed");
+    CHECK(place.hts("sample --material missing.json --wavelength 0.5 --theta-i 45").exit_code == 1);
 }
 
 TEST_CASE("hts materials lists the collection and describes one") {

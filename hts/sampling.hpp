@@ -1,0 +1,100 @@
+/// Draws outgoing directions in proportion to what a rough surface reflects, with the density they have.
+///
+/// The three terms of he_torrance.hpp are lobes to choose from: the specular delta, the directional-diffuse lobe and
+/// the uniform-diffuse one, each with a probability near its share of the albedo. The directional-diffuse term is drawn
+/// from a mixture of simple densities, all normalised in closed form, so that the density returned is that of the draw
+/// itself, to rounding, and costs one or two exponentials. In the frame where the light is (s, 0, c), with q the slopes of the
+/// facet that mirrors the light into the drawn direction, q = v_xy/v_z, and x = |q|^2/alpha^2:
+///
+///   visible facets   exp(-x)/(pi alpha^2) (1 + q_x tan theta_i)   Beckmann's slopes [Walter07 (25)], weighted by their
+///                                            area as the light sees it; a facet that would face away has q_x reversed
+///   raised facets    exp(-x)/(pi alpha^2) (1 + q_x (1 + s)/c)     those that mirror to above the horizon, likewise
+///   grazing facets   2 q_x/alpha^2 exp(-(x - cot^2/alpha^2))/(sqrt(pi) alpha), q_x > cot theta_i: the visible ones at grazing
+///   beam             v_xy normal, variance 2 m/tau^2 per axis     one term of Phi's Poisson sum [He91 (78)]
+///   cosine           c_r/pi (1 + s sin theta_r cos phi)           light scattered back by very short correlation
+///   uniform          1/(2 pi)                                     the defence that bounds every weight
+///
+/// In (1 + q_x a) values outside 0 ... 2 are moved to the nearer end: p(q) + p(-q) stays 2, so every such density is
+/// normalised, whatever a. Facets come in three widths each, alpha^2 doubled or fourfold, all from one exponential; alpha
+/// follows the mean m of Phi's Poisson sum. Drawing Phi's own terms instead would put a Phi, some 20 ns, into every density.
+///
+/// The shares of the mixture are found at construction, at 33 nodes in cos theta_i, as those of the least variance of
+/// brdf cos/pdf; between nodes they are interpolated, which leaves the density exact.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "hts/evaluation.hpp"
+
+namespace hts {
+
+namespace accuracy {
+/// Of `DirectionSampler::pdf`, relative, for sigma_0/tau >= 0.005 and above 1e-280: rounding alone.
+inline constexpr double pdf = 5e-12;
+}  // namespace accuracy
+
+/// Which term a direction was drawn from.
+enum class Lobe {
+    none,  ///< the draw fell below the horizon, or nothing is reflected: weight 0
+    specular,
+    directional_diffuse,
+    uniform_diffuse,
+};
+
+[[nodiscard]] const char* name(Lobe lobe) noexcept;
+
+/// A direction drawn.
+struct DirectionDraw {
+    Direction out;  ///< the mirror direction for Lobe::none
+    Lobe lobe;
+    /// Density of all diffuse lobes together [1/sr]; of a specular draw the probability of the delta [1]; 0 of none.
+    double pdf;
+};
+
+/// A direction drawn and what it is worth.
+struct WeightedDirection {
+    Direction out;
+    Lobe lobe;
+    double weight;  ///< brdf cos theta_r / pdf, of a specular draw reflectance / pdf; 0 of none   [1]
+    double pdf;     ///< as in DirectionDraw
+};
+
+/// Draws directions for one surface at one wavelength.
+///
+///     const hts::DirectionSampler sampler{surface, sample, hts::Tolerance{1e-6}};
+///     const auto drawn = sampler.sample(in, {u0, u1, u2});  // mean weight: the albedo
+///
+/// For a spectrum draw at one wavelength, `draw`, and divide the BRDF of every wavelength, times cos theta_r, by that pdf
+/// (for a specular draw the specular reflectance of every wavelength).
+/// Every call is const, allocates nothing, takes bounded time and may run on any thread; the same numbers give the same
+/// direction. Construction takes some 20 ms.
+class DirectionSampler {
+  public:
+    /// Three numbers in [0, 1), independent and uniform.
+    using Uniforms = std::array<double, 3>;
+
+    ///   tolerance   of the weights, relative: that of PreparedReflectance
+    DirectionSampler(const Surface& surface, const SpectralSample& sample, Tolerance tolerance);
+
+    /// Draws a direction with its weight. The mean of the weights is the directional-hemispherical reflectance.
+    [[nodiscard]] WeightedDirection sample(const Direction& in, const Uniforms& u) const noexcept;
+    /// Draws a direction.
+    [[nodiscard]] DirectionDraw draw(const Direction& in, const Uniforms& u) const noexcept;
+    /// Density in solid angle of drawing `out` from a diffuse lobe [1/sr], whichever it was.
+    ///   range   >= 0; 0 on and below the horizon. Its integral, the probabilities of the specular lobe and of none add up to 1
+    ///   error   accuracy::pdf
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
+    /// Probability of the specular lobe [1].
+    [[nodiscard]] double specular_probability(const Direction& in) const noexcept;
+
+    [[nodiscard]] const Surface& surface() const noexcept { return reflectance_.surface(); }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    PreparedReflectance reflectance_;
+    std::vector<double> nodes_;
+};
+
+}  // namespace hts
