@@ -23,6 +23,7 @@ double least_shadowing(const View& in, const View& out) {
 }
 
 double mirror_loss(const Surface& surface, const View& in, const Wavelength& wavelength) {
+    if (in.visibility.shadowing == 1) return 0;
     const View mirrored{in.direction.mirror(), in.visibility};
     const double g = PairFactors{surface, in, mirrored}.phase_variance(wavelength);
     const double lit = in.visibility.shadowing;
