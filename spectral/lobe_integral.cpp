@@ -59,7 +59,7 @@ class MirrorDisc {
 
     /// visit(pair, out, lobe times Jacobian) at a point of a ray, y 0 ... 1.
     template <class Visit>
-    auto at(const Ray& ray, double y, Visit&& visit) const {
+    [[nodiscard]] auto at(const Ray& ray, double y, Visit&& visit) const {
         const double rest = 1 - y;
         const double u = ray.range * y * (2 - y);
         const double distance = width_ * std::sinh(u);
