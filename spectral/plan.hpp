@@ -40,7 +40,7 @@ inline constexpr double floor_of_peak = 1e-3;
 
 /// Random pairs on which a material is measured.
 struct PlanSampling {
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;    ///< 0 ... 2^53, else hts::Error where it is used
     std::size_t pairs = 8192;  ///< 1 ... 10^7, else hts::Error where it is used
 };
 

@@ -103,7 +103,17 @@ MeasuredRung rung_from(const JsonValue& value) {
         {value["worst_error"].number(), value["error_99_percent"].number()}};
 }
 
-PlannedMaterial material_from(const JsonValue& value, const Reflector& reflector) {
+/// A rung of colours has wavelengths of its own, one of spectra those of the scene.
+void require_wavelengths(const JsonValue& key, const Rung& rung, const Scene& scene) {
+    const auto um = rung.wavelengths.micrometres();
+    if (scene.measure == ErrorMeasure::delta_e_2000) {
+        located(key.place(), [&] { static_cast<void>(tristimulus_weights(um, *scene.illuminant)); });
+    } else if (!std::ranges::equal(um, scene.wavelengths.micrometres())) {
+        throw key.error("must be the scene's wavelengths, where spectra are wanted");
+    }
+}
+
+PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const Reflector& reflector) {
     value.require_keys_among({"name", "choice", "rejected"});
     const JsonValue name = value["name"];
     if (name.text() != reflector.name) {
@@ -112,7 +122,10 @@ PlannedMaterial material_from(const JsonValue& value, const Reflector& reflector
     }
     std::vector<MeasuredRung> rejected;
     for (const JsonValue& rung : value["rejected"].items()) rejected.push_back(rung_from(rung));
-    return {reflector.name, rung_from(value["choice"]), std::move(rejected)};
+    const JsonValue choice = value["choice"];
+    MeasuredRung chosen = rung_from(choice);
+    require_wavelengths(choice["wavelengths_um"], chosen.rung, scene);
+    return {reflector.name, std::move(chosen), std::move(rejected)};
 }
 
 std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& scene) {
@@ -123,7 +136,7 @@ std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& 
     }
     std::vector<PlannedMaterial> materials;
     for (std::size_t i = 0; i < items.size(); ++i)
-        materials.push_back(material_from(items[i], scene.materials[i]));
+        materials.push_back(material_from(items[i], scene, scene.materials[i]));
     return materials;
 }
 

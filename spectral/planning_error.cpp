@@ -13,6 +13,7 @@ namespace hts::spectral {
 namespace {
 
 constexpr std::size_t most_pairs = 10'000'000;
+constexpr std::uint64_t largest_seed = std::uint64_t{1} << 53;  // exact in JSON
 
 double square(double x) {
     return x * x;
@@ -158,6 +159,9 @@ std::vector<DirectionPair> planning_pairs(const Scene& scene, const Surface& sur
     if (sampling.pairs < 1 || sampling.pairs > most_pairs) {
         throw out_of_range("number of pairs", static_cast<double>(sampling.pairs), "",
                            "from 1 to " + std::to_string(most_pairs));
+    }
+    if (sampling.seed > largest_seed) {
+        throw Error{"seed " + std::to_string(sampling.seed) + ": must be from 0 to 2^53"};
     }
     PairSource source{scene, surface, sampling.seed};
     std::vector<DirectionPair> pairs = pairs_at_edges(scene);

@@ -322,7 +322,18 @@ TEST_CASE("a memory budget is kept or refused") {
                           ": must be >= " + std::to_string(bytes) +
                           ", what the smallest plan within the tolerance takes");
     CHECK_THROWS_AS(make_plan(scene, {}, 2), hts::Error);
+    CHECK_THROWS_WITH(make_plan(scene, {~0ULL, 10}, 0.1),
+                      "seed 18446744073709551615: must be from 0 to 2^53");
     CHECK_THROWS_WITH(make_plan(scene, {1, 0}, 0.1), "number of pairs 0: must be from 1 to 10000000");
+}
+
+TEST_CASE("a plan for spectra has the scene's wavelengths") {
+    const TemporaryFolder folder;
+    const Plan plan = plan_of(read_scene(examples / "figure-14-spectral.json"));
+    const auto path = folder.write("plan.json", replaced(plan_text(plan, folder.path()), "0.4,", "0.401,"));
+    CHECK(
+        complaint(folder, [&] { static_cast<void>(read_plan(path)); }) ==
+        R"(plan.json: key "materials[1].choice.wavelengths_um": must be the scene's wavelengths, where spectra are wanted)");
 }
 
 TEST_CASE("a plan file gives the plan back") {
@@ -362,6 +373,8 @@ TEST_CASE("a plan file gives the plan back") {
         refusal(R"("full")", R"("half")") ==
         R"(plans/plan.json: key "materials[1].choice.lobe": "half": must be none, first_order, rough_limit or full)");
     CHECK(refusal(R"("seed": 1)", R"("seed": -1)").find(R"(key "seed": -1: must be a whole number)") !=
+          std::string::npos);
+    CHECK(refusal("0.4,", "0.45,").find(R"("materials[1].choice.wavelengths_um": wavelengths 0.45)") !=
           std::string::npos);
 
     folder.write("plans/plan.json", text);
