@@ -1,6 +1,7 @@
 #include "spectral/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <utility>
@@ -20,9 +21,10 @@ struct LobeForm {
     double cost;
 };
 constexpr double specular_cost = 1;
-constexpr LobeForm lobe_forms[] = {
-    {DiffuseLobe::none, 1e-3, 1}, {DiffuseLobe::first_order, 1e-3, 5}, {DiffuseLobe::rough_limit, 1e-3, 5.5},
-    {DiffuseLobe::full, 1e-3, 9}, {DiffuseLobe::full, 1e-6, 11},       {DiffuseLobe::full, 1e-12, 100},
+constexpr std::array lobe_forms{
+    LobeForm{DiffuseLobe::none, 1e-3, 1},          LobeForm{DiffuseLobe::first_order, 1e-3, 5},
+    LobeForm{DiffuseLobe::rough_limit, 1e-3, 5.5}, LobeForm{DiffuseLobe::full, 1e-3, 9},
+    LobeForm{DiffuseLobe::full, 1e-6, 11},         LobeForm{DiffuseLobe::full, 1e-12, 100},
 };
 
 struct LadderStep {

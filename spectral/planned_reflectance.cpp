@@ -21,8 +21,9 @@ std::size_t PlannedReflectance::bytes() const noexcept {
 }
 
 std::vector<SpecularReflectance> PlannedReflectance::specular_reflectance(const Direction& in) const {
-    if (!rung_.specular) return std::vector<SpecularReflectance>(size(), SpecularReflectance{0});
-    return diffuse_.specular_reflectance(in);
+    if (rung_.specular) return diffuse_.specular_reflectance(in);
+    std::vector<SpecularReflectance> dropped(size(), SpecularReflectance{0});
+    return dropped;
 }
 
 std::vector<Mueller> PlannedReflectance::specular_mueller(const Direction& in) const {

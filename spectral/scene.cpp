@@ -133,12 +133,13 @@ class Checksum {
     }
     void add(double value) {
         std::array<char, 32> digits{};
-        std::snprintf(digits.data(), digits.size(), "%.12g", value);
+        static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.12g", value));
         add(std::string_view{digits.data()});
     }
     [[nodiscard]] std::string text() const {
         std::array<char, 17> digits{};
-        std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(state_));
+        static_cast<void>(
+            std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(state_)));
         return digits.data();
     }
 
@@ -217,10 +218,10 @@ Scene read_scene(const fs::path& path) {
 std::string fingerprint(const Scene& scene) {
     Checksum checksum;
     for (const double um : scene.wavelengths.micrometres()) checksum.add(um);
-    checksum.add(scene.outside_range == OutsideRange::clamp);
+    checksum.add(std::string_view{scene.outside_range == OutsideRange::clamp ? "clamp" : "error"});
     checksum.add(scene.largest_theta_i);
     checksum.add(scene.largest_theta_r);
-    checksum.add(scene.polarised);
+    checksum.add(std::string_view{scene.polarised ? "polarised" : "unpolarised"});
     checksum.add(std::string_view{scene.illuminant ? name(*scene.illuminant) : "spectral"});
     checksum.add(std::string_view{name(scene.measure)});
     checksum.add(scene.tolerance);
