@@ -68,10 +68,10 @@ struct SpectralValue {
 void evaluate_spectrum(const PlannedReflectance& planned, bool polarised, const DirectionPair& pair,
                        std::span<SpectralValue> result) {
     const auto specular = planned.specular_reflectance(pair.in);
-    const auto brdf = planned.diffuse().brdf(pair);
-    const auto mueller = polarised ? planned.diffuse().mueller(pair) : std::vector<Mueller>(brdf.size());
+    const auto mueller = polarised ? planned.mueller(pair) : std::vector<Mueller>(result.size());
+    const auto brdf = polarised ? std::vector<double>(result.size()) : planned.brdf(pair);
     for (std::size_t i = 0; i < result.size(); ++i) {
-        result[i] = {planned.rung().wavelengths.micrometres()[i], polarised ? mueller[i](0, 0) : brdf[i],
+        result[i] = {planned.wavelengths().micrometres()[i], polarised ? mueller[i](0, 0) : brdf[i],
                      specular[i].value(), mueller[i]};
     }
 }
@@ -85,14 +85,14 @@ std::vector<std::string> joined(std::vector<std::string> columns, const std::vec
     return columns;
 }
 
-void write_spectra(const PlannedReflectance& planned, const PlannedPair& pair, bool mueller,
+void write_spectra(const PlannedReflectance& planned, const PlannedPair& pair, bool polarised, bool mueller,
                    CsvReader& points, Output& output, Format format) {
     auto columns = joined(points.columns(), {"wavelength_um", "brdf", "specular_reflectance"});
     if (mueller) columns = joined(std::move(columns), mueller_columns());
     TableWriter table{output, format, std::move(columns)};
     Transform<SpectralValue>{points, table, planned.size()}.run(
         [&](const CsvRow& row, std::span<SpectralValue> result) {
-            evaluate_spectrum(planned, mueller, pair(row), result);
+            evaluate_spectrum(planned, polarised, pair(row), result);
         },
         [&](TableWriter::Row& row, const SpectralValue& value) {
             row.field(shortest(value.wavelength)).number(value.brdf).number(value.specular_reflectance);
@@ -109,7 +109,7 @@ void write_colours(const PlannedReflectance& planned, const PlannedPair& pair,
     Transform<ColourValue>{points, table, 1}.run(
         [&](const CsvRow& row, std::span<ColourValue> result) {
             const DirectionPair at = pair(row);
-            std::vector<double> scratch(planned.size());
+            std::vector<double> scratch(planned.nodes());
             result[0] = {linear_srgb(planned.colour(at, scratch), illuminant),
                          linear_srgb(planned.specular_colour(at.in), illuminant)};
         },
@@ -137,7 +137,7 @@ void evaluate_planned(const PlannedEval& options, CsvReader& points, const Outpu
     if (plan.scene.illuminant) {
         write_colours(planned, pair, *plan.scene.illuminant, points, output, format);
     } else {
-        write_spectra(planned, pair, options.mueller, points, output, format);
+        write_spectra(planned, pair, plan.scene.polarised, options.mueller, points, output, format);
     }
     output.commit();
 }

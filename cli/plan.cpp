@@ -94,17 +94,24 @@ std::vector<MaterialCost> costs(const Plan& plan) {
     return result;
 }
 
-std::string terms(const Plan& plan, const spectral::PlannedReflectance& evaluator) {
-    const auto uniform = evaluator.diffuse().uniform_diffuse();
-    const bool any = *std::max_element(uniform.begin(), uniform.end()) > 0;
-    return std::string{any ? ", uniform term" : ", no uniform term (a = 0)"} +
-           (plan.scene.polarised ? ", Mueller" : ", scalar");
+bool has_uniform_term(const spectral::Scene& scene, const spectral::Reflector& material) {
+    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
+        if (material.albedo(scene.wavelengths[i], scene.outside_range) > 0) return true;
+    }
+    return false;
 }
 
-std::string report(const Plan& plan, const spectral::PlannedMaterial& material,
-                   const spectral::PlannedReflectance& evaluator, const MaterialCost& cost) {
+std::string terms(const spectral::Scene& scene, const spectral::Reflector& material) {
+    return std::string{has_uniform_term(scene, material) ? ", uniform term" : ", no uniform term (a = 0)"} +
+           (scene.polarised ? ", Mueller" : ", scalar");
+}
+
+std::string report(const Plan& plan, std::size_t i, const spectral::PlannedReflectance& evaluator,
+                   const MaterialCost& cost) {
+    const spectral::PlannedMaterial& material = plan.materials[i];
     const PlanCost &now = cost.chosen, &full = cost.full;
-    std::string text = material.name + ": " + in_words(material.choice.rung) + terms(plan, evaluator) + "\n";
+    std::string text = material.name + ": " + in_words(material.choice.rung) +
+                       terms(plan.scene, plan.scene.materials[i]) + "\n";
     text += "  error     " + in_words(material.choice.error) + "\n";
     text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
                       now.diffuse, full.diffuse, full.diffuse / now.diffuse);
@@ -128,15 +135,20 @@ std::string report(const Plan& plan) {
                                  plan.tolerance, name(plan.scene.measure), plan.sampling.pairs,
                                  static_cast<unsigned long long>(plan.sampling.seed));
     for (std::size_t i = 0; i < evaluators.size(); ++i) {
-        text += report(plan, plan.materials[i], evaluators[i], cost[i]);
+        text += report(plan, i, evaluators[i], cost[i]);
     }
     return text + "all together " + std::to_string(plan.bytes()) +
            " bytes, with the tables of Phi they share\n";
 }
 
 nlohmann::ordered_json object(const PlanCost& cost) {
-    return {{"diffuse_ns", cost.diffuse}, {"mirror_ns", cost.mirror},         {"colour_ns", cost.colour},
-            {"phi_ns", cost.phi},         {"directions_ns", cost.directions}, {"rest_ns", cost.rest}};
+    return {{"diffuse_ns", cost.diffuse},
+            {"mirror_ns", cost.mirror},
+            {"colour_ns", cost.colour},
+            {"phi_ns", cost.phi},
+            {"directions_ns", cost.directions},
+            {"rest_ns", cost.rest},
+            {"interpolation_ns", cost.interpolation}};
 }
 
 std::string json_report(const Plan& plan, const fs::path& folder) {

@@ -14,6 +14,7 @@ namespace hts::cli {
 namespace {
 
 using spectral::PlannedReflectance;
+using spectral::Xyz;
 
 constexpr std::size_t pair_count = 256;
 
@@ -61,21 +62,23 @@ class Timing {
     Timing(const spectral::Scene& scene, const spectral::Reflector& material)
         : scene_{scene}, material_{material}, pairs_{pairs_of(scene)} {}
 
+    /// At the rung's own wavelengths.
     [[nodiscard]] double diffuse(const spectral::Rung& rung) const {
-        const PlannedReflectance evaluator = prepared(rung);
+        const spectral::SpectralReflectance evaluator{material_, rung.wavelengths, scene_.outside_range,
+                                                      rung.lobe_tolerance, rung.lobe};
         if (scene_.polarised) {
             std::vector<Mueller> result(evaluator.size());
             return nanoseconds([&] {
-                for (const DirectionPair& pair : pairs_) evaluator.diffuse().mueller(pair, result);
+                for (const DirectionPair& pair : pairs_) evaluator.mueller(pair, result);
             });
         }
         std::vector<double> result(pairs_.size() * evaluator.size());
-        return nanoseconds([&] { evaluator.diffuse().brdf(pairs_, result); });
+        return nanoseconds([&] { evaluator.brdf(pairs_, result); });
     }
 
     [[nodiscard]] double mirror(const spectral::Rung& rung) const {
         if (!rung.specular) return 0;
-        const PlannedReflectance evaluator = prepared(rung);
+        const PlannedReflectance evaluator{scene_, material_, rung};
         double sum = 0;  // so that nothing is optimised away
         return nanoseconds([&] {
                    for (const DirectionPair& pair : pairs_) {
@@ -86,20 +89,33 @@ class Timing {
                0 * sum;
     }
 
+    /// From the rung's wavelengths to the scene's.
+    [[nodiscard]] double interpolation(const spectral::Rung& rung) const {
+        const spectral::SpectrumInterpolation interpolation{rung.wavelengths, scene_.wavelengths};
+        if (interpolation.is_identity() || scene_.illuminant) return 0;
+        std::vector<double> nodes(rung.wavelengths.size(), 0.1), spectrum(scene_.wavelengths.size());
+        return nanoseconds([&] {
+            for (std::size_t i = 0; i < pair_count; ++i) {
+                interpolation(nodes, spectrum);
+                nodes[0] = spectrum[0];  // so that nothing is optimised away
+            }
+        });
+    }
+
     [[nodiscard]] double colour(const spectral::Rung& rung) const {
         if (!scene_.illuminant) return 0;
-        const auto weights = tristimulus_weights(rung.wavelengths.micrometres(), *scene_.illuminant);
+        const std::vector<Xyz> weights(rung.wavelengths.size(), Xyz{1, 1, 1});
         std::vector<double> spectrum(rung.wavelengths.size(), 0.1);
         return nanoseconds([&] {
-            for (std::size_t i = 0; i < pair_count; ++i) spectrum[0] = weights.of_brdf(spectrum).Y;
+            for (std::size_t i = 0; i < pair_count; ++i) {
+                Xyz sum{0, 0, 0};
+                for (std::size_t j = 0; j < weights.size(); ++j) sum = sum + spectrum[j] * weights[j];
+                spectrum[0] = 1e-3 * sum.Y;
+            }
         });
     }
 
   private:
-    [[nodiscard]] PlannedReflectance prepared(const spectral::Rung& rung) const {
-        return {material_, rung, scene_.outside_range, std::nullopt};
-    }
-
     const spectral::Scene& scene_;
     const spectral::Reflector& material_;
     std::vector<DirectionPair> pairs_;
@@ -118,17 +134,18 @@ PlanCost plan_cost(const spectral::Scene& scene, const spectral::Reflector& mate
                    const spectral::Rung& rung) {
     const OneThread one_thread;
     const Timing timing{scene, material};
-    const double diffuse = timing.diffuse(rung);
-    PlanCost cost{diffuse, timing.mirror(rung), timing.colour(rung), 0, 0, diffuse};
+    const double at_nodes = timing.diffuse(rung), interpolation = timing.interpolation(rung);
+    PlanCost cost{
+        at_nodes + interpolation, timing.mirror(rung), timing.colour(rung), 0, 0, at_nodes, interpolation};
     if (rung.lobe == DiffuseLobe::none) return cost;
     spectral::Rung simple = rung;
     if (rung.lobe == DiffuseLobe::full) simple.lobe = DiffuseLobe::first_order;
-    const double simple_time = rung.lobe == DiffuseLobe::full ? timing.diffuse(simple) : diffuse;
+    const double simple_time = rung.lobe == DiffuseLobe::full ? timing.diffuse(simple) : at_nodes;
     simple.wavelengths = spectral::WavelengthGrid::from_micrometres({rung.wavelengths.micrometres().front()});
-    cost.phi = std::max(0., diffuse - simple_time);
+    cost.phi = std::max(0., at_nodes - simple_time);
     cost.directions = std::min(fixed_part(simple_time, timing.diffuse(simple), rung.wavelengths.size()),
-                               diffuse - cost.phi);
-    cost.rest = diffuse - cost.phi - cost.directions;
+                               at_nodes - cost.phi);
+    cost.rest = at_nodes - cost.phi - cost.directions;
     return cost;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -32,14 +32,27 @@ struct LadderStep {
     double cost;
 };
 
-/// Grids of a scene: its own, and for colours smaller ones over the same range.
+WavelengthGrid equally_spaced_in_inverse_square(double first_um, double last_um, std::size_t count) {
+    std::vector<double> um{first_um};
+    for (std::size_t i = 1; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+        um.push_back(1 / std::sqrt(std::lerp(1 / (first_um * first_um), 1 / (last_um * last_um), share)));
+    }
+    um.back() = last_um;
+    return WavelengthGrid::from_micrometres(std::move(um));
+}
+
+/// Wavelengths at which the model may be evaluated: one, some over the scene's range, the scene's.
 std::vector<WavelengthGrid> grids(const Scene& scene) {
-    std::vector<WavelengthGrid> grids;
     const auto um = scene.wavelengths.micrometres();
-    if (scene.measure == ErrorMeasure::delta_e_2000) {
-        for (std::size_t count = 2; count < um.size(); count += 1 + count / 32) {
-            grids.push_back(WavelengthGrid::linear(um.front(), um.back(), static_cast<int>(count)));
-        }
+    const double first = um.front(), last = um.back();
+    std::vector<WavelengthGrid> grids;
+    if (!scene.polarised && um.size() > 1)
+        grids.push_back(WavelengthGrid::from_micrometres({um[um.size() / 2]}));
+    for (std::size_t count = 2;
+         !scene.polarised && count < um.size() && count <= PlannedReflectance::most_nodes; ++count) {
+        grids.push_back(equally_spaced_in_inverse_square(first, last, count));
+        if (count > 2) grids.push_back(WavelengthGrid::linear(first, last, static_cast<int>(count)));
     }
     grids.push_back(scene.wavelengths);
     return grids;
@@ -69,29 +82,38 @@ bool same_kind(const Rung& a, const Rung& b) {
            a.lobe_tolerance.relative_error() == b.lobe_tolerance.relative_error();
 }
 
-/// Keeps the best of each kind of rung.
-void note(std::vector<MeasuredRung>& rejected, MeasuredRung one) {
-    const auto twin = std::find_if(rejected.begin(), rejected.end(), [&](const MeasuredRung& other) {
-        return same_kind(other.rung, one.rung);
-    });
+/// Keeps the last of each kind of rung, the one nearest to the choice.
+void note(std::vector<Rung>& rejected, Rung rung) {
+    const auto twin = std::find_if(rejected.begin(), rejected.end(),
+                                   [&](const Rung& other) { return same_kind(other, rung); });
     if (twin == rejected.end()) {
-        rejected.push_back(std::move(one));
-    } else if (one.error.worst < twin->error.worst) {
-        *twin = std::move(one);
+        rejected.push_back(std::move(rung));
+    } else {
+        *twin = std::move(rung);
     }
+}
+
+std::vector<MeasuredRung> measured(const Scene& scene, const Reflector& material, const ErrorMeter& meter,
+                                   const std::vector<Rung>& rungs) {
+    std::vector<MeasuredRung> result;
+    for (const Rung& rung : rungs) result.push_back({rung, meter.error({scene, material, rung})});
+    return result;
 }
 
 PlannedMaterial planned(const Scene& scene, const Reflector& material, const PlanSampling& sampling,
                         double tolerance, double coarsest) {
     const ErrorMeter meter{scene, material, sampling};
     const double enough = plan_headroom * tolerance;
-    std::vector<MeasuredRung> rejected;
-    for (LadderStep& step : ladder(scene, coarsest)) {
-        const PlannedReflectance candidate{material, step.rung, scene.outside_range, scene.illuminant};
-        const MeasuredError error = meter.error(candidate, enough);
-        MeasuredRung measured{std::move(step.rung), error};
-        if (error.worst <= enough) return {material.name, std::move(measured), std::move(rejected)};
-        note(rejected, std::move(measured));
+    std::vector<Rung> failed;
+    for (const LadderStep& step : ladder(scene, coarsest)) {
+        const PlannedReflectance candidate{scene, material, step.rung};
+        if (!meter.fails_early(candidate, enough)) {
+            const MeasuredError error = meter.error(candidate);
+            if (error.worst <= enough) {
+                return {material.name, {step.rung, error}, measured(scene, material, meter, failed)};
+            }
+        }
+        note(failed, step.rung);
     }
     throw Error{material.name +
                 ": no evaluator meets the tolerance"};  // the last rung is the full model itself
@@ -124,8 +146,7 @@ bool fits(const Plan& plan) {
 std::vector<PlannedReflectance> Plan::evaluators() const {
     std::vector<PlannedReflectance> result;
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        result.emplace_back(scene.materials[i], materials[i].choice.rung, scene.outside_range,
-                            scene.illuminant);
+        result.emplace_back(scene, scene.materials[i], materials[i].choice.rung);
     }
     return result;
 }
@@ -138,10 +159,9 @@ std::size_t Plan::bytes() const {
 }
 
 PlannedReflectance full_model(const Scene& scene, const Reflector& material) {
-    return {material,
-            {DiffuseLobe::full, Tolerance{hts::accuracy::finest_tolerance}, true, scene.wavelengths},
-            scene.outside_range,
-            scene.illuminant};
+    return {scene,
+            material,
+            {DiffuseLobe::full, Tolerance{hts::accuracy::finest_tolerance}, true, scene.wavelengths}};
 }
 
 Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance) {
@@ -164,7 +184,7 @@ std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling&
     const auto evaluators = plan.evaluators();
     for (std::size_t i = 0; i < evaluators.size(); ++i) {
         const ErrorMeter meter{plan.scene, plan.scene.materials[i], sampling};
-        errors.push_back(meter.error(evaluators[i], std::numeric_limits<double>::infinity()));
+        errors.push_back(meter.error(evaluators[i]));
     }
     return errors;
 }

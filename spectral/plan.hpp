@@ -1,9 +1,8 @@
 /// Plans: for every material of a scene the cheapest evaluator that is exact enough, as measured.
 ///
 /// The planner walks a ladder of evaluators, cheapest first: the directional-diffuse lobe left out, to first order
-/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; for colours also
-/// fewer wavelengths, equally spaced. It takes the first whose error, measured on random directions of the scene against
-/// the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance. Order and choice depend
+/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; and, unless
+/// the scene is polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. It takes the first whose error, measured on random directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance. Order and choice depend
 /// on the scene and the seed alone.
 ///
 /// Errors of a pair of directions, the worst over wavelengths and terms:
@@ -60,8 +59,8 @@ struct MeasuredRung {
 struct PlannedMaterial {
     std::string name;
     MeasuredRung choice;
-    /// What failed before: of each lobe form, with and without mirror term, the rung of the least error, cheapest
-    /// first. Where the diffuse terms alone failed, the error is theirs.
+    /// What failed before: of each lobe form, with and without mirror term, the rung of the most wavelengths that was
+    /// still cheaper than the choice.
     std::vector<MeasuredRung> rejected;
 };
 

@@ -103,13 +103,11 @@ MeasuredRung rung_from(const JsonValue& value) {
         {value["worst_error"].number(), value["error_99_percent"].number()}};
 }
 
-/// A rung of colours has wavelengths of its own, one of spectra those of the scene.
 void require_wavelengths(const JsonValue& key, const Rung& rung, const Scene& scene) {
-    const auto um = rung.wavelengths.micrometres();
-    if (scene.measure == ErrorMeasure::delta_e_2000) {
-        located(key.place(), [&] { static_cast<void>(tristimulus_weights(um, *scene.illuminant)); });
-    } else if (!std::ranges::equal(um, scene.wavelengths.micrometres())) {
-        throw key.error("must be the scene's wavelengths, where spectra are wanted");
+    const auto um = rung.wavelengths.micrometres(), all = scene.wavelengths.micrometres();
+    if (um.front() < all.front() || um.back() > all.back()) {
+        throw key.error("must be from " + shortest(all.front()) + " to " + shortest(all.back()) +
+                        " um, the range of the scene");
     }
 }
 

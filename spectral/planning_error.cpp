@@ -13,6 +13,7 @@ namespace hts::spectral {
 namespace {
 
 constexpr std::size_t most_pairs = 10'000'000;
+constexpr std::size_t early_pairs = 128;
 constexpr std::uint64_t largest_seed = std::uint64_t{1} << 53;  // exact in JSON
 
 double square(double x) {
@@ -148,7 +149,7 @@ MeasuredError summary(std::vector<double> errors) {
 /// f(0) ... f(count - 1) on all cores.
 template <class Function>
 void for_each_index(std::size_t count, const Function& f) {
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 32)
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) f(static_cast<std::size_t>(i));
 }
 
@@ -177,17 +178,20 @@ ErrorMeter::ErrorMeter(const Scene& scene, const Reflector& material, const Plan
       material_{material},
       full_{full_model(scene, material)},
       pairs_{planning_pairs(scene, material.surface, sampling)} {
-    scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours() : remember_floors();
+    scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours() : remember_spectra();
 }
 
-void ErrorMeter::remember_floors() {
+void ErrorMeter::remember_spectra() {
     const Peaks peaks{scene_, material_};
     const std::size_t count = full_.size();
-    floors_.resize(pairs_.size() * count);
+    spectra_.resize(pairs_.size() * count);
+    scales_.resize(pairs_.size() * count);
+    full_.brdf(pairs_, spectra_);
     for_each_index(pairs_.size(), [&](std::size_t i) {
-        const auto floors = std::span{floors_}.subspan(i * count, count);
-        peaks.find(pairs_[i], floors);
-        for (double& floor : floors) floor *= floor_of_peak;
+        const auto scales = std::span{scales_}.subspan(i * count, count);
+        peaks.find(pairs_[i], scales);
+        for (std::size_t j = 0; j < count; ++j)
+            scales[j] = spectra_[i * count + j] + floor_of_peak * scales[j];
     });
 }
 
@@ -196,39 +200,44 @@ void ErrorMeter::remember_colours() {
     colours_.resize(pairs_.size());
     specular_colours_.resize(pairs_.size());
     for_each_index(pairs_.size(), [&](std::size_t i) {
-        std::vector<double> scratch(full_.size());
+        std::vector<double> scratch(full_.nodes());
         colours_[i] = full_.colour(pairs_[i], scratch);
         specular_colours_[i] = full_.specular_colour(pairs_[i].in);
     });
 }
 
-MeasuredError ErrorMeter::error(const PlannedReflectance& candidate, double enough) const {
+bool ErrorMeter::fails_early(const PlannedReflectance& candidate, double enough) const {
+    for (std::size_t i = 0; i < std::min(early_pairs, pairs_.size()); ++i) {
+        if (diffuse_error(candidate, i) > enough || specular_error(candidate, i) > enough) return true;
+    }
+    return false;
+}
+
+MeasuredError ErrorMeter::error(const PlannedReflectance& candidate) const {
     std::vector<double> errors(pairs_.size());
-    for_each_index(pairs_.size(), [&](std::size_t i) { errors[i] = diffuse_error(candidate, i); });
-    if (*std::max_element(errors.begin(), errors.end()) > enough) return summary(std::move(errors));
-    for_each_index(pairs_.size(),
-                   [&](std::size_t i) { errors[i] = std::max(errors[i], specular_error(candidate, i)); });
+    for_each_index(pairs_.size(), [&](std::size_t i) {
+        errors[i] = std::max(diffuse_error(candidate, i), specular_error(candidate, i));
+    });
     return summary(std::move(errors));
 }
 
 double ErrorMeter::diffuse_error(const PlannedReflectance& candidate, std::size_t pair) const {
-    const std::size_t count = candidate.size();
-    double worst = 0;
     if (scene_.measure == ErrorMeasure::delta_e_2000) {
-        std::vector<double> scratch(count);
-        worst = exposed_difference(colours_[pair], candidate.colour(pairs_[pair], scratch), white_);
-    } else if (scene_.polarised) {
-        const auto full = full_.diffuse().mueller(pairs_[pair]);
-        const auto value = candidate.diffuse().mueller(pairs_[pair]);
-        for (std::size_t i = 0; i < count; ++i) {
-            worst = std::max(worst, ratio(largest_difference(value[i], full[i]),
-                                          full[i](0, 0) + floors_[pair * count + i]));
+        std::vector<double> scratch(candidate.nodes());
+        return exposed_difference(colours_[pair], candidate.colour(pairs_[pair], scratch), white_);
+    }
+    const std::size_t first = pair * full_.size();
+    double worst = 0;
+    if (scene_.polarised) {
+        const auto full = full_.mueller(pairs_[pair]);
+        const auto value = candidate.mueller(pairs_[pair]);
+        for (std::size_t i = 0; i < full.size(); ++i) {
+            worst = std::max(worst, ratio(largest_difference(value[i], full[i]), scales_[first + i]));
         }
     } else {
-        const auto full = full_.diffuse().brdf(pairs_[pair]);
-        const auto value = candidate.diffuse().brdf(pairs_[pair]);
-        for (std::size_t i = 0; i < count; ++i) {
-            worst = std::max(worst, ratio(std::abs(value[i] - full[i]), full[i] + floors_[pair * count + i]));
+        const auto value = candidate.brdf(pairs_[pair]);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            worst = std::max(worst, ratio(std::abs(value[i] - spectra_[first + i]), scales_[first + i]));
         }
     }
     return worst;
@@ -239,15 +248,16 @@ double ErrorMeter::specular_error(const PlannedReflectance& candidate, std::size
     if (scene_.measure == ErrorMeasure::delta_e_2000) {
         return exposed_difference(specular_colours_[pair], candidate.specular_colour(in), white_);
     }
-    if (candidate.rung().specular) return 0;  // the same wavelengths, the same function
     const double shadowing = square(view(material_.surface, in).visibility.shadowing);
     const auto full = full_.specular_reflectance(in);
-    const auto uniform = full_.diffuse().uniform_diffuse();
+    const auto value = candidate.specular_reflectance(in);
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
-        const auto index = material_.material.index(scene_.wavelengths[i], scene_.outside_range);
-        const double mirror = fresnel(in.cos_theta(), index).unpolarised_reflectance() * shadowing;
-        worst = std::max(worst, ratio(full[i].value(), mirror + uniform[i] * std::numbers::pi));
+        const Wavelength wavelength = scene_.wavelengths[i];
+        const auto index = material_.material.index(wavelength, scene_.outside_range);
+        const double reflected = fresnel(in.cos_theta(), index).unpolarised_reflectance() * shadowing +
+                                 material_.albedo(wavelength, scene_.outside_range);
+        worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }
     return worst;
 }

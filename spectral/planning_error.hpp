@@ -18,21 +18,22 @@ class ErrorMeter {
     /// Both outlive this.
     ErrorMeter(const Scene& scene, const Reflector& material, const PlanSampling& sampling);
 
-    /// The error on every pair, and its worst and 99 %. Where the diffuse terms alone exceed `enough`, the mirror
-    /// term is not looked at.
-    [[nodiscard]] MeasuredError error(const PlannedReflectance& candidate, double enough) const;
+    /// The error on all pairs.
+    [[nodiscard]] MeasuredError error(const PlannedReflectance& candidate) const;
+    /// Whether the error of one of the first pairs exceeds `enough`: spares most of the work.
+    [[nodiscard]] bool fails_early(const PlannedReflectance& candidate, double enough) const;
 
   private:
     [[nodiscard]] double diffuse_error(const PlannedReflectance& candidate, std::size_t pair) const;
     [[nodiscard]] double specular_error(const PlannedReflectance& candidate, std::size_t pair) const;
-    void remember_floors();
+    void remember_spectra();
     void remember_colours();
 
     const Scene& scene_;
     const Reflector& material_;
     PlannedReflectance full_;
     std::vector<DirectionPair> pairs_;
-    std::vector<double> floors_;                   // pairs x wavelengths, of the relative error
+    std::vector<double> spectra_, scales_;  // pairs x wavelengths: BRDF, and what its error is relative to
     std::vector<Xyz> colours_, specular_colours_;  // one per pair, for colour differences
     Xyz white_{};
 };

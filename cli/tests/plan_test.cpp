@@ -59,7 +59,7 @@ TEST_CASE("hts plan --json has the plan and every cost, whose parts add up") {
             const auto& part = cost[which];
             CHECK(part["diffuse_ns"].get<double>() > 0);
             CHECK(part["phi_ns"].get<double>() + part["directions_ns"].get<double>() +
-                      part["rest_ns"].get<double>() ==
+                      part["rest_ns"].get<double>() + part["interpolation_ns"].get<double>() ==
                   Approx(part["diffuse_ns"].get<double>()));
         }
         CHECK(cost["bytes"] > 0);

@@ -98,12 +98,12 @@ double peak(const Reflector& material, const Scene& scene, const Direction& in,
 
 /// The relative error of an evaluator as spectral/plan.hpp defines it, measured anew.
 double relative_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{material, rung, scene.outside_range, scene.illuminant};
+    const PlannedReflectance planned{scene, material, rung};
     Random random{77};
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
         const DirectionPair pair = random_pair(random, scene, i % 2 == 0);
-        const auto brdf = planned.diffuse().brdf(pair);
+        const auto brdf = planned.brdf(pair);
         const auto mirror = planned.specular_reflectance(pair.in);
         const hts::View light = view(material.surface, pair.in);
         for (std::size_t j = 0; j < brdf.size(); ++j) {
@@ -124,11 +124,11 @@ double relative_error(const Scene& scene, const Reflector& material, const Rung&
 
 /// The same for colours, where none is brighter than the white.
 double colour_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{material, rung, scene.outside_range, scene.illuminant};
+    const PlannedReflectance planned{scene, material, rung};
     const Xyz white = white_point(*scene.illuminant);
     Random random{78};
     double worst = 0;
-    std::vector<double> exact(scene.wavelengths.size()), scratch(planned.size());
+    std::vector<double> exact(scene.wavelengths.size()), scratch(planned.nodes());
     for (int i = 0; i < 400; ++i) {
         const DirectionPair pair = random_pair(random, scene, i % 2 == 0);
         for (std::size_t j = 0; j < exact.size(); ++j) {
@@ -352,7 +352,7 @@ TEST_CASE("a plan file gives the plan back") {
     const DirectionPair pair{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
     for (std::size_t i = 0; i < before.size(); ++i) {
         CHECK(before[i].name() == after[i].name());
-        CHECK(before[i].diffuse().brdf(pair) == after[i].diffuse().brdf(pair));
+        CHECK(before[i].brdf(pair) == after[i].brdf(pair));
         CHECK(before[i].bytes() == after[i].bytes());
     }
 
