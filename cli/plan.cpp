@@ -115,8 +115,8 @@ std::string report(const Plan& plan, std::size_t i, const spectral::PlannedRefle
     text += "  error     " + in_words(material.choice.error) + "\n";
     text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
                       now.diffuse, full.diffuse, full.diffuse / now.diffuse);
-    text += formatted("            directions %.0f, Phi %.0f, Fresnel and the rest %.0f", now.directions,
-                      now.phi, now.rest);
+    text += formatted("            directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
+                      now.directions, now.phi, now.rest, now.interpolation);
     text += plan.scene.illuminant ? formatted("; colour %.0f more\n", now.colour) : "\n";
     text +=
         formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror, full.mirror);

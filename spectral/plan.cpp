@@ -14,7 +14,7 @@
 namespace hts::spectral {
 namespace {
 
-/// A form of the lobe and what it costs [ns per wavelength, of hts_bench]: for the order of the ladder only.
+/// A form of the lobe and its relative cost per wavelength, about as measured: for the order of the ladder only.
 struct LobeForm {
     DiffuseLobe lobe;
     double tolerance;
@@ -187,20 +187,6 @@ std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling&
         errors.push_back(meter.error(evaluators[i]));
     }
     return errors;
-}
-
-const char* name(DiffuseLobe lobe) noexcept {
-    switch (lobe) {
-        case DiffuseLobe::none:
-            return "none";
-        case DiffuseLobe::first_order:
-            return "first_order";
-        case DiffuseLobe::rough_limit:
-            return "rough_limit";
-        case DiffuseLobe::full:
-            return "full";
-    }
-    return "";
 }
 
 }  // namespace hts::spectral

@@ -94,7 +94,4 @@ struct Plan {
 /// format or library, or if the scene or its materials have changed since.
 [[nodiscard]] Plan read_plan(const std::filesystem::path& path);
 
-/// "none", "first_order", "rough_limit" or "full".
-[[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
-
 }  // namespace hts::spectral

@@ -197,7 +197,7 @@ TEST_CASE("what is chosen meets the tolerance, what was rejected does not, measu
             for (const MeasuredRung& rejected : plan.materials[i].rejected) {
                 INFO(name(rejected.rung.lobe) << " at " << rejected.rung.lobe_tolerance.relative_error());
                 CHECK(rejected.error.worst > plan_headroom * tolerance);
-                CHECK(relative_error(scene, material, rejected.rung) > plan_headroom * tolerance / 2);
+                CHECK(relative_error(scene, material, rejected.rung) > plan_headroom * tolerance / 10);
             }
         }
     }
@@ -207,7 +207,7 @@ TEST_CASE("a colour takes as few wavelengths as its tolerance allows") {
     const std::vector<Reflector> materials{
         {"copper", Surface{0.13, 1.2}, built_in_material("Cu"), DiffuseAlbedo{0}},
         {"paint", Surface{0, 2}, hts::spectral::Material::constant({1.5, 0}), DiffuseAlbedo{0.3}}};
-    std::size_t wavelengths = 2;
+    std::size_t wavelengths = 1;
     for (const double delta_e : {3., 1., 0.1}) {
         const Scene scene = rgb_scene(materials, delta_e);
         const Plan plan = plan_of(scene);
@@ -217,7 +217,7 @@ TEST_CASE("a colour takes as few wavelengths as its tolerance allows") {
         CHECK(copper.wavelengths.micrometres().front() == 0.4);
         CHECK(copper.wavelengths.micrometres().back() == 0.7);
         CHECK(colour_error(scene, scene.materials[0], copper) <= delta_e);
-        CHECK(plan.materials[1].choice.rung.wavelengths.size() == 2);
+        CHECK(plan.materials[1].choice.rung.wavelengths.size() == 1);
         CHECK(plan.materials[1].choice.rung.lobe == DiffuseLobe::none);
         CHECK(colour_error(scene, scene.materials[1], plan.materials[1].choice.rung) <= 1e-9);
         wavelengths = copper.wavelengths.size();
@@ -300,11 +300,11 @@ TEST_CASE("the mirror term is dropped only where it does not count, and then is 
     const auto evaluators = plan.evaluators();
     const Direction in = Direction::from_degrees(30, 0);
     CHECK(evaluators[0].specular_reflectance(in)[0].value() == 0);
-    CHECK(evaluators[0].specular_mueller(in)[0](0, 0) == 0);
     CHECK(evaluators[1].specular_reflectance(in)[3].value() > 0);
-    CHECK(evaluators[1].specular_mueller(in)[3](0, 0) ==
-          Approx(evaluators[1].specular_reflectance(in)[3].value()));
-    std::vector<double> scratch(4);
+    CHECK_THROWS_WITH(evaluators[1].specular_mueller(in),
+                      "ground: no Mueller matrices: the scene must be polarised");
+    CHECK_THROWS_AS(evaluators[1].mueller({in, in}), hts::Error);
+    std::vector<double> scratch(evaluators[1].nodes());
     CHECK_THROWS_WITH(evaluators[1].colour({in, in}, scratch),
                       "ground: no colour: the scene's output must be rgb");
 }
@@ -325,15 +325,6 @@ TEST_CASE("a memory budget is kept or refused") {
     CHECK_THROWS_WITH(make_plan(scene, {~0ULL, 10}, 0.1),
                       "seed 18446744073709551615: must be from 0 to 2^53");
     CHECK_THROWS_WITH(make_plan(scene, {1, 0}, 0.1), "number of pairs 0: must be from 1 to 10000000");
-}
-
-TEST_CASE("a plan for spectra has the scene's wavelengths") {
-    const TemporaryFolder folder;
-    const Plan plan = plan_of(read_scene(examples / "figure-14-spectral.json"));
-    const auto path = folder.write("plan.json", replaced(plan_text(plan, folder.path()), "0.4,", "0.401,"));
-    CHECK(
-        complaint(folder, [&] { static_cast<void>(read_plan(path)); }) ==
-        R"(plan.json: key "materials[1].choice.wavelengths_um": must be the scene's wavelengths, where spectra are wanted)");
 }
 
 TEST_CASE("a plan file gives the plan back") {
@@ -374,8 +365,9 @@ TEST_CASE("a plan file gives the plan back") {
         R"(plans/plan.json: key "materials[1].choice.lobe": "half": must be none, first_order, rough_limit or full)");
     CHECK(refusal(R"("seed": 1)", R"("seed": -1)").find(R"(key "seed": -1: must be a whole number)") !=
           std::string::npos);
-    CHECK(refusal("0.4,", "0.45,").find(R"("materials[1].choice.wavelengths_um": wavelengths 0.45)") !=
-          std::string::npos);
+    CHECK(
+        refusal("0.4,", "0.39,") ==
+        R"(plans/plan.json: key "materials[1].choice.wavelengths_um": must be from 0.4 to 0.7 um, the range of the scene)");
 
     folder.write("plans/plan.json", text);
     const std::string sphere = text_of(folder.path() / "figure-14/copper-sphere.json");
