@@ -9,13 +9,6 @@ namespace {
 
 constexpr std::size_t passes = 7;
 
-/// Processor time of this thread, which other programs do not lengthen.
-double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Walks through the inputs, from the start again at their end.
 class Walk {
   public:
@@ -42,6 +35,12 @@ class Walk {
 };
 
 }  // namespace
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double nanoseconds(const ChartMethod& method, const PhiInputs& inputs, double seconds) {
     Walk walk{method, inputs};

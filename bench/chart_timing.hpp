@@ -5,6 +5,9 @@
 
 namespace hts::bench {
 
+/// Processor time of this thread [s], which other programs do not lengthen.
+[[nodiscard]] double thread_seconds();
+
 /// Nanoseconds of processor time per value: median of seven passes over inputs drawn beforehand, on one core.
 ///   inputs    walked through without repetition while they last, so that neither data nor branches are
 ///             known beforehand

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/eval_answer.hpp"
+#include "cli/eval_plan.hpp"
 #include "cli/options.hpp"
 #include "cli/random_pairs.hpp"
 #include "cli/transform.hpp"
@@ -21,19 +22,24 @@ albedo, which go before the material's. Without wavelength_um every row is evalu
 repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr] and
 specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180.
+With --plan, --material is the name of one of its materials, and the wavelengths are the
+plan's. A spectral plan adds wavelength_um, brdf, specular_reflectance, an rgb one linear
+sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_green,
+specular_blue of the specular reflectance.
 
 Examples:
   hts eval --material aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
   hts eval --material aluminium.json --points points.csv --output values.csv --detail
   hts eval --material aluminium.json --points - --wavelengths 0.4:0.7:31 < pairs.csv
-  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000)";
+  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
+  hts eval --plan plan.json --material "copper sphere" --points pairs.csv)";
 
 struct EvalOptions {
     MaterialOptions material;
     DirectionOptions directions;
     OutputOptions output;
     std::optional<double> wavelength;
-    std::string wavelengths, points, polarisation;
+    std::string wavelengths, points, polarisation, plan;
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
     bool mueller = false, detail = false;
@@ -49,11 +55,13 @@ std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) 
 /// The one point that the options describe, as a file of one row.
 CsvReader single_point(const EvalOptions& options) {
     const DirectionOptions& to = options.directions;
+    const bool needs_wavelength = options.plan.empty();
     if (!to.any() && !wavelengths(options)) {
         throw UsageError{
             "points missing: must be given by --points, or by --wavelength, --theta-i, --theta-r and --phi"};
     }
-    if (!wavelengths(options)) throw UsageError{"--wavelength missing: must be given in um"};
+    if (needs_wavelength && !wavelengths(options))
+        throw UsageError{"--wavelength missing: must be given in um"};
     static_cast<void>(to.pair());  // complains about options, where the row would complain about a file
     const std::string header = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";
     const std::string row = shortest(*to.theta_i) + "," + shortest(to.incident_azimuth()) + "," +
@@ -87,8 +95,23 @@ bool has_own_constants(const CsvReader& points) {
     return points.column("n") || points.column("k") || points.column("albedo");
 }
 
+CsvReader points_of(const EvalOptions& options) {
+    return options.points.empty() ? single_point(options) : CsvReader{options.points};
+}
+
+void evaluate_as_planned(const EvalOptions& options) {
+    if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
+        !options.polarisation.empty()) {
+        throw UsageError{
+            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
+            "--polarisation"};
+    }
+    CsvReader points = points_of(options);
+    evaluate_planned({options.plan, options.material.path, options.mueller}, points, options.output);
+}
+
 void evaluate_points(const EvalOptions& options) {
-    CsvReader points = options.points.empty() ? single_point(options) : CsvReader{options.points};
+    CsvReader points = points_of(options);
     const bool own_wavelength = options.points.empty() && options.wavelength;
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
     const auto described = reflector(options);
@@ -152,6 +175,7 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
+    if (!options.plan.empty()) return evaluate_as_planned(options);
     options.random_pairs ? evaluate_random(options) : evaluate_points(options);
 }
 
@@ -162,6 +186,7 @@ void add_eval(CLI::App& program) {
         program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
     auto options = std::make_shared<EvalOptions>();
     options->material.add_to(*verb);
+    verb->add_option("--plan", options->plan, "plan file of hts plan");
     verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
     verb->add_option("--points", options->points, "CSV file of points, - for standard input");

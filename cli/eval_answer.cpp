@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "hts/error.hpp"
 
@@ -20,13 +21,17 @@ void append_detail(TableWriter::Row& row, const Evaluation& value) {
 
 }  // namespace
 
+std::vector<std::string> mueller_columns() {
+    return {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
+            "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
+}
+
 std::vector<std::string> EvalAnswer::columns() const {
     std::vector<std::string> names;
     if (wavelength) names.emplace_back("wavelength_um");
     add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
     if (mueller) {
-        add(names, {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13"});
-        add(names, {"m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"});
+        for (std::string& name : mueller_columns()) names.push_back(std::move(name));
     }
     if (detail) add(names, {"g", "t", "effective_roughness_um", "shadowing", "fresnel", "method"});
     if (incident) {

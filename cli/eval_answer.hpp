@@ -10,6 +10,9 @@
 
 namespace hts::cli {
 
+/// "m00" … "m33", row by row.
+[[nodiscard]] std::vector<std::string> mueller_columns();
+
 /// Names and values of the added columns, in the order of the members.
 struct EvalAnswer {
     bool wavelength = false;

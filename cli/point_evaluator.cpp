@@ -30,11 +30,19 @@ Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const
 
 }  // namespace
 
+PairColumns::PairColumns(const CsvReader& points)
+    : theta_i_{points.required_column("theta_i_deg")},
+      phi_i_{points.required_column("phi_i_deg")},
+      theta_r_{points.required_column("theta_r_deg")},
+      phi_r_{points.required_column("phi_r_deg")} {}
+
+DirectionPair PairColumns::pair(const CsvRow& row) const {
+    const Direction in = direction(row, theta_i_, phi_i_, "i");
+    return {in, direction(row, theta_r_, phi_r_, "r")};
+}
+
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
-    : theta_i{points.required_column("theta_i_deg")},
-      phi_i{points.required_column("phi_i_deg")},
-      theta_r{points.required_column("theta_r_deg")},
-      phi_r{points.required_column("phi_r_deg")},
+    : directions{points},
       wavelength{needs_wavelength ? points.required_column("wavelength_um") : points.column("wavelength_um")},
       n{points.column("n")},
       k{points.column("k")},
@@ -91,8 +99,7 @@ std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points)
 
 void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
                               ValidityWarning& warning) const {
-    const Direction in = direction(row, columns_.theta_i, columns_.phi_i, "i");
-    const Direction out = direction(row, columns_.theta_r, columns_.phi_r, "r");
+    const auto [in, out] = columns_.directions.pair(row);
     const Surface rough = surface(row);
     const View light = view(rough, in);
     const View seen = view(rough, out);

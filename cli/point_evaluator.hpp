@@ -22,6 +22,18 @@ struct Evaluation {
     Mueller mueller;              ///< of the directional-diffuse term [1/sr]
 };
 
+/// The columns of a pair of directions.
+class PairColumns {
+  public:
+    /// hts::Error if one of the four is missing.
+    explicit PairColumns(const CsvReader& points);
+    /// The pair of a row; hts::Error names column, value and legal range.
+    [[nodiscard]] DirectionPair pair(const CsvRow& row) const;
+
+  private:
+    std::size_t theta_i_, phi_i_, theta_r_, phi_r_;
+};
+
 /// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um and albedo go
 /// before the material's.
 class PointEvaluator {
@@ -47,7 +59,7 @@ class PointEvaluator {
     using Column = std::optional<std::size_t>;
     struct Columns {
         explicit Columns(const CsvReader& points, bool needs_wavelength);
-        std::size_t theta_i, phi_i, theta_r, phi_r;
+        PairColumns directions;
         Column wavelength, n, k, rms_roughness, correlation_length, albedo;
     };
     /// What is the same for all rows at one wavelength, or what one row says.

@@ -14,6 +14,7 @@ void add_info(CLI::App& program);
 void add_furnace(CLI::App& program);
 void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);
+void add_plan(CLI::App& program);
 void add_polar(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);

@@ -89,6 +89,10 @@ bool JsonValue::is_text() const noexcept {
     return value_->is_string();
 }
 
+bool JsonValue::is_list() const noexcept {
+    return value_->is_array();
+}
+
 double JsonValue::number() const {
     if (!value_->is_number()) throw error("must be a number, not " + with_article(*value_));
     return value_->get<double>();
@@ -99,8 +103,22 @@ std::string JsonValue::text() const {
     return value_->get<std::string>();
 }
 
+bool JsonValue::boolean() const {
+    if (!value_->is_boolean()) throw error("must be true or false, not " + with_article(*value_));
+    return value_->get<bool>();
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+    if (!is_list()) throw error("must be an array, not " + with_article(*value_));
+    std::vector<JsonValue> result;
+    for (const json& item : *value_) {
+        result.push_back({{value_, &item}, file_, key_ + "[" + std::to_string(result.size() + 1) + "]"});
+    }
+    return result;
+}
+
 std::vector<JsonValue::Row> JsonValue::rows(const std::vector<std::string>& columns) const {
-    if (!value_->is_array()) {
+    if (!is_list()) {
         throw error("must be an array of rows [" + joined(columns) + "], not " + with_article(*value_));
     }
     if (value_->empty()) throw error("must have at least one row [" + joined(columns) + "]");

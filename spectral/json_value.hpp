@@ -29,10 +29,14 @@ class JsonValue {
 
     [[nodiscard]] bool is_object() const noexcept;
     [[nodiscard]] bool is_text() const noexcept;
+    [[nodiscard]] bool is_list() const noexcept;
 
     /// The value as what it must be; hts::Error that says what it is otherwise.
     [[nodiscard]] double number() const;
     [[nodiscard]] std::string text() const;
+    [[nodiscard]] bool boolean() const;
+    /// The elements of a list, which know their places: "path: key "materials[2]"".
+    [[nodiscard]] std::vector<JsonValue> items() const;
     /// A list of at least one list of as many numbers as there are column names.
     [[nodiscard]] std::vector<Row> rows(const std::vector<std::string>& columns) const;
 

@@ -47,6 +47,9 @@ class SpectralReflectance {
     /// Memory of this object alone; the table of Phi, hts::phi_table_bytes(tolerance()), is shared by all.
     [[nodiscard]] std::size_t bytes() const noexcept { return prepared_.bytes(); }
 
+    /// What evaluates brdf and mueller, for calls on the caller's own threads.
+    [[nodiscard]] const PreparedReflectance& prepared() const noexcept { return prepared_; }
+
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per wavelength.
     [[nodiscard]] std::vector<double> brdf(const DirectionPair& pair) const;
     /// The same into `result` of size() values, else hts::Error; allocates nothing.

@@ -9,6 +9,7 @@
 #include "spectral/json_value.hpp"
 #include "spectral/material_files.hpp"
 #include "spectral/material_json.hpp"
+#include "spectral/reflector_json.hpp"
 #include "spectral/text.hpp"
 
 namespace hts::spectral {
@@ -97,14 +98,18 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
     return value_at(value_, range_of(value_).admit(wavelength, policy, "diffuse albedo"));
 }
 
-Reflector read_reflector(const std::filesystem::path& path) {
-    const JsonValue file = JsonValue::read(path);
-    require_known_model(file["model"]);
-    file.require_keys_among(
+Reflector reflector_from_json(const JsonValue& description, const std::filesystem::path& folder,
+                              const std::string& default_name) {
+    require_known_model(description["model"]);
+    description.require_keys_among(
         {"name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"});
-    const auto name = file.find("name");
-    return {name ? name->text() : path.stem().string(), surface_from(file),
-            material_from(file["index"], path.parent_path()), albedo_from(file.find("diffuse_albedo"))};
+    const auto name = description.find("name");
+    return {name ? name->text() : default_name, surface_from(description),
+            material_from(description["index"], folder), albedo_from(description.find("diffuse_albedo"))};
+}
+
+Reflector read_reflector(const std::filesystem::path& path) {
+    return reflector_from_json(JsonValue::read(path), path.parent_path(), path.stem().string());
 }
 
 }  // namespace hts::spectral

@@ -1,0 +1,244 @@
+// hts plan: for every material of a scene the cheapest evaluator that is exact enough, as measured.
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/output.hpp"
+#include "cli/plan_cost.hpp"
+#include "cli/table_writer.hpp"
+#include "cli/usage.hpp"
+#include "cli/verbs.hpp"
+#include "hts/error.hpp"
+#include "hts/phi.hpp"
+#include "spectral/plan.hpp"
+
+namespace hts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using spectral::MeasuredRung;
+using spectral::Plan;
+using spectral::Rung;
+
+constexpr auto help = R"(
+A scene file (JSON) lists material files, wavelengths, the largest polar angles of lights
+and views, what is wanted (spectral or rgb, polarised or not), a tolerance
+(relative_brdf_error or delta_e_2000) and a memory budget; spectral/scene.hpp has every
+key. For each material the plan leaves out what the tolerance allows: the lobe or its
+full series, the mirror term, for colours wavelengths. Errors are measured on random
+directions of the scene against the full model; spectral/plan.hpp defines them.
+--output writes the plan for hts eval --plan and for the library; --check measures a plan
+again, with another --seed, and exits with 1 if an error exceeds the tolerance.
+
+Examples:
+  hts plan figure-14.json
+  hts plan figure-14.json --tolerance 1e-6 --output plan.json
+  hts plan --check plan.json --seed 2)";
+
+struct PlanOptions {
+    std::string scene, check, output;
+    std::optional<double> tolerance;
+    std::optional<std::uint64_t> seed;
+    std::optional<std::size_t> pairs;
+    bool json = false;
+};
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+    std::snprintf(text.data(), text.size() + 1, format, values...);
+    return text;
+}
+
+std::string in_words(const Rung& rung) {
+    std::string lobe;
+    switch (rung.lobe) {
+        case DiffuseLobe::none:
+            lobe = "no lobe";
+            break;
+        case DiffuseLobe::first_order:
+            lobe = "first order in g";
+            break;
+        case DiffuseLobe::rough_limit:
+            lobe = "rough limit";
+            break;
+        case DiffuseLobe::full:
+            lobe = "full Phi at " + shortest(rung.lobe_tolerance.relative_error());
+            break;
+    }
+    const std::size_t count = rung.wavelengths.size();
+    return lobe + (rung.specular ? ", mirror term, " : ", no mirror term, ") + std::to_string(count) +
+           (count == 1 ? " wavelength" : " wavelengths");
+}
+
+std::string in_words(const spectral::MeasuredError& error) {
+    return formatted("worst %.3g, 99 %% below %.3g", error.worst, error.percentile_99);
+}
+
+// ---- the report of a new plan
+
+struct MaterialCost {
+    PlanCost chosen, full;
+};
+
+std::vector<MaterialCost> costs(const Plan& plan) {
+    std::vector<MaterialCost> result;
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        const spectral::Reflector& material = plan.scene.materials[i];
+        result.push_back({plan_cost(plan.scene, material, plan.materials[i].choice.rung),
+                          plan_cost(plan.scene, material, full_model(plan.scene, material).rung())});
+    }
+    return result;
+}
+
+bool has_uniform_term(const spectral::Scene& scene, const spectral::Reflector& material) {
+    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
+        if (material.albedo(scene.wavelengths[i], scene.outside_range) > 0) return true;
+    }
+    return false;
+}
+
+std::string terms(const spectral::Scene& scene, const spectral::Reflector& material) {
+    return std::string{has_uniform_term(scene, material) ? ", uniform term" : ", no uniform term (a = 0)"} +
+           (scene.polarised ? ", Mueller" : ", scalar");
+}
+
+std::string report(const Plan& plan, std::size_t i, const spectral::PlannedReflectance& evaluator,
+                   const MaterialCost& cost) {
+    const spectral::PlannedMaterial& material = plan.materials[i];
+    const PlanCost &now = cost.chosen, &full = cost.full;
+    std::string text = material.name + ": " + in_words(material.choice.rung) +
+                       terms(plan.scene, plan.scene.materials[i]) + "\n";
+    text += "  error     " + in_words(material.choice.error) + "\n";
+    text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
+                      now.diffuse, full.diffuse, full.diffuse / now.diffuse);
+    text += formatted("            directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
+                      now.directions, now.phi, now.rest, now.interpolation);
+    text += plan.scene.illuminant ? formatted("; colour %.0f more\n", now.colour) : "\n";
+    text +=
+        formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror, full.mirror);
+    text += "  memory    " + std::to_string(evaluator.bytes()) + " bytes\n";
+    for (const MeasuredRung& rung : material.rejected) {
+        text += (&rung == &material.rejected.front() ? "  rejected  " : "            ") +
+                in_words(rung.rung) + ": " + in_words(rung.error) + "\n";
+    }
+    return text;
+}
+
+std::string report(const Plan& plan) {
+    const auto evaluators = plan.evaluators();
+    const auto cost = costs(plan);
+    std::string text = formatted("tolerance %g (%s), measured on %zu pairs of directions, seed %llu\n",
+                                 plan.tolerance, name(plan.scene.measure), plan.sampling.pairs,
+                                 static_cast<unsigned long long>(plan.sampling.seed));
+    for (std::size_t i = 0; i < evaluators.size(); ++i) {
+        text += report(plan, i, evaluators[i], cost[i]);
+    }
+    return text + "all together " + std::to_string(plan.bytes()) +
+           " bytes, with the tables of Phi they share\n";
+}
+
+nlohmann::ordered_json object(const PlanCost& cost) {
+    return {{"diffuse_ns", cost.diffuse},
+            {"mirror_ns", cost.mirror},
+            {"colour_ns", cost.colour},
+            {"phi_ns", cost.phi},
+            {"directions_ns", cost.directions},
+            {"rest_ns", cost.rest},
+            {"interpolation_ns", cost.interpolation}};
+}
+
+std::string json_report(const Plan& plan, const fs::path& folder) {
+    nlohmann::ordered_json costs_of_all = nlohmann::ordered_json::array();
+    const auto evaluators = plan.evaluators();
+    const auto cost = costs(plan);
+    for (std::size_t i = 0; i < cost.size(); ++i) {
+        costs_of_all.push_back({{"name", evaluators[i].name()},
+                                {"bytes", evaluators[i].bytes()},
+                                {"chosen", object(cost[i].chosen)},
+                                {"full_model", object(cost[i].full)}});
+    }
+    const nlohmann::ordered_json result{{"plan", nlohmann::ordered_json::parse(plan_text(plan, folder))},
+                                        {"costs", costs_of_all}};
+    return result.dump(2) + "\n";
+}
+
+void plan_scene(const PlanOptions& options) {
+    const spectral::Scene scene = spectral::read_scene(options.scene);
+    const double tolerance = options.tolerance.value_or(scene.tolerance);
+    if (options.tolerance) from_option("--tolerance", [&] { require_tolerance(scene.measure, tolerance); });
+    spectral::PlanSampling sampling;
+    sampling.seed = options.seed.value_or(sampling.seed);
+    sampling.pairs = options.pairs.value_or(sampling.pairs);
+    const Plan plan = make_plan(scene, sampling, tolerance);
+    const fs::path folder = fs::path{options.output}.parent_path();
+    if (!options.output.empty()) write_file(options.output, plan_text(plan, folder));
+    write_file("-", options.json ? json_report(plan, folder) : report(plan));
+}
+
+// ---- the check of an old one
+
+void write_check(const Plan& plan, const std::vector<spectral::MeasuredError>& errors, bool json) {
+    Output output{"-"};
+    TableWriter table{output,
+                      json ? Format::json : Format::csv,
+                      {"material", "planned_worst", "worst", "error_99_percent", "tolerance", "verdict"}};
+    std::string text;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        TableWriter::Row row{table, text};
+        row.field(plan.materials[i].name).field(shortest(plan.materials[i].choice.error.worst));
+        row.field(shortest(errors[i].worst)).field(shortest(errors[i].percentile_99));
+        row.field(shortest(plan.tolerance))
+            .word(errors[i].worst <= plan.tolerance ? "met" : "exceeded")
+            .end();
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+void check_plan(const PlanOptions& options) {
+    const Plan plan = spectral::read_plan(options.check);
+    const spectral::PlanSampling sampling{options.seed.value_or(plan.sampling.seed + 1),
+                                          options.pairs.value_or(plan.sampling.pairs)};
+    const auto errors = measured_errors(plan, sampling);
+    write_check(plan, errors, options.json);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (errors[i].worst <= plan.tolerance) continue;
+        throw Error{options.check + ": " + plan.materials[i].name + ": error " + shortest(errors[i].worst) +
+                    ": must be <= " + shortest(plan.tolerance)};
+    }
+}
+
+void run(const PlanOptions& options) {
+    if (options.scene.empty() == options.check.empty()) {
+        throw UsageError{"scene file or --check: must be given, one of them"};
+    }
+    if (!options.check.empty() && (options.tolerance || !options.output.empty())) {
+        throw UsageError{"--check: must not come with --tolerance or --output"};
+    }
+    options.check.empty() ? plan_scene(options) : check_plan(options);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("plan", "the cheapest evaluators that a scene's tolerance allows");
+    auto options = std::make_shared<PlanOptions>();
+    verb->add_option("scene", options->scene, "scene file (JSON)");
+    verb->add_option("--output,-o", options->output, "plan file to write (JSON)");
+    verb->add_option("--tolerance", options->tolerance, "instead of the scene's, in its measure");
+    verb->add_option("--check", options->check, "plan file to measure again");
+    verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
+        ->check(CLI::Range(0., 0x1p53));
+    verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192");
+    verb->add_flag("--json", options->json, "print JSON: the plan and the costs, or the check");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,28 @@
+/// What the evaluators of a plan cost, and where the time goes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "spectral/plan.hpp"
+
+namespace hts::cli {
+
+/// Nanoseconds of processor time on one core: medians, with the clock's and the machine's scatter.
+struct PlanCost {
+    double
+        diffuse;  ///< both diffuse terms at all wavelengths, a pair of directions (scalar: in batches of 256)
+    double mirror;  ///< the mirror term at all wavelengths, a direction of light; 0 where it is dropped
+    double colour;  ///< from a spectrum to its colour; 0 for spectra
+    // What `diffuse` is made of:
+    double directions;     ///< what the wavelengths share: shadowing, effective roughness
+    double phi;            ///< the full Phi instead of one exponential
+    double rest;           ///< Fresnel, the rest of the lobe, the uniform term
+    double interpolation;  ///< from the rung's wavelengths to the scene's; not spent on colours
+};
+
+/// Measures the evaluator of a rung on random pairs.
+[[nodiscard]] PlanCost plan_cost(const spectral::Scene& scene, const spectral::Reflector& material,
+                                 const spectral::Rung& rung);
+
+}  // namespace hts::cli

@@ -1,0 +1,192 @@
+#include "spectral/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "hts/phi.hpp"
+#include "hts/tolerance.hpp"
+#include "spectral/planning_error.hpp"
+
+namespace hts::spectral {
+namespace {
+
+/// A form of the lobe and its relative cost per wavelength, about as measured: for the order of the ladder only.
+struct LobeForm {
+    DiffuseLobe lobe;
+    double tolerance;
+    double cost;
+};
+constexpr double specular_cost = 1;
+constexpr std::array lobe_forms{
+    LobeForm{DiffuseLobe::none, 1e-3, 1},          LobeForm{DiffuseLobe::first_order, 1e-3, 5},
+    LobeForm{DiffuseLobe::rough_limit, 1e-3, 5.5}, LobeForm{DiffuseLobe::full, 1e-3, 9},
+    LobeForm{DiffuseLobe::full, 1e-6, 11},         LobeForm{DiffuseLobe::full, 1e-12, 100},
+};
+
+struct LadderStep {
+    Rung rung;
+    double cost;
+};
+
+WavelengthGrid equally_spaced_in_inverse_square(double first_um, double last_um, std::size_t count) {
+    std::vector<double> um{first_um};
+    for (std::size_t i = 1; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+        um.push_back(1 / std::sqrt(std::lerp(1 / (first_um * first_um), 1 / (last_um * last_um), share)));
+    }
+    um.back() = last_um;
+    return WavelengthGrid::from_micrometres(std::move(um));
+}
+
+/// Wavelengths at which the model may be evaluated: one, some over the scene's range, the scene's.
+std::vector<WavelengthGrid> grids(const Scene& scene) {
+    const auto um = scene.wavelengths.micrometres();
+    const double first = um.front(), last = um.back();
+    std::vector<WavelengthGrid> grids;
+    if (!scene.polarised && um.size() > 1)
+        grids.push_back(WavelengthGrid::from_micrometres({um[um.size() / 2]}));
+    for (std::size_t count = 2;
+         !scene.polarised && count < um.size() && count <= PlannedReflectance::most_nodes; ++count) {
+        grids.push_back(equally_spaced_in_inverse_square(first, last, count));
+        if (count > 2) grids.push_back(WavelengthGrid::linear(first, last, static_cast<int>(count)));
+    }
+    grids.push_back(scene.wavelengths);
+    return grids;
+}
+
+/// All evaluators of a material, cheapest first.
+///   coarsest   tolerance of the full lobe that may be used
+std::vector<LadderStep> ladder(const Scene& scene, double coarsest) {
+    std::vector<LadderStep> steps;
+    for (const WavelengthGrid& grid : grids(scene)) {
+        for (const LobeForm& form : lobe_forms) {
+            if (form.lobe == DiffuseLobe::full && form.tolerance > coarsest) continue;
+            for (const bool specular : {false, true}) {
+                const double each = form.cost + (specular ? specular_cost : 0);
+                steps.push_back({{form.lobe, Tolerance{form.tolerance}, specular, grid},
+                                 each * static_cast<double>(grid.size())});
+            }
+        }
+    }
+    std::stable_sort(steps.begin(), steps.end(),
+                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return steps;
+}
+
+bool same_kind(const Rung& a, const Rung& b) {
+    return a.lobe == b.lobe && a.specular == b.specular &&
+           a.lobe_tolerance.relative_error() == b.lobe_tolerance.relative_error();
+}
+
+/// Keeps the last of each kind of rung, the one nearest to the choice.
+void note(std::vector<Rung>& rejected, Rung rung) {
+    const auto twin = std::find_if(rejected.begin(), rejected.end(),
+                                   [&](const Rung& other) { return same_kind(other, rung); });
+    if (twin == rejected.end()) {
+        rejected.push_back(std::move(rung));
+    } else {
+        *twin = std::move(rung);
+    }
+}
+
+std::vector<MeasuredRung> measured(const Scene& scene, const Reflector& material, const ErrorMeter& meter,
+                                   const std::vector<Rung>& rungs) {
+    std::vector<MeasuredRung> result;
+    for (const Rung& rung : rungs) result.push_back({rung, meter.error({scene, material, rung})});
+    return result;
+}
+
+PlannedMaterial planned(const Scene& scene, const Reflector& material, const PlanSampling& sampling,
+                        double tolerance, double coarsest) {
+    const ErrorMeter meter{scene, material, sampling};
+    const double enough = plan_headroom * tolerance;
+    std::vector<Rung> failed;
+    for (const LadderStep& step : ladder(scene, coarsest)) {
+        const PlannedReflectance candidate{scene, material, step.rung};
+        if (!meter.fails_early(candidate, enough)) {
+            const MeasuredError error = meter.error(candidate);
+            if (error.worst <= enough) {
+                return {material.name, {step.rung, error}, measured(scene, material, meter, failed)};
+            }
+        }
+        note(failed, step.rung);
+    }
+    throw Error{material.name +
+                ": no evaluator meets the tolerance"};  // the last rung is the full model itself
+}
+
+Plan planned(const Scene& scene, const PlanSampling& sampling, double tolerance, double coarsest) {
+    Plan plan{scene, tolerance, sampling, {}};
+    for (const Reflector& material : scene.materials) {
+        plan.materials.push_back(planned(scene, material, sampling, tolerance, coarsest));
+    }
+    return plan;
+}
+
+/// The tolerances of the tables of Phi that a plan uses.
+std::set<double> tables(const Plan& plan) {
+    std::set<double> tolerances;
+    for (const PlannedMaterial& material : plan.materials) {
+        const Rung& rung = material.choice.rung;
+        if (rung.lobe == DiffuseLobe::full) tolerances.insert(rung.lobe_tolerance.relative_error());
+    }
+    return tolerances;
+}
+
+bool fits(const Plan& plan) {
+    return !plan.scene.memory_budget || plan.bytes() <= *plan.scene.memory_budget;
+}
+
+}  // namespace
+
+std::vector<PlannedReflectance> Plan::evaluators() const {
+    std::vector<PlannedReflectance> result;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        result.emplace_back(scene, scene.materials[i], materials[i].choice.rung);
+    }
+    return result;
+}
+
+std::size_t Plan::bytes() const {
+    std::size_t sum = 0;
+    for (const PlannedReflectance& evaluator : evaluators()) sum += evaluator.bytes();
+    for (const double table : tables(*this)) sum += phi_table_bytes(Tolerance{table});
+    return sum;
+}
+
+PlannedReflectance full_model(const Scene& scene, const Reflector& material) {
+    return {scene,
+            material,
+            {DiffuseLobe::full, Tolerance{hts::accuracy::finest_tolerance}, true, scene.wavelengths}};
+}
+
+Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance) {
+    require_tolerance(scene.measure, tolerance);
+    Plan plan = planned(scene, sampling, tolerance, hts::accuracy::coarsest_tolerance);
+    if (fits(plan)) return plan;
+    const std::size_t several_tables = plan.bytes();
+    if (const auto used = tables(plan); used.size() > 1) {  // one table for all takes less
+        plan = planned(scene, sampling, tolerance, *used.begin());
+        if (fits(plan)) return plan;
+    }
+    throw Error{scene.path.string() +
+                ": key \"memory_budget_bytes\": " + std::to_string(*scene.memory_budget) +
+                ": must be >= " + std::to_string(std::min(several_tables, plan.bytes())) +
+                ", what the smallest plan within the tolerance takes"};
+}
+
+std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling) {
+    std::vector<MeasuredError> errors;
+    const auto evaluators = plan.evaluators();
+    for (std::size_t i = 0; i < evaluators.size(); ++i) {
+        const ErrorMeter meter{plan.scene, plan.scene.materials[i], sampling};
+        errors.push_back(meter.error(evaluators[i]));
+    }
+    return errors;
+}
+
+}  // namespace hts::spectral

@@ -1,0 +1,97 @@
+/// Plans: for every material of a scene the cheapest evaluator that is exact enough, as measured.
+///
+/// The planner walks a ladder of evaluators, cheapest first: the directional-diffuse lobe left out, to first order
+/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; and, unless
+/// the scene is polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. It takes the first whose error, measured on random directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance. Order and choice depend
+/// on the scene and the seed alone.
+///
+/// Errors of a pair of directions, the worst over wavelengths and terms:
+///   relative_brdf_error   diffuse terms   |f - f_full| / (f_full + `floor_of_peak` f_peak), f_peak the lobe's largest value
+///                                         in the scene for that theta_i and wavelength: the far tail of a lobe counts as
+///                                         much as it is seen. Polarised: the largest difference of Mueller
+///                                         elements over m00 + `floor_of_peak` f_peak
+///                         mirror term     |rho - rho_full| / (|F|^2 S + a), the share of all that is reflected, since
+///                                         mirror and lobe together reflect |F|^2 S
+///   delta_e_2000          CIEDE2000 between the colours of the radiance factors pi f, and between those of the mirror term's
+///                         reflectance, which is how white surroundings look in it. The white is the perfect diffuser
+///                         under the scene's illuminant; where a highlight is brighter, both colours are
+///                         exposed so that the brighter one has the luminance of that white
+///
+/// Directions: half of the pairs uniform in solid angle over the scene's cap of lights and that of views, half with the view in the
+/// lobe about the mirror direction, and a few at the edges of the caps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "spectral/planned_reflectance.hpp"
+#include "spectral/scene.hpp"
+
+namespace hts::spectral {
+
+/// Share of the tolerance that a measured error may use up; the rest is for directions not drawn.
+inline constexpr double plan_headroom = 0.8;
+/// Weight of the lobe's peak in the denominator of the relative error.
+inline constexpr double floor_of_peak = 1e-3;
+
+/// Random pairs on which a material is measured.
+struct PlanSampling {
+    std::uint64_t seed = 1;    ///< 0 ... 2^53, else hts::Error where it is used
+    std::size_t pairs = 8192;  ///< 1 ... 10^7, else hts::Error where it is used
+};
+
+/// Errors over the pairs; what they are of says the scene's ErrorMeasure.
+struct MeasuredError {
+    double worst;
+    double percentile_99;
+};
+
+/// An evaluator that was measured.
+struct MeasuredRung {
+    Rung rung;
+    MeasuredError error;
+};
+
+/// The choice for one material.
+struct PlannedMaterial {
+    std::string name;
+    MeasuredRung choice;
+    /// What failed before: of each lobe form, with and without mirror term, the rung of the most wavelengths that was
+    /// still cheaper than the choice.
+    std::vector<MeasuredRung> rejected;
+};
+
+struct Plan {
+    Scene scene;
+    double tolerance;  ///< in the scene's measure
+    PlanSampling sampling;
+    std::vector<PlannedMaterial> materials;  ///< in the scene's order
+
+    /// One evaluator per material.
+    [[nodiscard]] std::vector<PlannedReflectance> evaluators() const;
+    /// Memory of the evaluators together with the tables of Phi that they share.
+    [[nodiscard]] std::size_t bytes() const;
+};
+
+/// The full model of a material in a scene: what plans are measured against.
+[[nodiscard]] PlannedReflectance full_model(const Scene& scene, const Reflector& material);
+
+/// Plans a scene.
+///   tolerance   instead of the scene's, in its measure
+/// hts::Error if the cheapest plan takes more than the scene's memory budget; it says how much.
+[[nodiscard]] Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance);
+
+/// Measures the evaluators of a plan again, on other directions.
+[[nodiscard]] std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling);
+
+/// A plan as JSON, for a file in `folder`, from which the scene's path is relative. The same plan gives the same bytes.
+[[nodiscard]] std::string plan_text(const Plan& plan, const std::filesystem::path& folder);
+
+/// Reads a plan file and the scene that it names. hts::Error "path: key "…": …" if it was made by another version of
+/// format or library, or if the scene or its materials have changed since.
+[[nodiscard]] Plan read_plan(const std::filesystem::path& path);
+
+}  // namespace hts::spectral

@@ -1,0 +1,62 @@
+/// What a scene asks of its materials: where from, at which wavelengths, for what purpose and how exactly. It is
+/// what spectral/plan.hpp plans for.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spectral/colour.hpp"
+#include "spectral/reflector.hpp"
+#include "spectral/wavelength_grid.hpp"
+
+namespace hts::spectral {
+
+/// The quantity that must not be wrong by more than the tolerance.
+enum class ErrorMeasure {
+    relative_brdf_error,  ///< of every spectral value, or Mueller element; see spectral/plan.hpp
+    delta_e_2000,         ///< colour difference CIEDE2000 of what a colour sensor sees
+};
+
+/// "relative_brdf_error" or "delta_e_2000".
+[[nodiscard]] const char* name(ErrorMeasure measure) noexcept;
+
+/// A scene as read by `read_scene`, which guarantees what the members say.
+struct Scene {
+    std::filesystem::path path;
+    std::vector<Reflector> materials;  ///< at least one, names differ
+    WavelengthGrid wavelengths;        ///< within the range of every material unless clamped
+    OutsideRange outside_range;
+    double largest_theta_i, largest_theta_r;  ///< [rad] polar angles of lights and views, 0 ... pi/2, > 0
+    bool polarised;                           ///< Mueller matrices are needed
+    std::optional<Illuminant> illuminant;     ///< set if the output is colour, not spectra
+    ErrorMeasure measure;
+    double tolerance;
+    std::optional<std::size_t> memory_budget;  ///< [bytes] for all materials together
+};
+
+/// Legal tolerances: relative_brdf_error from accuracy::finest_tolerance to accuracy::coarsest_tolerance;
+/// delta_e_2000 from 0.001 to 100. hts::Error outside.
+void require_tolerance(ErrorMeasure measure, double tolerance);
+
+/// Reads a scene file (JSON):
+///   {"materials": ["aluminium.json", {"name": "glass", "model": "he", …}],
+///    "wavelengths_um": "0.4:0.7:31", "output": "spectral", "polarised": false,
+///    "largest_theta_i_deg": 80, "largest_theta_r_deg": 80,
+///    "tolerance": {"relative_brdf_error": 1e-2}, "memory_budget_bytes": 1000000}
+/// "materials" are material files, relative to this file, or their content; "wavelengths_um" is text as
+/// WavelengthGrid::parse takes it, or a list; "output" is "spectral" or "rgb", the latter with an optional
+/// "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error and delta_e_2000, the latter for
+/// unpolarised rgb alone. "clamp" (false if left out) takes end values outside a material's wavelength range. "polarised" is
+/// false if left out, and without a budget memory does not count. hts::Error "path: key "…": …" names the key and the
+/// legal range, or what contradicts what.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path);
+
+/// A checksum, 16 hexadecimal digits, of all that a plan depends on: every member but `path`, and of each
+/// material its roughness, and its index and albedo (to 12 digits) at the wavelengths and between them. Files
+/// may be moved or formatted anew without changing it.
+[[nodiscard]] std::string fingerprint(const Scene& scene);
+
+}  // namespace hts::spectral
