@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 
 #include "hts/direction.hpp"
+#include "spectral/random_directions.hpp"
 
 namespace hts::bench {
 
@@ -15,18 +15,13 @@ class Random {
     explicit Random(std::uint64_t seed) : bits_{seed} {}
 
     [[nodiscard]] double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+        return low + (high - low) * spectral::uniform(bits_);
     }
     [[nodiscard]] double logarithmic(double low, double high) {
         return std::exp(uniform(std::log(low), std::log(high)));
     }
     /// Uniform in solid angle over the hemisphere, never at the horizon.
-    [[nodiscard]] Direction direction() {
-        const double cosine = 1 - uniform(0, 1);
-        const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-        const double azimuth = uniform(0, 2 * std::numbers::pi);
-        return Direction::from_vector({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine});
-    }
+    [[nodiscard]] Direction direction() { return spectral::random_direction(bits_); }
 
   private:
     std::mt19937_64 bits_;

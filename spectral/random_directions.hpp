@@ -1,4 +1,4 @@
-/// Random directions that are the same on every machine. Private to planner and command line.
+/// Random directions that are the same on every machine. Private to the planner, the benches and the command line.
 #pragma once
 
 #include <cstdint>
