@@ -1,0 +1,61 @@
+/// Ward's anisotropic lobe (SIGGRAPH 1992) and Duer's correction of it (2005), q the Gaussian of slopes:
+///
+///   Ward        q / (4 pi mx my sqrt(cos theta_i cos theta_r))
+///   Ward-Duer   q / (4 pi mx my cos theta_i cos theta_r)
+///
+/// Normalisation: as printed, q over pi mx my without the cos^4 theta_h of a density of normals, so that each reflects 1 at
+/// normal incidence only in the limit of narrow lobes, less for wide ones.
+/// Flaws: a narrow Ward lobe reflects cos theta_i, so it darkens towards grazing; Ward-Duer has 1 there. At grazing, where
+/// cos theta_i falls below m, both grow beyond 1 without bound, like cos(theta_i)^-1/2 and 1/cos theta_i.
+#pragma once
+
+#include "hts/microfacet/gaussian_slopes.hpp"
+#include "hts/microfacet/lobes.hpp"
+
+namespace hts {
+
+namespace accuracy {
+inline constexpr double ward = 1e-11;  ///< of both lobes, where accuracy::kurt holds
+}
+
+/// What both lobes share: where they draw.
+class SlopeLobe {
+  public:
+    ///   mx, my   slope widths, 1e-6 ... 1e3, else hts::Error
+    SlopeLobe(double mx, double my) : slopes_{mx, my} {}
+
+    [[nodiscard]] const GaussianSlopes& slopes() const noexcept { return slopes_; }
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
+        return slopes_.outgoing_pdf(half_direction(in, out));
+    }
+    [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept {
+        return mirrored(in, slopes_.normal(u1, u2));
+    }
+    [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
+
+  protected:
+    /// q / (4 pi mx my).
+    [[nodiscard]] double height(const Direction& in, const Direction& out) const noexcept;
+
+  private:
+    GaussianSlopes slopes_;
+};
+
+class WardLobe : public SlopeLobe {
+  public:
+    using SlopeLobe::SlopeLobe;
+    ///   error   accuracy::ward
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+};
+
+class WardDuerLobe : public SlopeLobe {
+  public:
+    using SlopeLobe::SlopeLobe;
+    ///   error   accuracy::ward
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+};
+
+using Ward = DiffuseAndLobes<WardLobe>;
+using WardDuer = DiffuseAndLobes<WardDuerLobe>;
+
+}  // namespace hts
