@@ -12,6 +12,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Of Gauss and Kronrod's estimate, which is hundreds of times the error where the BRDF is smooth.
+constexpr double tolerance = 1e-6;
+
 /// Bounds the time where a tolerance cannot be met.
 constexpr std::size_t most_panels = 400;
 
@@ -30,9 +33,9 @@ Panel panel(const Function& f, double from, double to) {
 }
 
 /// Integral over the panels between neighbouring ends; that of the largest error is halved until the errors together are
-/// below tolerance times the sum.
+/// below `relative` times the sum.
 template <class Function>
-double adaptive_integral(const Function& f, const std::vector<double>& ends, double tolerance) {
+double adaptive_integral(const Function& f, const std::vector<double>& ends, double relative) {
     std::vector<Panel> panels;
     for (std::size_t i = 1; i < ends.size(); ++i) {
         if (ends[i] > ends[i - 1]) panels.push_back(panel(f, ends[i - 1], ends[i]));
@@ -43,7 +46,7 @@ double adaptive_integral(const Function& f, const std::vector<double>& ends, dou
         return sum;
     };
     std::make_heap(panels.begin(), panels.end());
-    while (panels.size() < most_panels && total(&Panel::error) > tolerance * std::abs(total(&Panel::value))) {
+    while (panels.size() < most_panels && total(&Panel::error) > relative * std::abs(total(&Panel::value))) {
         std::pop_heap(panels.begin(), panels.end());
         const Panel worst = panels.back();
         const double middle = (worst.from + worst.to) / 2;
@@ -121,10 +124,9 @@ double directional_albedo(const OutgoingBrdf& brdf, const Direction& in) {
         const Meridian meridian{in, phi};
         const auto ends = polar_ends(meridian.horizon(), theta_in, meridian.equal_angles());
         return adaptive_integral([&](double theta) { return meridian.integrand(brdf, theta); }, ends,
-                                 accuracy::directional_albedo / 10);
+                                 tolerance / 10);
     };
-    return adaptive_integral(along, azimuth_ends(std::atan2(in.sin_phi(), in.cos_phi())),
-                             accuracy::directional_albedo);
+    return adaptive_integral(along, azimuth_ends(std::atan2(in.sin_phi(), in.cos_phi())), tolerance);
 }
 
 }  // namespace hts

@@ -15,7 +15,7 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double cook_torrance = 1e-11;  ///< of the lobe, where accuracy::kurt holds
+inline constexpr double cook_torrance = 2.5e-12;  ///< of the lobe, where accuracy::kurt holds
 }
 
 class CookTorranceLobe {

@@ -8,12 +8,12 @@ namespace hts {
 
 namespace accuracy {
 /// Of the three lobes, relative, for exponents 0 ... 1e4, 0 ... 89.9 deg and values above 1e-30.
-inline constexpr double cosine_lobes = 1e-11;
+inline constexpr double cosine_lobes = 3.5e-12;
 }  // namespace accuracy
 
 /// Blinn-Phong, c_n cos^n theta_h.
 ///   normalisation   c_n = (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)): reflects exactly 1 at normal incidence; Blinn has none
-///   flaws           reflects about cos theta_i elsewhere, so it darkens towards grazing
+///   flaws           reflects about cos^2 theta_i elsewhere, so it darkens towards grazing
 class BlinnPhongLobe {
   public:
     ///   exponent   n, 0 ... 1e8, else hts::Error

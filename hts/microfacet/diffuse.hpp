@@ -7,7 +7,7 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double oren_nayar = 4e-15;  ///< relative
+inline constexpr double oren_nayar = 1.4e-15;  ///< relative
 }
 
 /// The same radiance into every direction, albedo/pi. Exact, reciprocal, conserves energy.

@@ -5,8 +5,8 @@
 ///
 /// Normalisation: as printed, q over pi mx my without the cos^4 theta_h of a density of normals, so that each reflects 1 at
 /// normal incidence only in the limit of narrow lobes, less for wide ones.
-/// Flaws: a narrow Ward lobe reflects cos theta_i, so it darkens towards grazing; Ward-Duer has 1 there. At grazing, where
-/// cos theta_i falls below m, both grow beyond 1 without bound, like cos(theta_i)^-1/2 and 1/cos theta_i.
+/// Flaws: a narrow Ward lobe reflects cos theta_i, so it darkens towards grazing; Ward-Duer has 1 there. At grazing, once
+/// cos theta_i is well below m, both grow beyond 1 without bound, like cos(theta_i)^-1/2 and 1/cos theta_i.
 #pragma once
 
 #include "hts/microfacet/gaussian_slopes.hpp"
@@ -15,7 +15,7 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double ward = 1e-11;  ///< of both lobes, where accuracy::kurt holds
+inline constexpr double ward = 7e-12;  ///< of both lobes, where accuracy::kurt holds
 }
 
 /// What both lobes share: where they draw.
