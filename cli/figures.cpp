@@ -18,7 +18,7 @@ namespace {
 constexpr auto help = R"(
 kurt: Figs 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010, the albedo of their model
 against the angle of incidence, and the largest exponent alpha with which it conserves
-energy, against the width m (F = 1). Half a minute.
+energy, against the width m (F = 1). About a minute on one core.
 
 Into the folder go, for each, the picture (.svg), its script (.gnuplot) and its numbers
 (.csv, or .json beside them with --json).

@@ -50,7 +50,7 @@ FigureTable albedo_table(const std::string& stem, const std::vector<std::string>
                          const std::function<double(std::size_t curve, double degrees)>& value) {
     FigureTable table{stem, {"theta_i_deg"}, {}};
     table.columns.insert(table.columns.end(), curves.begin(), curves.end());
-    for (double degrees = 0; degrees < 90; degrees += degrees < 88 ? 2 : 1) {
+    for (double degrees = 0; degrees < 90; degrees += degrees < 87 ? 3 : 1) {
         table.rows.emplace_back(1, degrees);
         table.rows.back().resize(curves.size() + 1);
     }
@@ -89,9 +89,10 @@ std::string plot(const FigureTable& table, const std::vector<std::string>& title
     return script;
 }
 
-std::vector<std::string> texts(const std::string& before, const std::vector<double>& values) {
+std::vector<std::string> texts(const std::string& before, const std::vector<double>& values,
+                               const std::string& after = {}) {
     std::vector<std::string> result;
-    for (const double value : values) result.push_back(before + shortest(value));
+    for (const double value : values) result.push_back(before + shortest(value) + after);
     return result;
 }
 
@@ -102,24 +103,26 @@ Figure figure_2() {
         {albedo_table("figure-2", texts("m_", widths),
                       [&](std::size_t i, double degrees) { return symmetric_albedo(widths[i], degrees); })},
         {}};
-    figure.script = std::string{style} + "set margins 9,3,4,6\n" +
-                    heading("Albedo of the symmetric form (9), after Fig. 2 of Kurt et al. 2010",
-                            "F = 1. A curve per width m of the slopes.") +
-                    albedo_axes +
-                    "set yrange [0:1.1]\nset ylabel 'albedo'\nset key left bottom reverse Left\n" +
-                    unit_line + plot(figure.tables[0], texts("m = ", widths));
+    figure.script =
+        std::string{style} + "set margins 9,14,4,5\n" +
+        heading("Albedo of the symmetric form (9), after Fig. 2 of Kurt et al. 2010",
+                "F = 1. A curve per width m of the slopes.") +
+        albedo_axes +
+        "set yrange [0:1.1]\nset ylabel 'albedo'\nset key at graph 1.02,0.95 left top reverse Left\n" +
+        unit_line + plot(figure.tables[0], texts("m = ", widths));
     return figure;
 }
 
 Figure figure_3() {
     const std::vector<double> widths{0.05, 0.2, 0.5}, alphas{0, 0.1, 0.25, 0.5, 0.75, 1};
     Figure figure{"figure-3", {}, {}};
-    figure.script = std::string{style} +
-                    "set multiplot layout 1,3 margins 0.07,0.98,0.2,0.82 spacing 0.05,0.1\n" +
-                    heading("Albedo of the form with the exponent α, after Fig. 3 of Kurt et al. 2010",
-                            "F = 1. Every curve with α > 0 grows without bound at last, like (cos θ)^-α.") +
-                    albedo_axes +
-                    "set key at screen 0.5,0.02 center bottom horizontal\nset ylabel 'albedo'\n" + unit_line;
+    figure.script =
+        std::string{style} + "set multiplot layout 1,3 margins 0.085,0.98,0.2,0.82 spacing 0.04,0.1\n" +
+        heading("Albedo of the form with the exponent α, after Fig. 3 of Kurt et al. 2010",
+                "F = 1. Every curve with α > 0 grows without bound at last, like (cos θ)^-α.") +
+        albedo_axes +
+        "set key at screen 0.5,0.02 center bottom horizontal maxrows 1\nset ylabel 'albedo' offset 1,0\n" +
+        unit_line;
     for (std::size_t k = 0; k < widths.size(); ++k) {
         const double m = widths[k];
         const std::string stem = "figure-3-m-" + shortest(m);
@@ -160,7 +163,7 @@ double largest_alpha(double m, double degrees) {
 FigureTable plausibility_table() {
     FigureTable table{"plausible-alpha", {"m"}, {}};
     for (const double limit : map_limits) table.columns.push_back("alpha_to_" + shortest(limit) + "_deg");
-    constexpr int widths = 25;
+    constexpr int widths = 21;
     for (int i = 0; i < widths; ++i) {
         table.rows.emplace_back(1, 0.02 * std::pow(100, i / (widths - 1.0)));
         table.rows.back().resize(map_limits.size() + 1, map_top);
@@ -183,13 +186,14 @@ FigureTable plausibility_table() {
 Figure plausibility_map() {
     Figure figure{"plausible-alpha", {plausibility_table()}, {}};
     figure.script =
-        std::string{style} + "set margins 9,3,4,6\n" +
+        std::string{style} + "set margins 9,14,4,5\n" +
         heading("Where the model of Kurt et al. 2010 conserves energy",
                 "F = 1. Below a curve the albedo is at most 1 up to that angle of incidence.") +
         "set logscale x\nset xrange [0.02:2]\nset yrange [0:1]\nset xlabel 'width m of the slopes'\n"
-        "set ylabel 'exponent α'\nset key left top reverse Left\n"
+        "set ylabel 'exponent α'\nset key at graph 1.02,0.95 left top reverse Left\n"
         "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)\n";
-    std::string curves = plot(figure.tables[0], texts("to θ = ", {map_limits.begin(), map_limits.end()}));
+    std::string curves =
+        plot(figure.tables[0], texts("to θ = ", {map_limits.begin(), map_limits.end()}, "°"));
     curves.replace(0, 5,
                    "plot 'plausible-alpha.csv' using 1:4 every ::1 with filledcurves x1 fs solid 0.12 "
                    "noborder lc rgb '#009e73' notitle, \\\n     ");
