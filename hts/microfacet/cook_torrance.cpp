@@ -6,22 +6,14 @@
 namespace hts {
 
 CookTorranceLobe::CookTorranceLobe(double f0, double m)
-    : f0_{checked_reflectance("reflectance f0", f0)}, slopes_{m, m} {}
+    : SlopeLobe{m, m}, f0_{checked_reflectance("reflectance f0", f0)} {}
 
 double CookTorranceLobe::brdf(const Direction& in, const Direction& out) const noexcept {
     const HalfDirection half = half_direction(in, out);
     const double lower = std::min(in.cos_theta(), out.cos_theta());
     const double visible = std::fmin(1, 2 * half.normal.z * lower / half.cos_theta_d);
-    return schlick(f0_, half.cos_theta_d) * slopes_.density(half) * visible /
+    return schlick(f0_, half.cos_theta_d) * slopes().density(half) * visible /
            (4 * in.cos_theta() * out.cos_theta());
-}
-
-double CookTorranceLobe::pdf(const Direction& in, const Direction& out) const noexcept {
-    return slopes_.outgoing_pdf(half_direction(in, out));
-}
-
-Vector3 CookTorranceLobe::draw(const Direction& in, double u1, double u2) const noexcept {
-    return mirrored(in, slopes_.normal(u1, u2));
 }
 
 double CookTorranceLobe::strength(const Direction& in) const noexcept {

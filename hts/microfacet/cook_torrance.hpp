@@ -18,23 +18,20 @@ namespace accuracy {
 inline constexpr double cook_torrance = 2.5e-12;  ///< of the lobe, where accuracy::kurt holds
 }
 
-class CookTorranceLobe {
+class CookTorranceLobe : public SlopeLobe {
   public:
     ///   f0   reflectance at normal incidence, 0 ... 1      m   slope width, 1e-6 ... 1e3; else hts::Error
     CookTorranceLobe(double f0, double m);
 
     [[nodiscard]] double f0() const noexcept { return f0_; }
-    [[nodiscard]] double m() const noexcept { return slopes_.mx(); }
+    [[nodiscard]] double m() const noexcept { return slopes().mx(); }
 
     ///   error   accuracy::cook_torrance
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
     [[nodiscard]] double strength(const Direction& in) const noexcept;
 
   private:
     double f0_;
-    GaussianSlopes slopes_;
 };
 
 using CookTorrance = DiffuseAndLobes<CookTorranceLobe>;

@@ -43,4 +43,12 @@ Vector3 GaussianSlopes::normal(double u1, double u2) const noexcept {
     return {x * cosine, y * cosine, cosine};
 }
 
+double SlopeLobe::pdf(const Direction& in, const Direction& out) const noexcept {
+    return slopes_.outgoing_pdf(half_direction(in, out));
+}
+
+Vector3 SlopeLobe::draw(const Direction& in, double u1, double u2) const noexcept {
+    return mirrored(in, slopes_.normal(u1, u2));
+}
+
 }  // namespace hts

@@ -28,4 +28,19 @@ class GaussianSlopes {
     double mx_, my_;
 };
 
+/// What lobes with such facets share: where they draw.
+class SlopeLobe {
+  public:
+    SlopeLobe(double mx, double my) : slopes_{mx, my} {}
+
+    [[nodiscard]] const GaussianSlopes& slopes() const noexcept { return slopes_; }
+    /// [Kurt10 (20)].
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
+    /// [Kurt10 (16)-(19)].
+    [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
+
+  private:
+    GaussianSlopes slopes_;
+};
+
 }  // namespace hts

@@ -16,20 +16,12 @@ double checked_alpha(double alpha) {
 }  // namespace
 
 KurtLobe::KurtLobe(double f0, double mx, double my, double alpha)
-    : f0_{checked_reflectance("reflectance f0", f0)}, slopes_{mx, my}, alpha_{checked_alpha(alpha)} {}
+    : SlopeLobe{mx, my}, f0_{checked_reflectance("reflectance f0", f0)}, alpha_{checked_alpha(alpha)} {}
 
 double KurtLobe::brdf(const Direction& in, const Direction& out) const noexcept {
     const HalfDirection half = half_direction(in, out);
     const double cosines = std::pow(in.cos_theta() * out.cos_theta(), alpha_);
-    return schlick(f0_, half.cos_theta_d) * slopes_.density(half) / (4 * half.cos_theta_d * cosines);
-}
-
-double KurtLobe::pdf(const Direction& in, const Direction& out) const noexcept {
-    return slopes_.outgoing_pdf(half_direction(in, out));
-}
-
-Vector3 KurtLobe::draw(const Direction& in, double u1, double u2) const noexcept {
-    return mirrored(in, slopes_.normal(u1, u2));
+    return schlick(f0_, half.cos_theta_d) * slopes().density(half) / (4 * half.cos_theta_d * cosines);
 }
 
 double KurtLobe::strength(const Direction& in) const noexcept {

@@ -28,28 +28,22 @@ inline constexpr double kurt = 7e-12;
 }  // namespace accuracy
 
 /// One specular lobe for ks = 1.
-class KurtLobe {
+class KurtLobe : public SlopeLobe {
   public:
     ///   f0      reflectance at normal incidence, 0 ... 1       mx, my   slope widths, 1e-6 ... 1e3
     ///   alpha   exponent of the cosines, 0 ... below 2: from 2 on the albedo is infinite. Else hts::Error
     KurtLobe(double f0, double mx, double my, double alpha);
 
     [[nodiscard]] double f0() const noexcept { return f0_; }
-    [[nodiscard]] const GaussianSlopes& slopes() const noexcept { return slopes_; }
     [[nodiscard]] double alpha() const noexcept { return alpha_; }
 
     /// F D/(4 cos theta_d (cos theta_i cos theta_r)^alpha) [1/sr].
     ///   error   accuracy::kurt
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
-    /// [Kurt10 (20)].
-    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    /// [Kurt10 (16)-(19)].
-    [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
     [[nodiscard]] double strength(const Direction& in) const noexcept;
 
   private:
     double f0_;
-    GaussianSlopes slopes_;
     double alpha_;
 };
 

@@ -18,41 +18,24 @@ namespace accuracy {
 inline constexpr double ward = 7e-12;  ///< of both lobes, where accuracy::kurt holds
 }
 
-/// What both lobes share: where they draw.
-class SlopeLobe {
-  public:
-    ///   mx, my   slope widths, 1e-6 ... 1e3, else hts::Error
-    SlopeLobe(double mx, double my) : slopes_{mx, my} {}
-
-    [[nodiscard]] const GaussianSlopes& slopes() const noexcept { return slopes_; }
-    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
-        return slopes_.outgoing_pdf(half_direction(in, out));
-    }
-    [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept {
-        return mirrored(in, slopes_.normal(u1, u2));
-    }
-    [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
-
-  protected:
-    /// q / (4 pi mx my).
-    [[nodiscard]] double height(const Direction& in, const Direction& out) const noexcept;
-
-  private:
-    GaussianSlopes slopes_;
-};
-
 class WardLobe : public SlopeLobe {
   public:
+    ///   mx, my   slope widths, 1e-6 ... 1e3, else hts::Error
     using SlopeLobe::SlopeLobe;
+
     ///   error   accuracy::ward
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
 };
 
 class WardDuerLobe : public SlopeLobe {
   public:
+    ///   mx, my   slope widths, 1e-6 ... 1e3, else hts::Error
     using SlopeLobe::SlopeLobe;
+
     ///   error   accuracy::ward
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
 };
 
 using Ward = DiffuseAndLobes<WardLobe>;
