@@ -18,6 +18,9 @@ void register_spectral();
 /// wavelengths, without weights, and the density of a given pair.
 void register_sampling();
 
+/// eval/<model>/4, sample/<model>/4 of the models of hts/microfacet/ at 4 wavelengths.
+void register_microfacet();
+
 /// Counters after the loop: items per second and time per item.
 inline void report_items(benchmark::State& state, std::size_t items_per_iteration) {
     const auto items = static_cast<double>(state.iterations()) * static_cast<double>(items_per_iteration);

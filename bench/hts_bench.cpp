@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     if (std::getenv("OMP_NUM_THREADS") == nullptr) omp_set_num_threads(1);
     hts::bench::register_phi();
     hts::bench::register_spectral();
+    hts::bench::register_microfacet();
     hts::bench::register_sampling();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -28,6 +28,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_plan(program);
     hts::cli::add_materials(program);
     hts::cli::add_info(program);
+    hts::cli::add_figures(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
 }

@@ -11,6 +11,7 @@ void add_albedo(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);
+void add_figures(CLI::App& program);
 void add_furnace(CLI::App& program);
 void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);

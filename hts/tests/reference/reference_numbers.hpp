@@ -138,10 +138,11 @@ inline std::string text(const Real& value) {
 /// A CSV file: comment lines, a header, rows of the header's width.
 class Table {
   public:
-    Table(const std::string& path, const std::vector<std::string>& comments, const std::string& header)
+    Table(const std::string& path, const std::vector<std::string>& comments, const std::string& header,
+          const std::string& generator = "generate_reference")
         : path_(path), file_(path) {
         for (const std::string& line : comments) file_ << "# " << line << '\n';
-        file_ << "# made by: generate_reference FOLDER (hts/tests/reference/generate_reference.cpp)\n";
+        file_ << "# made by: " << generator << " FOLDER (hts/tests/reference/" << generator << ".cpp)\n";
         file_ << header << '\n';
     }
     void add(const std::vector<std::string>& cells) {

@@ -1,0 +1,86 @@
+// hts figures: figures of the papers computed anew.
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/figures.hpp"
+#include "cli/folder.hpp"
+#include "cli/gnuplot.hpp"
+#include "cli/table_writer.hpp"
+#include "cli/verbs.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+kurt: Figs 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010, the albedo of their model
+against the angle of incidence, and the largest exponent alpha with which it conserves
+energy, against the width m (F = 1). About a minute on one core.
+
+Into the folder go, for each, the picture (.svg), its script (.gnuplot) and its numbers
+(.csv, or .json beside them with --json).
+
+Example:
+  hts figures kurt --output out/kurt)";
+
+/// Whose figures, and how to make them.
+struct PaperFigures {
+    const char* paper;
+    std::vector<Figure> (*make)();
+};
+
+constexpr std::array papers{PaperFigures{"kurt", kurt_figures}};
+
+struct FiguresOptions {
+    std::string paper, folder;
+    bool json = false;
+};
+
+void write_table(const std::filesystem::path& path, Format format, const FigureTable& numbers) {
+    Output output{path.string()};
+    TableWriter table{output, format, numbers.columns};
+    std::string text;
+    for (const auto& values : numbers.rows) {
+        TableWriter::Row row{table, text};
+        for (const double value : values) row.number(value);
+        row.end();
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+void run(const FiguresOptions& options) {
+    const std::filesystem::path folder{options.folder};
+    make_folder(folder);
+    const auto* const of_paper = std::find_if(
+        papers.begin(), papers.end(), [&](const PaperFigures& each) { return options.paper == each.paper; });
+    for (const Figure& figure : of_paper->make()) {
+        for (const FigureTable& table : figure.tables) {
+            write_table(folder / (table.stem + ".csv"), Format::csv, table);
+            if (options.json) write_table(folder / (table.stem + ".json"), Format::json, table);
+        }
+        const auto picture = folder / (figure.stem + ".svg");
+        draw(picture.string(), figure.script);
+        std::cout << picture.string() << '\n';
+    }
+}
+
+}  // namespace
+
+void add_figures(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("figures", "figures of the papers computed anew, SVG by gnuplot");
+    auto options = std::make_shared<FiguresOptions>();
+    std::vector<std::string> names;
+    for (const PaperFigures& each : papers) names.emplace_back(each.paper);
+    verb->add_option("paper", options->paper, "whose figures")->required()->check(CLI::IsMember(names));
+    verb->add_option("-o,--output", options->folder, "folder for pictures and numbers")->required();
+    verb->add_flag("--json", options->json, "the numbers as JSON too");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

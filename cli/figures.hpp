@@ -1,0 +1,26 @@
+/// The figures of the papers, computed anew: pictures with the numbers in them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hts::cli {
+
+/// Numbers of a figure or of one of its panels.
+struct FigureTable {
+    std::string stem;  ///< of the file: "figure-3"
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> rows;
+};
+
+/// A picture and the numbers in it; the script reads STEM.csv of each table.
+struct Figure {
+    std::string stem;
+    std::vector<FigureTable> tables;
+    std::string script;
+};
+
+/// Figures 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010 and the map of where their model conserves energy.
+[[nodiscard]] std::vector<Figure> kurt_figures();
+
+}  // namespace hts::cli

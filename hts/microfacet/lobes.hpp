@@ -1,0 +1,146 @@
+/// Models made of a diffuse term and weighted lobes, f = kd/pi + sum_l ks_l lobe_l(in, out) [Kurt10 (14)], and how
+/// directions are drawn from them: the sum, its density and its sampling are here once, a model adds the shape of its lobe.
+///
+/// Half directions: the facet that mirrors `in` into `out` has the normal h = (in + out)/|in + out| and sees both under
+/// theta_d, cos theta_d = in.h = out.h. A density p(h) of normals is one of p/(4 cos theta_d) of outgoing directions.
+#pragma once
+
+#include <concepts>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "hts/microfacet/model.hpp"
+
+namespace hts {
+
+/// The facet that mirrors one direction into another, both above the horizon.
+struct HalfDirection {
+    Vector3 normal;      ///< unit length, z > 0
+    double slope_x;      ///< normal.x / normal.z; with slope_y the tangent of theta_h
+    double slope_y;      ///< normal.y / normal.z
+    double cos_theta_d;  ///< in.h = out.h
+};
+
+[[nodiscard]] HalfDirection half_direction(const Direction& in, const Direction& out) noexcept;
+
+/// `in` mirrored by a facet, 2 (in.h) h - in: a unit vector, perhaps below the horizon.
+[[nodiscard]] Vector3 mirrored(const Direction& in, Vector3 normal) noexcept;
+
+/// Schlick's approximation of the Fresnel reflectance, f0 + (1 - f0)(1 - cos)^5 [Kurt10 (12)].
+[[nodiscard]] double schlick(double f0, double cosine) noexcept;
+
+/// The strength (see LobeShape) of a lobe with Schlick's reflectance: that at the angle of incidence, at least 0.05, since
+/// facets at other angles reflect even where this one is 0.
+[[nodiscard]] double schlick_strength(double f0, const Direction& in) noexcept;
+
+/// Unit vector of polar angle theta and azimuth phi with cos theta = `base`^(1/(exponent + 1)): for a uniform base in
+/// (0, 1] the density of theta is (exponent + 1) cos^exponent theta sin theta.
+[[nodiscard]] Vector3 cosine_power_vector(double base, double exponent, double cos_phi,
+                                          double sin_phi) noexcept;
+
+/// Unit vector with the density cos theta / pi over the hemisphere.
+[[nodiscard]] Vector3 cosine_vector(double u1, double u2) noexcept;
+
+/// Whether both are above the horizon; a cosine below 1e-30 counts as on it, so that no product of cosines underflows.
+[[nodiscard]] bool above_horizon(const Direction& in, const Direction& out) noexcept;
+
+/// Checks of parameters; each returns its value or throws hts::Error naming the quantity.
+[[nodiscard]] double checked_reflectance(const char* quantity, double value);   ///< 0 ... 1
+[[nodiscard]] double checked_reflectivity(const char* quantity, double value);  ///< 0 ... 1e6
+[[nodiscard]] double checked_exponent(const char* quantity, double value);      ///< 0 ... 1e8
+
+/// A direction that a model drew, with the model's own weight and density; nothing drawn if it lies below the horizon.
+template <ReflectanceModel Model>
+[[nodiscard]] DrawnDirection weighted(const Model& model, const Direction& in, Vector3 drawn) noexcept {
+    const DrawnDirection nothing{in.mirror(), 0, 0};
+    if (!(drawn.z > 0)) return nothing;
+    const Direction out = Direction::from_vector(drawn);
+    const double pdf = model.pdf(in, out);
+    if (!(pdf > 0)) return nothing;
+    return {out, model.brdf(in, out) * out.cos_theta() / pdf, pdf};
+}
+
+/// The shape of a lobe, for reflectivity 1 and directions above the horizon.
+///   brdf       [1/sr]
+///   pdf        [1/sr] of `draw`; its integral over the hemisphere is at most 1
+///   draw       a unit vector from two uniform numbers, perhaps below the horizon
+///   strength   about the lobe's albedo, by which one lobe is chosen rather than another   [1]   >= 0
+template <class Shape>
+concept LobeShape = requires(const Shape& shape, const Direction& in, const Direction& out, double u) {
+    { shape.brdf(in, out) }
+    noexcept->std::same_as<double>;
+    { shape.pdf(in, out) }
+    noexcept->std::same_as<double>;
+    { shape.draw(in, u, u) }
+    noexcept->std::same_as<Vector3>;
+    { shape.strength(in) }
+    noexcept->std::same_as<double>;
+};
+
+/// A lobe and its specular reflectivity.
+template <LobeShape Shape>
+struct WeightedLobe {
+    double ks;  ///< [1]
+    Shape shape;
+};
+
+/// A Lambertian term and any number of lobes.
+template <LobeShape Shape>
+class DiffuseAndLobes {
+  public:
+    ///   kd   diffuse albedo, 0 ... 1      ks   of each lobe, 0 ... 1e6; else hts::Error
+    DiffuseAndLobes(double kd, std::vector<WeightedLobe<Shape>> lobes)
+        : kd_{checked_reflectance("diffuse albedo kd", kd)}, lobes_{std::move(lobes)} {
+        for (const auto& lobe : lobes_)
+            static_cast<void>(checked_reflectivity("specular reflectivity ks", lobe.ks));
+    }
+
+    [[nodiscard]] double kd() const noexcept { return kd_; }
+    [[nodiscard]] const std::vector<WeightedLobe<Shape>>& lobes() const noexcept { return lobes_; }
+
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        if (!above_horizon(in, out)) return 0;
+        double sum = kd_ / pi;
+        for (const auto& lobe : lobes_) sum += lobe.ks * lobe.shape.brdf(in, out);
+        return sum;
+    }
+
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
+        const double all = strength(in);
+        if (!above_horizon(in, out) || !(all > 0)) return 0;
+        double sum = kd_ * out.cos_theta() / pi;
+        for (const auto& lobe : lobes_) sum += lobe.ks * lobe.shape.strength(in) * lobe.shape.pdf(in, out);
+        return sum / all;
+    }
+
+    /// A lobe is chosen in proportion to its strength, then a direction from it.
+    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+        return weighted(*this, in, draw(in, u));
+    }
+
+    /// What `sample` draws, without its weight: a unit vector, perhaps below the horizon.
+    [[nodiscard]] Vector3 draw(const Direction& in, const Uniforms& u) const noexcept {
+        double left = u[0] * strength(in) - kd_;
+        for (const auto& lobe : lobes_) {
+            if (left < 0) break;
+            left -= lobe.ks * lobe.shape.strength(in);
+            if (left < 0) return lobe.shape.draw(in, u[1], u[2]);
+        }
+        return cosine_vector(u[1], u[2]);
+    }
+
+  private:
+    static constexpr double pi = std::numbers::pi;
+
+    [[nodiscard]] double strength(const Direction& in) const noexcept {
+        double sum = kd_;
+        for (const auto& lobe : lobes_) sum += lobe.ks * lobe.shape.strength(in);
+        return sum;
+    }
+
+    double kd_;
+    std::vector<WeightedLobe<Shape>> lobes_;
+};
+
+}  // namespace hts
