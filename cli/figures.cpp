@@ -20,11 +20,17 @@ kurt: Figs 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010, the albedo of their
 against the angle of incidence, and the largest exponent alpha with which it conserves
 energy, against the width m (F = 1). About a minute on one core.
 
+walter: Figs 2, 8, 10, 11, 13 and 14 of Walter, Marschner, Li and Torrance 2007, normals,
+shadowing and light through four rough glasses. Theory alone: the measured points are not
+at hand. Angles of transmission are positive on the side that light is refracted to; a
+lobe ends where the facet that would refract there is vertical.
+
 Into the folder go, for each, the picture (.svg), its script (.gnuplot) and its numbers
 (.csv, or .json beside them with --json).
 
 Example:
-  hts figures kurt --output out/kurt)";
+  hts figures kurt --output out/kurt
+  hts figures walter --output out/walter)";
 
 /// Whose figures, and how to make them.
 struct PaperFigures {
@@ -32,7 +38,7 @@ struct PaperFigures {
     std::vector<Figure> (*make)();
 };
 
-constexpr std::array papers{PaperFigures{"kurt", kurt_figures}};
+constexpr std::array papers{PaperFigures{"kurt", kurt_figures}, PaperFigures{"walter", walter_figures}};
 
 struct FiguresOptions {
     std::string paper, folder;

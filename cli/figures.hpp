@@ -20,6 +20,9 @@ struct Figure {
     std::string script;
 };
 
+/// Figures 2, 8, 10, 11, 13 and 14 of Walter, Marschner, Li and Torrance 2007, theory alone.
+[[nodiscard]] std::vector<Figure> walter_figures();
+
 /// Figures 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010 and the map of where their model conserves energy.
 [[nodiscard]] std::vector<Figure> kurt_figures();
 

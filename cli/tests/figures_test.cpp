@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
-
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "command.hpp"
@@ -31,4 +33,24 @@ TEST_CASE("hts figures kurt draws the albedo and where it stays below 1 (HTS_EXH
         CHECK(std::stod(rows[1][column]) == Approx(0.5).epsilon(2e-3));
     }
     CHECK(std::stod(rows.back()[4]) < std::stod(rows.back()[3]));
+}
+
+TEST_CASE("hts figures walter draws normals, shadowing and lobes with their numbers") {
+    const Workplace place;
+    const auto result = place.hts("figures walter --output walter --json");
+    CHECK(result.exit_code == 0);
+    CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 6);
+    for (const std::string figure : {"2", "8", "10", "11", "13", "14"}) {
+        INFO(figure);
+        CHECK(place.read("walter/figure-" + figure + ".svg").find("</svg>") != std::string::npos);
+    }
+    // light at 0 deg through ground glass, straight on, times the paper's scale
+    const auto rows = cells(place.read("walter/figure-10-lobes.csv"));
+    CHECK(rows[0][0] == "theta_o_deg");
+    CHECK(rows[0][2] == "ggx_0_deg");
+    REQUIRE(rows[121][0] == "0");
+    const double eta = 1.51;
+    CHECK(std::stod(rows[121][2]) == Approx(0.755 * 4 * std::pow(eta, 3) / std::pow(eta * eta - 1, 2) /
+                                            (3.14159265358979 * 0.394 * 0.394)));
+    CHECK(nlohmann::json::accept(place.read("walter/figure-8-shadowing.json")));
 }

@@ -72,10 +72,10 @@ class Cells {
         std::map<Cell, double> result;
         for (std::size_t i = 0; i + 1 < thetas_.size(); ++i) {
             const auto& row = azimuths_[i];
-            const double width = std::min(middle_width(thetas_), middle_width(row));
             for (std::size_t j = 0; j + 1 < row.size(); ++j) {
                 const Patch patch{thetas_[i], thetas_[i + 1], row[j], row[j + 1]};
-                result[{i, j}] = integral(density, patch, {theta, 0, width}, 1e-5);
+                result[{i, j}] =
+                    integral(density, patch, {theta, 0, middle_width(thetas_), middle_width(row)}, 1e-5);
             }
         }
         return result;
@@ -101,7 +101,7 @@ double integral(const OnSphere& f, const Patch& patch, const Peak& peak, double 
     auto thetas = edges(patch.theta0, patch.theta1, peak.theta, peak.width);
     if (patch.theta0 < pi / 2 && patch.theta1 > pi / 2) thetas.push_back(pi / 2);
     std::sort(thetas.begin(), thetas.end());
-    const auto azimuths = edges(patch.phi0, patch.phi1, peak.phi, peak.width);
+    const auto azimuths = edges(patch.phi0, patch.phi1, peak.phi, peak.width_phi);
     double sum = 0;
     for (std::size_t i = 1; i < thetas.size(); ++i) {
         for (std::size_t j = 1; j < azimuths.size(); ++j) {
@@ -132,21 +132,23 @@ double Fit::deviation_of_sum(std::size_t count) const {
     return std::abs(total + none - 1) / (std::sqrt(std::max(none * n, 1.0)) / n + 2e-6);
 }
 
-Fit fit_of(const std::function<std::optional<Angles>()>& draw, const OnSphere& density, std::size_t count) {
+Fit fit_of(const std::function<Draw()>& draw, const OnSphere& density, std::size_t count, double delta) {
     std::vector<Angles> pilot;
     for (int i = 0; i < 12000; ++i) {
-        if (const auto drawn = draw()) pilot.push_back(*drawn);
+        if (const Draw drawn = draw(); drawn.angles) pilot.push_back(*drawn.angles);
     }
     const Cells cells{pilot};
     std::map<Cells::Cell, double> found;
     double none = 0;
+    double deltas = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto drawn = draw();
-        (drawn ? found[cells.of(*drawn)] : none) += 1;
+        const Draw drawn = draw();
+        (drawn.angles ? found[cells.of(*drawn.angles)] : drawn.delta ? deltas : none) += 1;
     }
     const auto n = static_cast<double>(count);
     ChiSquared fit;
-    double total = 0;
+    fit.add(n * delta, deltas);
+    double total = delta;
     for (const auto& [cell, probability] : cells.probabilities(density)) {
         fit.add(n * probability, found[cell]);
         total += probability;

@@ -25,12 +25,21 @@ struct Patch {
 /// horizon too.
 struct Peak {
     double theta, phi, width;
+    double width_phi = width;
 };
 [[nodiscard]] double integral(const OnSphere& f, const Patch& patch, const Peak& peak, double tolerance);
 
-/// A direction drawn; phi in -pi ... pi, best with the lobe about 0.
+/// Where a draw fell; phi in -pi ... pi, best with the lobe about 0.
 struct Angles {
     double theta, phi;
+};
+
+/// What was drawn: a direction with a density, the direction of a delta, or nothing.
+struct Draw {
+    Draw(std::optional<Angles> direction = {}, bool of_delta = false) : angles{direction}, delta{of_delta} {}
+
+    std::optional<Angles> angles;
+    bool delta;
 };
 
 /// Pearson's statistic with cells pooled up to 10 expected draws.
@@ -48,14 +57,15 @@ class ChiSquared {
 /// How well draws fit.
 struct Fit {
     double p_value;  ///< the draws that gave none count as a cell of their own
-    double total;    ///< integral of the density
+    double total;    ///< integral of the density, and the probability of the delta
     double none;     ///< share of draws that gave none
     /// total + none, from 1, in standard errors.
     [[nodiscard]] double deviation_of_sum(std::size_t count) const;
 };
 
 /// Draws `count` times, first 12000 more to find the cells.
-[[nodiscard]] Fit fit_of(const std::function<std::optional<Angles>()>& draw, const OnSphere& density,
-                         std::size_t count);
+///   delta   probability of the delta
+[[nodiscard]] Fit fit_of(const std::function<Draw()>& draw, const OnSphere& density, std::size_t count,
+                         double delta = 0);
 
 }  // namespace hts::testing

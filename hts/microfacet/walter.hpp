@@ -1,0 +1,190 @@
+/// Rough conductors and dielectrics as facets that reflect and refract, each as a small plane interface: Walter, Marschner,
+/// Li, Torrance, Microfacet models for refraction through rough surfaces, EGSR 2007 [Walter07]. Geometric optics, single
+/// scattering, unpolarised light.
+///
+///   reflection   f_r = F G D(h_r) / (4 (i.n)(o.n))                                                       (20)
+///   refraction   f_t = |i.h_t||o.h_t|/((i.n)(o.n)) eta_o^2 (1 - F) G D(h_t) / |eta_i i + eta_o o|^2       (21)
+///
+/// i points towards the light, o towards the viewer, n on the side of i; G = G_1(i) G_1(o) (23), D and G_1 from
+/// distribution.hpp. `WalterBrdf` is reflection from the front alone, off metals and glass alike, and a ReflectanceModel;
+/// `WalterBsdf` is both, on both sides of a rough interface of two transparent media.
+///
+/// Energy. Light that facets send into other facets is lost. With F = 1 the albedo is the mean of G_1(o) over the visible
+/// normals whose reflection leaves, so it is at most 1 (SmithForm::exact): at alpha 0.5 Beckmann keeps 0.943 of the
+/// light at 0 deg and 0.918 at 80 deg, GGX 0.688 and 0.747 (hts/tests/reference/walter_furnace.csv).
+///
+/// Roughness to none. As alpha -> 0 the lobes become those of a mirror and of Snell's law with Fresnel's shares.
+#pragma once
+
+#include <array>
+
+#include "hts/fresnel.hpp"
+#include "hts/microfacet/distribution.hpp"
+#include "hts/microfacet/model.hpp"
+
+namespace hts {
+
+namespace accuracy {
+/// Of the BRDF and BSDF, relative, for alpha >= 0.01, indices apart by 0.1 or more and lobes above 1e-30 of their peak: the
+/// last bits of the directions, over alpha.
+inline constexpr double microfacet = 1.4e-12;
+inline constexpr double facet_reflectance = 1.7e-15;  ///< absolute
+}  // namespace accuracy
+
+/// The facet that sends one direction into another.
+struct Facet {
+    Vector3 normal;   ///< unit, on the side of `in`; z <= 0 where no facet of the surface does it
+    double cos_in;    ///< in.normal
+    double cos_out;   ///< |out.normal|
+    double jacobian;  ///< solid angle of normals per solid angle of `out`, (14) or (17)
+};
+
+/// Reflection: h_r of (13). Both directions above the horizon.
+[[nodiscard]] Facet mirror_facet(const Direction& in, const Direction& out) noexcept;
+
+/// What a facet reflects of unpolarised light, `fresnel(...).unpolarised_reflectance()` in real arithmetic, which is quicker.
+///   cos_in   0 ... 1    range   0 ... 1; 1 in total reflection
+///   error    accuracy::facet_reflectance, absolute, away from the critical angle
+[[nodiscard]] double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept;
+
+/// Reflection by one side of a rough surface. Its value at many wavelengths costs little more than at one:
+///
+///     const hts::FacetLobe lobe = facet_lobe(facets, in, out);
+///     for (...) brdf[i] = facet_reflectance(lobe.cos_in, index[i]) * lobe.value;
+struct FacetLobe {
+    double cos_in;  ///< cosine of incidence on the facet
+    double value;   ///< G D / (4 (i.n)(o.n)), the BRDF for F = 1 [1/sr]; 0 on the horizon
+};
+
+[[nodiscard]] FacetLobe facet_lobe(const FacetDistribution& facets, const Direction& in,
+                                   const Direction& out) noexcept;
+
+/// Reflection from the front, (20): a ReflectanceModel.
+///
+///     const hts::WalterBrdf gold{hts::FacetDistribution::ggx(0.2), {0.18, 3.4}};
+///     const double f = gold.brdf(hts::Direction::from_degrees(30, 0), hts::Direction::from_degrees(40, 170));
+class WalterBrdf {
+  public:
+    ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0 of glass
+    WalterBrdf(const FacetDistribution& facets, const RefractiveIndex& index,
+               NormalDraw normals = NormalDraw::visible) noexcept
+        : facets_{facets}, index_{index}, normals_{normals} {}
+
+    /// f_r [1/sr]; reciprocal.    error   accuracy::microfacet
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    /// Density of `sample` [1/sr], normal_pdf times the Jacobian (38).
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
+    /// Mirrors `in` at a normal drawn with uniforms 0 and 1 (39). Weight F G |i.m| D/((i.n) p_m), which is (41) times F for
+    /// NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction falls below the horizon.
+    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
+
+  private:
+    FacetDistribution facets_;
+    RefractiveIndex index_;
+    NormalDraw normals_;
+};
+
+static_assert(ReflectanceModel<WalterBrdf>);
+
+/// The side of an interface that a direction points to; its front is where the outward normal +z points.
+enum class Side { front, back };
+
+/// A direction that points away from an interface to either side. `direction` is measured from that side's own normal, so
+/// it is always "above" its side; x and y, and so azimuths, are those of the front. Straight on through the
+/// interface from (theta, phi) leads to the other side's (theta, phi + 180 deg).
+struct SidedDirection {
+    Side side;
+    Direction direction;
+
+    /// In the frame of the front: z < 0 on the back.
+    [[nodiscard]] Vector3 vector() const noexcept {
+        const Vector3 v = direction.vector();
+        return {v.x, v.y, side == Side::front ? v.z : -v.z};
+    }
+};
+
+/// Which way a path is traced, and so what `sample` weights.
+enum class PathFrom {
+    light,  ///< the known direction leads to the light, that drawn to the viewer: photons, with their power
+    eye,    ///< the known direction leads to the viewer, that drawn to the light: radiance is gathered
+};
+
+/// A direction drawn by a BSDF. `weight` and `pdf` are 0 where nothing was drawn.
+struct DrawnScattering {
+    SidedDirection out;
+    double weight;
+    double pdf;  ///< [1/sr]
+};
+
+/// Reflection and refraction by a rough interface of two transparent media, (19), from both sides.
+///
+///     const hts::WalterBsdf glass{hts::FacetDistribution::ggx(0.394), 1.0, 1.51};
+///     const hts::SidedDirection light{hts::Side::front, hts::Direction::from_degrees(30, 0)};
+///     const hts::SidedDirection view{hts::Side::back, hts::Direction::from_degrees(20, 180)};
+///     const double f = glass.bsdf(light, view);
+class WalterBsdf {
+  public:
+    ///   front_index, back_index   real indices of the two media   0.01 ... 100, apart by at least 1e-6 of the
+    ///                             greater, else hts::Error; the error of refraction grows as 1/(their difference)
+    WalterBsdf(const FacetDistribution& facets, double front_index, double back_index,
+               NormalDraw normals = NormalDraw::visible);
+
+    /// Radiance that leaves along `out` per irradiance from `in` [1/sr]: f_r on one side, f_t across. 0 on the horizon.
+    ///   reciprocity   f_r(i, o) = f_r(o, i);  f_t(i, o)/eta_o^2 = f_t(o, i)/eta_i^2. The adjoint, for importance carried
+    ///                 as if it were radiance, is bsdf(out, in)
+    ///   error         accuracy::microfacet
+    [[nodiscard]] double bsdf(const SidedDirection& in, const SidedDirection& out) const noexcept;
+
+    /// Density of `sample` drawing `out`, whichever way the path goes [1/sr].
+    [[nodiscard]] double pdf(const SidedDirection& known, const SidedDirection& out) const noexcept;
+
+    /// Draws a normal with uniforms 0 and 1, reflects where uniform 2 is below its Fresnel reflectance and refracts
+    /// elsewhere: (39), (40) with the square of eta that the first print lacks. Total reflection needs no case of its own.
+    ///   from light   weight bsdf(known, out) cos theta_out / pdf = (41), G_1(out) for visible normals
+    ///   from eye     weight bsdf(out, known) cos theta_out / pdf = the same times (eta_known/eta_out)^2: radiance is
+    ///                compressed into the denser medium
+    [[nodiscard]] DrawnScattering sample(const SidedDirection& known, const Uniforms& uniforms,
+                                         PathFrom from = PathFrom::light) const noexcept;
+
+  private:
+    /// The media as one direction meets them.
+    struct Media {
+        double eta_in, eta_out;
+        RefractiveIndex relative;  // eta_out/eta_in
+    };
+    [[nodiscard]] const Media& media(Side side) const noexcept {
+        return side == Side::front ? front_ : back_;
+    }
+    /// What sends one direction into another: a facet, and F or 1 - F there; a share of 0 where there is none.
+    struct Event {
+        Facet facet;
+        double share;
+    };
+    [[nodiscard]] Event event(const SidedDirection& in, const SidedDirection& out) const noexcept;
+    [[nodiscard]] double share(const Facet& facet, const Media& media, bool reflected) const noexcept;
+
+    FacetDistribution facets_;
+    Media front_, back_;
+    NormalDraw normals_;
+};
+
+/// A glass that the paper measured: widths fitted at normal incidence with index 1.51, and the scale from the fitted
+/// model to its relative measurements (its Fig. 12).
+struct MeasuredGlass {
+    const char* name;
+    double beckmann_scale, beckmann_alpha;
+    double ggx_scale, ggx_alpha;
+
+    /// In air, of the shape of the fit: Beckmann or GGX.
+    [[nodiscard]] WalterBsdf bsdf(FacetShape shape) const;
+};
+
+inline constexpr double measured_glass_index = 1.51;
+inline constexpr std::array<MeasuredGlass, 4> measured_glasses{{
+    {"ground", 0.542, 0.344, 0.755, 0.394},
+    {"frosted", 0.629, 0.400, 0.861, 0.454},
+    {"etched", 0.711, 0.493, 0.955, 0.553},
+    {"antiglare", 0.607, 0.023, 0.847, 0.027},
+}};
+
+}  // namespace hts
