@@ -288,6 +288,7 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
     Random random{94};
     WorstCase weights{"weight from f cos / pdf", 1e-12};
     WorstCase densities{"density of the draw from pdf", 7e-12};
+    WorstCase lengths{"squared length of the direction drawn, from 1", 6e-15};
     for (int i = 0; i < 40000; ++i) {
         const auto facets = random_facets(random);
         const auto where = [&] { return text(facets, 0); };
@@ -303,6 +304,8 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
             weights.note(relative_error(drawn.weight, f * drawn.out.direction.cos_theta() / drawn.pdf),
                          where);
             densities.note(relative_error(drawn.pdf, glass.pdf(known, drawn.out)), where);
+            const auto v = drawn.out.vector();
+            lengths.note(std::abs(dot(v, v) - 1), where);
         }
         const WalterBrdf metal{facets, {0.2, 3}, which};
         const auto mirrored = metal.sample(known.direction, uniforms(random));
@@ -314,6 +317,7 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
     }
     weights.check();
     densities.check();
+    lengths.check();
 }
 
 TEST_CASE("Walter: weights stay within the bounds of the paper and of visible normals") {
