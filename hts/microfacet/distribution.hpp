@@ -69,7 +69,8 @@ class FacetDistribution {
     [[nodiscard]] double density(Vector3 normal) const noexcept;
 
     /// G_1(v), the part of the facets turned towards v that no other hides from it [1].
-    ///   range   (0, 1], 1 along the normal, 0 at the horizon    error   accuracy::facet_shadowing or rational_smith
+    ///   range   (0, 1], 1 along the normal, 0 at the horizon    error   accuracy::facet_shadowing,
+    ///           phong_shadowing or rational_smith
     [[nodiscard]] double shadowing(const Direction& v) const noexcept;
 
     /// A unit normal drawn for light from v.
@@ -77,7 +78,7 @@ class FacetDistribution {
     ///   visible  Beckmann: the slope along v by Newton's method on the logarithm of its distribution function, to
     ///            accuracy::visible_draw; GGX: a cap of the sphere [Dupuy23]; Phong has no such draw and takes the visible
     ///            normals of GGX at the same alpha(), which bounds its weights by 2.7
-    ///   all      (28), (29), (31), (32), (35), (36), with 1 - u0 for Phong's and GGX's xi_1
+    ///   all      (28), (29), (31), (32), (35), (36), with 1 - u0 for Phong's xi_1
     [[nodiscard]] Vector3 normal(const Direction& v, double u0, double u1, NormalDraw which) const noexcept;
 
     /// Density p_m in solid angle of drawing a unit normal m [1/sr]; its integral over all m is 1, rounding apart.
