@@ -104,7 +104,7 @@ Figure figure_2() {
                       [&](std::size_t i, double degrees) { return symmetric_albedo(widths[i], degrees); })},
         {}};
     figure.script =
-        std::string{style} + "set margins 9,14,4,5\n" +
+        std::string{style} + "set margins 9,17,4,5\n" +
         heading("Albedo of the symmetric form (9), after Fig. 2 of Kurt et al. 2010",
                 "F = 1. A curve per width m of the slopes.") +
         albedo_axes +
@@ -121,7 +121,7 @@ Figure figure_3() {
         heading("Albedo of the form with the exponent α, after Fig. 3 of Kurt et al. 2010",
                 "F = 1. Every curve with α > 0 grows without bound at last, like (cos θ)^-α.") +
         albedo_axes +
-        "set key at screen 0.5,0.02 center bottom horizontal maxrows 1\nset ylabel 'albedo' offset 1,0\n" +
+        "set key at graph 0.04,0.46 left top reverse Left samplen 1.5\nset ylabel 'albedo' offset 2,0\n" +
         unit_line;
     for (std::size_t k = 0; k < widths.size(); ++k) {
         const double m = widths[k];
@@ -186,7 +186,7 @@ FigureTable plausibility_table() {
 Figure plausibility_map() {
     Figure figure{"plausible-alpha", {plausibility_table()}, {}};
     figure.script =
-        std::string{style} + "set margins 9,14,4,5\n" +
+        std::string{style} + "set margins 9,17,4,5\n" +
         heading("Where the model of Kurt et al. 2010 conserves energy",
                 "F = 1. Below a curve the albedo is at most 1 up to that angle of incidence.") +
         "set logscale x\nset xrange [0.02:2]\nset yrange [0:1]\nset xlabel 'width m of the slopes'\n"

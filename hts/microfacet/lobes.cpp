@@ -8,7 +8,7 @@ namespace hts {
 
 HalfDirection half_direction(const Direction& in, const Direction& out) noexcept {
     const Vector3 sum = in.vector() + out.vector();
-    const double length = std::hypot(sum.x, sum.y, sum.z);
+    const double length = std::sqrt(dot(sum, sum));
     return {1 / length * sum, sum.x / sum.z, sum.y / sum.z, std::fmin(1, length / 2)};
 }
 
