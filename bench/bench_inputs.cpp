@@ -1,6 +1,7 @@
 #include "bench/bench_inputs.hpp"
 
 #include <cmath>
+#include <random>
 
 #include "bench/random.hpp"
 #include "spectral/material_files.hpp"
@@ -41,6 +42,18 @@ const std::vector<spectral::DirectionPair>& bench_pairs() {
         return drawn;
     }();
     return pairs;
+}
+
+const std::vector<std::array<double, 3>>& bench_uniforms() {
+    static const auto numbers = [] {
+        std::mt19937_64 random{20240603};
+        std::vector<std::array<double, 3>> drawn(bench_inputs);
+        for (auto& u : drawn) {
+            for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
+        }
+        return drawn;
+    }();
+    return numbers;
 }
 
 const spectral::Reflector& bench_reflector() {

@@ -1,6 +1,7 @@
 /// What the benchmarks share: inputs drawn beforehand with a fixed seed, and the surface that is evaluated.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -25,6 +26,9 @@ inline constexpr std::size_t bench_block = 1024;
 
 /// Pairs of directions, each uniform in solid angle over the hemisphere.
 [[nodiscard]] const std::vector<spectral::DirectionPair>& bench_pairs();
+
+/// Numbers to draw directions from, as many as there are pairs.
+[[nodiscard]] const std::vector<std::array<double, 3>>& bench_uniforms();
 
 /// sigma_0 = 0.28 um, tau = 1.77 um: the aluminium of He et al.
 [[nodiscard]] const spectral::Reflector& bench_reflector();

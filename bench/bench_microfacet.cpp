@@ -1,9 +1,7 @@
 // Benchmarks of the models of hts/microfacet/ at four wavelengths: four values of a model that differ in their reflectivities.
 
 #include <array>
-#include <random>
 #include <string>
-#include <vector>
 
 #include "bench/bench_inputs.hpp"
 #include "bench/bench_registrations.hpp"
@@ -18,18 +16,6 @@ namespace {
 
 template <ReflectanceModel Model>
 using FourWavelengths = std::array<Model, 4>;
-
-const std::vector<Uniforms>& bench_uniforms() {
-    static const auto numbers = [] {
-        std::mt19937_64 random{20240603};
-        std::vector<Uniforms> drawn(bench_inputs);
-        for (auto& u : drawn) {
-            for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
-        }
-        return drawn;
-    }();
-    return numbers;
-}
 
 template <class Model>
 void evaluate(benchmark::State& state, const FourWavelengths<Model>& models) {

@@ -21,6 +21,9 @@ void register_sampling();
 /// eval/<model>/4, sample/<model>/4 of the models of hts/microfacet/ at 4 wavelengths.
 void register_microfacet();
 
+/// eval/ashikhmin/4, sample/ashikhmin/4: microfacets with a coupled diffuse term, 4 wavelengths that differ in its albedo.
+void register_ashikhmin();
+
 /// Counters after the loop: items per second and time per item.
 inline void report_items(benchmark::State& state, std::size_t items_per_iteration) {
     const auto items = static_cast<double>(state.iterations()) * static_cast<double>(items_per_iteration);

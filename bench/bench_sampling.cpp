@@ -1,7 +1,6 @@
 // Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same metal.
 
 #include <array>
-#include <random>
 #include <vector>
 
 #include "bench/bench_inputs.hpp"
@@ -21,18 +20,6 @@ DirectionSampler he_sampler() {
 
 GgxSampler ggx_sampler() {
     return GgxSampler{bench_reflector().surface.slope_width()};
-}
-
-const std::vector<DirectionSampler::Uniforms>& bench_uniforms() {
-    static const auto numbers = [] {
-        std::mt19937_64 random{20240603};
-        std::vector<DirectionSampler::Uniforms> drawn(bench_inputs);
-        for (auto& u : drawn) {
-            for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
-        }
-        return drawn;
-    }();
-    return numbers;
 }
 
 /// A direction, its density and the weights of n wavelengths.

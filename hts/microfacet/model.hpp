@@ -26,11 +26,14 @@ struct DrawnDirection {
 ///   pdf      [1/sr] of `sample` drawing `out`; its integral over the hemisphere is at most 1
 ///   sample   mean weight: the directional-hemispherical reflectance
 template <class Model>
-concept ReflectanceModel =
-    requires(const Model& model, const Direction& in, const Direction& out, const Uniforms& uniforms) {
-        { model.brdf(in, out) } noexcept -> std::same_as<double>;
-        { model.pdf(in, out) } noexcept -> std::same_as<double>;
-        { model.sample(in, uniforms) } noexcept -> std::same_as<DrawnDirection>;
-    };
+concept ReflectanceModel = requires(const Model& model, const Direction& in, const Direction& out,
+                                    const Uniforms& uniforms) {
+    { model.brdf(in, out) }
+    noexcept->std::same_as<double>;
+    { model.pdf(in, out) }
+    noexcept->std::same_as<double>;
+    { model.sample(in, uniforms) }
+    noexcept->std::same_as<DrawnDirection>;
+};
 
 }  // namespace hts
