@@ -63,7 +63,8 @@ AlbedoQuery query(const AlbedoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     std::vector<Direction> in;
     for (const double theta : options.theta_i) {
-        in.push_back(from_option("--theta-i, --phi-i", [&] { return Direction::from_degrees(theta, options.phi_i); }));
+        in.push_back(
+            from_option("--theta-i, --phi-i", [&] { return Direction::from_degrees(theta, options.phi_i); }));
     }
     static_cast<void>(
         from_option("--steepest", [&] { return Direction::from_degrees(options.steepest, 0); }));
@@ -136,7 +137,8 @@ void run(const AlbedoOptions& options) {
         1);
 
     Output output{options.output.path};
-    TableWriter table{output, format_of(options.output.path, options.output.json), columns(options, asked.reflector.he_torrance() != nullptr)};
+    TableWriter table{output, format_of(options.output.path, options.output.json),
+                      columns(options, asked.reflector.he_torrance() != nullptr)};
     std::string text;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (std::size_t j = 0; j < asked.in.size(); ++j) {

@@ -78,8 +78,9 @@ std::string info_json(const EnergyInfo& info) {
 }
 
 void write_info_table(Output& output, const EnergyInfo& info) {
-    TableWriter table{
-        output, Format::csv, {"wavelength_um", "theta_deg", "directional_diffuse", "uniform_diffuse", "total"}};
+    TableWriter table{output,
+                      Format::csv,
+                      {"wavelength_um", "theta_deg", "directional_diffuse", "uniform_diffuse", "total"}};
     std::string text;
     for (const Point& point : info.points) {
         TableWriter::Row row{table, text};

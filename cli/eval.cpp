@@ -170,8 +170,8 @@ void evaluate_random(const EvalOptions& options) {
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
     warning.note(*described, {normal, normal}, *grid, options.material.policy());
-    const auto [summary, mean_brdf] = evaluate_random_pairs(batch_of(*described, prepared, options, *grid),
-                                                            grid->size(), *options.random_pairs, options.seed);
+    const auto [summary, mean_brdf] = evaluate_random_pairs(
+        batch_of(*described, prepared, options, *grid), grid->size(), *options.random_pairs, options.seed);
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),

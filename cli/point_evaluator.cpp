@@ -54,9 +54,7 @@ PointEvaluator::PointEvaluator(const CsvReader& points,
                                const std::optional<spectral::AnyReflector>& reflector,
                                std::optional<spectral::WavelengthGrid> wavelengths,
                                spectral::OutsideRange policy)
-    : columns_{points, !wavelengths},
-      wavelengths_{std::move(wavelengths)},
-      policy_{policy} {
+    : columns_{points, !wavelengths}, wavelengths_{std::move(wavelengths)}, policy_{policy} {
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
     }

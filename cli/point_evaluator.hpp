@@ -82,7 +82,7 @@ class PointEvaluator {
     std::optional<spectral::AnyReflector> other_;  // of a model other than He-Torrance
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::OutsideRange policy_;
-    std::vector<Sample> samples_;  // one per wavelength if the same for all rows, else none
+    std::vector<Sample> samples_;             // one per wavelength if the same for all rows, else none
     std::vector<spectral::AnyModel> models_;  // the same of another model
 };
 

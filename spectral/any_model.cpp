@@ -30,8 +30,7 @@ class AnyModel::HeTorrance final : public AnyModel::Face {
         return sampler().sample(in, uniforms);
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const override {
-        auto parts =
-            directional_hemispherical_reflectance(surface_, sample_.index, sample_.wavelength, in);
+        auto parts = directional_hemispherical_reflectance(surface_, sample_.index, sample_.wavelength, in);
         parts.uniform_diffuse = sample_.uniform_diffuse * std::numbers::pi;
         return parts;
     }

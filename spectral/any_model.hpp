@@ -65,7 +65,8 @@ class AnyModel {
         virtual ~Face() = default;
         [[nodiscard]] virtual double brdf(const Direction& in, const Direction& out) const noexcept = 0;
         [[nodiscard]] virtual BrdfTerms terms(const Direction& in, const Direction& out) const noexcept = 0;
-        [[nodiscard]] virtual SpecularReflectance specular_reflectance(const Direction& in) const noexcept = 0;
+        [[nodiscard]] virtual SpecularReflectance specular_reflectance(
+            const Direction& in) const noexcept = 0;
         [[nodiscard]] virtual double pdf(const Direction& in, const Direction& out) const noexcept = 0;
         [[nodiscard]] virtual WeightedDirection sample(const Direction& in,
                                                        const Uniforms& uniforms) const noexcept = 0;
@@ -106,7 +107,8 @@ class AnyModel::Of final : public AnyModel::Face {
         const DrawnDirection drawn = model_.sample(in, uniforms);
         if (!(drawn.pdf > 0)) return {drawn.out, Lobe::none, 0, 0};
         const bool uniform = terms(in, drawn.out).directional_diffuse == 0 && uniform_diffuse_ > 0;
-        return {drawn.out, uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse, drawn.weight, drawn.pdf};
+        return {drawn.out, uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse, drawn.weight,
+                drawn.pdf};
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const override {
         return albedo_of(*this, uniform_diffuse_, in);

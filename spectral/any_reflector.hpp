@@ -1,10 +1,10 @@
 /// A described surface whatever its model: what a material file says, ready to be asked at any wavelength.
 ///
-/// `built_in_models` is the registry, a line per model. A program's own models join by a line more:
+///     const AnyModel model = read_any_reflector("m.json").at(Wavelength::from_micrometres(0.5));
+///     const double f = model.brdf(in, out);                                                    // 1/sr
 ///
-///     auto models = built_in_models();
-///     models.push_back(model_of_numbers<MyModel>("mine", "myself 2025", {{"albedo", 0.5}}));   // model_readers.hpp
-///     const AnyModel model = read_any_reflector("m.json", models).at(Wavelength::from_micrometres(0.5));
+/// `built_in_models` is the registry that gives meaning to the key "model", a line per model in model_readers.cpp. A program
+/// with a model of its own needs no entry: AnyModel{MyModel{…}}.
 #pragma once
 
 #include <filesystem>

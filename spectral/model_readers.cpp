@@ -46,8 +46,9 @@ AnyReflector read_walter(const MaterialFile& file) {
         {"name", "model", "distribution", "alpha", "exponent", "index", "exterior_index"});
     const FacetDistribution facets = facets_from(file.json);
     const Material material = material_from(file.json["index"], file.folder);
-    const SpectralNumber exterior{file.json, "exterior_index", 1,
-                                  [](double n) { return RefractiveIndex{n, 0}.n(); }};
+    const SpectralNumber exterior{file.json, "exterior_index", 1, [](double n) {
+                                      return RefractiveIndex{n, 0}.n();
+                                  }};
     return AnyReflector{[=](const Wavelength& wavelength, OutsideRange policy) {
         const RefractiveIndex index = material.index(wavelength, policy);
         const double outside = exterior(wavelength, policy);
@@ -74,8 +75,11 @@ AnyReflector read_kurt(const MaterialFile& file) {
 const std::vector<ModelEntry>& built_in_models() {
     static const std::vector<ModelEntry> models{
         {"he", "He, Torrance, Sillion, Greenberg 1991",
-         [](const MaterialFile& file) { return AnyReflector{reflector_from_json(file.json, file.folder, file.default_name)}; }},
+         [](const MaterialFile& file) {
+             return AnyReflector{reflector_from_json(file.json, file.folder, file.default_name)};
+         }},
         {"walter", "Walter, Marschner, Li, Torrance 2007", read_walter},
+        {"ashikhmin", "Ashikhmin, Premoze, Shirley 2000", read_ashikhmin},
         {"kurt", "Kurt, Szirmay-Kalos, Krivanek 2010", read_kurt},
         model_of_numbers<LambertianModel>("lambert", "Lambert", {{"diffuse_albedo", 0}}),
         model_of_numbers<OrenNayar>("oren_nayar", "Oren, Nayar 1994",

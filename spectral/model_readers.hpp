@@ -26,7 +26,8 @@ struct MaterialFile {
 /// A key whose value is a number or {"table": [[um, value], …]}.
 struct NumberKey {
     const char* name;
-    double legal;     ///< any value that is allowed: the other keys are checked beside it, so that a message names one key
+    double
+        legal;  ///< any value that is allowed: the other keys are checked beside it, so that a message names one key
     double unit = 1;  ///< of the file's number in the library's unit: pi/180 for degrees
 };
 
