@@ -25,21 +25,23 @@ std::map<std::string, std::string> materials(const Workplace& place) {
         return place.file(model + ".json",
                           R"({"model": ")" + model + R"(", "kd": 0.1, "lobes": [)" + lobe + "]}");
     };
-    return {{"walter", data + "rough-gold.json"},
-            {"kurt", data + "purple-satin.json"},
-            {"ashikhmin", data + "satin.json"},
-            {"lambert", place.file("lambert.json", R"({"model": "lambert", "diffuse_albedo": 0.5})")},
-            {"oren_nayar",
-             place.file("oren_nayar.json",
-                        R"({"model": "oren_nayar", "diffuse_albedo": 0.5, "slope_angle_deg": 20})")},
-            {"ward", lobes("ward", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
-            {"ward_duer", lobes("ward_duer", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
-            {"cook_torrance", lobes("cook_torrance", R"({"ks": 0.5, "f0": 0.8, "m": 0.3})")},
-            {"blinn_phong", lobes("blinn_phong", R"({"ks": 0.5, "exponent": 30})")},
-            {"lafortune", lobes("lafortune", R"({"ks": 0.5, "cx": -1, "cy": -1, "exponent": 30})")},
-            {"ashikhmin_shirley",
-             place.file("ashikhmin_shirley.json",
-                        R"({"model": "ashikhmin_shirley", "rd": 0.5, "f0": 0.1, "nx": 20, "ny": 80})")}};
+    return {
+        {"walter", data + "rough-gold.json"},
+        {"kurt", data + "purple-satin.json"},
+        {"ashikhmin", place.file("ashikhmin.json", R"({"model": "ashikhmin", "f0": 0.2, "diffuse_albedo": 0.5,
+                "normals": {"type": "gaussian", "sigma_x": 0.3, "sigma_y": 0.3}})")},
+        {"lambert", place.file("lambert.json", R"({"model": "lambert", "diffuse_albedo": 0.5})")},
+        {"oren_nayar",
+         place.file("oren_nayar.json",
+                    R"({"model": "oren_nayar", "diffuse_albedo": 0.5, "slope_angle_deg": 20})")},
+        {"ward", lobes("ward", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
+        {"ward_duer", lobes("ward_duer", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
+        {"cook_torrance", lobes("cook_torrance", R"({"ks": 0.5, "f0": 0.8, "m": 0.3})")},
+        {"blinn_phong", lobes("blinn_phong", R"({"ks": 0.5, "exponent": 30})")},
+        {"lafortune", lobes("lafortune", R"({"ks": 0.5, "cx": -1, "cy": -1, "exponent": 30})")},
+        {"ashikhmin_shirley",
+         place.file("ashikhmin_shirley.json",
+                    R"({"model": "ashikhmin_shirley", "rd": 0.5, "f0": 0.1, "nx": 20, "ny": 80})")}};
 }
 
 double cell(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column) {
