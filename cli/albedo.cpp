@@ -19,6 +19,7 @@ namespace {
 constexpr auto help = R"(
 Directional-hemispherical reflectance of unpolarised light, a row per wavelength and angle:
   specular, directional_diffuse, uniform_diffuse, total   what each term and all reflect
+and for materials of model he:
   largest_albedo     the diffuse albedo with which the total stays <= 1 up to --steepest:
                      1 less the most that the first two terms reflect there
   limited_at_deg     the angle of incidence where they reflect most
@@ -37,14 +38,14 @@ struct AlbedoOptions {
     OutputOptions output;
     std::string wavelengths = "0.4:0.7:7";
     std::vector<double> theta_i{0, 15, 30, 45, 60, 75, 85};
-    double steepest = 85;
+    double phi_i = 0, steepest = 85;
     std::optional<double> measured;
     bool compensate = false;
 };
 
 /// What is asked of the library, checked.
 struct AlbedoQuery {
-    spectral::Reflector reflector;
+    spectral::AnyReflector reflector;
     spectral::OutsideRange policy;
     spectral::WavelengthGrid grid;
     std::vector<Direction> in;
@@ -54,7 +55,7 @@ struct AlbedoQuery {
 /// All rows of one wavelength.
 struct AlbedoSpectralRow {
     std::vector<spectral::HemisphericalReflectance> terms;
-    spectral::DiffuseAlbedoLimit limit{};
+    std::optional<spectral::DiffuseAlbedoLimit> limit{};  // of model he
     std::vector<double> compensated;
 };
 
@@ -62,23 +63,29 @@ AlbedoQuery query(const AlbedoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     std::vector<Direction> in;
     for (const double theta : options.theta_i) {
-        in.push_back(from_option("--theta-i", [&] { return Direction::from_degrees(theta, 0); }));
+        in.push_back(
+            from_option("--theta-i, --phi-i", [&] { return Direction::from_degrees(theta, options.phi_i); }));
     }
     static_cast<void>(
         from_option("--steepest", [&] { return Direction::from_degrees(options.steepest, 0); }));
     if (options.measured && (grid.size() != 1 || in.size() != 1)) {
         throw UsageError{"--measured: must come with one wavelength and one --theta-i"};
     }
-    return {spectral::read_reflector(options.material.path), options.material.policy(), grid, in,
+    auto reflector = options.material.read();
+    if (options.measured) static_cast<void>(MaterialOptions::he_torrance(reflector, "--measured"));
+    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(reflector, "--compensate-energy"));
+    static_cast<void>(models_from_option("--wavelengths", reflector, grid, options.material.policy()));
+    return {std::move(reflector), options.material.policy(), grid, in,
             options.steepest * std::numbers::pi / 180};
 }
 
 /// Total of the compensated lobes and the uniform-diffuse term.
-std::vector<double> compensated_totals(const AlbedoQuery& query, const Wavelength& wavelength) {
-    const Surface& surface = query.reflector.surface;
+std::vector<double> compensated_totals(const AlbedoQuery& query, const spectral::Reflector& reflector,
+                                       const Wavelength& wavelength) {
+    const Surface& surface = reflector.surface;
     const spectral::EnergyCompensation compensation{surface, wavelength};
-    const auto index = query.reflector.material.index(wavelength, query.policy);
-    const double albedo = query.reflector.albedo(wavelength, query.policy);
+    const auto index = reflector.material.index(wavelength, query.policy);
+    const double albedo = reflector.albedo(wavelength, query.policy);
     std::vector<double> totals;
     for (const Direction& in : query.in) {
         totals.push_back(
@@ -91,18 +98,19 @@ std::vector<double> compensated_totals(const AlbedoQuery& query, const Wavelengt
 
 AlbedoSpectralRow evaluated(const AlbedoQuery& query, const Wavelength& wavelength, bool compensate) {
     AlbedoSpectralRow row;
-    for (const Direction& in : query.in) {
-        row.terms.push_back(
-            spectral::directional_hemispherical_reflectance(query.reflector, wavelength, in, query.policy));
-    }
-    row.limit = spectral::largest_diffuse_albedo(query.reflector, wavelength, query.steepest, query.policy);
-    if (compensate) row.compensated = compensated_totals(query, wavelength);
+    const spectral::AnyModel model = query.reflector.at(wavelength, query.policy);
+    for (const Direction& in : query.in) row.terms.push_back(model.albedo(in));
+    const spectral::Reflector* he = query.reflector.he_torrance();
+    if (he == nullptr) return row;
+    row.limit = spectral::largest_diffuse_albedo(*he, wavelength, query.steepest, query.policy);
+    if (compensate) row.compensated = compensated_totals(query, *he, wavelength);
     return row;
 }
 
-std::vector<std::string> columns(const AlbedoOptions& options) {
-    std::vector<std::string> names{"wavelength_um",   "theta_i_deg", "specular",       "directional_diffuse",
-                                   "uniform_diffuse", "total",       "largest_albedo", "limited_at_deg"};
+std::vector<std::string> columns(const AlbedoOptions& options, bool he) {
+    std::vector<std::string> names{"wavelength_um",       "theta_i_deg",     "specular",
+                                   "directional_diffuse", "uniform_diffuse", "total"};
+    if (he) names.insert(names.end(), {"largest_albedo", "limited_at_deg"});
     if (options.measured) names.emplace_back("measured_albedo");
     if (options.compensate) names.emplace_back("compensated_total");
     return names;
@@ -111,16 +119,17 @@ std::vector<std::string> columns(const AlbedoOptions& options) {
 void append(TableWriter::Row& row, const AlbedoSpectralRow& values, std::size_t angle) {
     const auto& terms = values.terms[angle];
     row.number(terms.specular).number(terms.directional_diffuse).number(terms.uniform_diffuse);
-    row.number(terms.total()).number(values.limit.albedo);
-    row.number(values.limit.theta * 180 / std::numbers::pi);
+    row.number(terms.total());
+    if (!values.limit) return;
+    row.number(values.limit->albedo).number(values.limit->theta * 180 / std::numbers::pi);
 }
 
 void run(const AlbedoOptions& options) {
     const AlbedoQuery asked = query(options);
     std::optional<double> albedo;
     if (options.measured) {
-        albedo = spectral::diffuse_albedo_from(*options.measured, asked.reflector, asked.grid[0], asked.in[0],
-                                               asked.policy);
+        albedo = spectral::diffuse_albedo_from(*options.measured, *asked.reflector.he_torrance(),
+                                               asked.grid[0], asked.in[0], asked.policy);
     }
     std::vector<AlbedoSpectralRow> rows(asked.grid.size());
     parallel_for(
@@ -128,7 +137,8 @@ void run(const AlbedoOptions& options) {
         1);
 
     Output output{options.output.path};
-    TableWriter table{output, format_of(options.output.path, options.output.json), columns(options)};
+    TableWriter table{output, format_of(options.output.path, options.output.json),
+                      columns(options, asked.reflector.he_torrance() != nullptr)};
     std::string text;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (std::size_t j = 0; j < asked.in.size(); ++j) {
@@ -156,6 +166,8 @@ void add_albedo(CLI::App& program) {
     verb->add_option("--theta-i", options->theta_i,
                      "angles of incidence [deg], 0 ... 90, separated by commas")
         ->delimiter(',')
+        ->capture_default_str();
+    verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
         ->capture_default_str();
     verb->add_option("--steepest", options->steepest, "up to where the total must stay <= 1 [deg], 0 ... 90")
         ->capture_default_str();

@@ -6,6 +6,7 @@
 #include "cli/eval_answer.hpp"
 #include "cli/eval_plan.hpp"
 #include "cli/options.hpp"
+#include "cli/parallel.hpp"
 #include "cli/random_pairs.hpp"
 #include "cli/transform.hpp"
 #include "cli/usage.hpp"
@@ -17,11 +18,12 @@ namespace {
 constexpr auto help = R"(
 Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
-albedo, which go before the material's. Without wavelength_um every row is evaluated at
+albedo, which go before the material's (model he alone). Without wavelength_um every row is evaluated at
 --wavelength or --wavelengths. Other columns are repeated and not used. The answer
 repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr] and
 specular_reflectance [1]. All directions point away from the surface; the mirror
-direction is theta_r = theta_i, phi_r = phi_i + 180.
+direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of
+polarisation are those of model he; others have neither.
 With --plan, --material is the name of one of its materials, and the wavelengths are the
 plan's. A spectral plan adds wavelength_um, brdf, specular_reflectance, an rgb one linear
 sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_green,
@@ -78,17 +80,21 @@ void warn_of_unused(const CsvReader& points) {
         std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
 }
 
-std::optional<spectral::Reflector> reflector(const EvalOptions& options) {
+std::optional<spectral::AnyReflector> reflector(const EvalOptions& options) {
     if (options.material.path.empty()) return std::nullopt;
-    return spectral::read_reflector(options.material.path);
+    auto described = options.material.read();
+    if (options.mueller) static_cast<void>(MaterialOptions::he_torrance(described, "--mueller"));
+    if (!options.polarisation.empty())
+        static_cast<void>(MaterialOptions::he_torrance(described, "--polarisation"));
+    return described;
 }
 
-/// The material at the wavelengths that the options give, none if the points bring theirs.
-std::vector<SpectralSample> samples(const EvalOptions& options, const spectral::Reflector& reflector) {
+/// The model at the wavelengths that the options give, none if the points bring theirs.
+std::vector<spectral::AnyModel> models(const EvalOptions& options, const spectral::AnyReflector& reflector) {
     const auto grid = wavelengths(options);
     if (!grid) return {};
     const char* option = options.wavelength ? "--wavelength" : "--wavelengths";
-    return samples_from_option(option, reflector, *grid, options.material.policy());
+    return models_from_option(option, reflector, *grid, options.material.policy());
 }
 
 bool has_own_constants(const CsvReader& points) {
@@ -115,10 +121,11 @@ void evaluate_points(const EvalOptions& options) {
     const bool own_wavelength = options.points.empty() && options.wavelength;
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
     const auto described = reflector(options);
-    if (described && !has_own_constants(points)) static_cast<void>(samples(options, *described));
+    if (described && !has_own_constants(points)) static_cast<void>(models(options, *described));
     const PointEvaluator evaluator{points, described, grid, options.material.policy()};
     warn_of_unused(points);
-    EvalAnswer answer{grid.has_value(), options.mueller, options.detail};
+    const bool he = !described || described->he_torrance() != nullptr;
+    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -136,19 +143,35 @@ void evaluate_points(const EvalOptions& options) {
     if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
 }
 
+/// The library's batch call for the He-Torrance model, one pair after another for others.
+BrdfBatch batch_of(const spectral::AnyReflector& reflector, const std::vector<spectral::AnyModel>& models,
+                   const EvalOptions& options, const spectral::WavelengthGrid& grid) {
+    if (const spectral::Reflector* he = reflector.he_torrance()) {
+        return [reflectance = spectral::SpectralReflectance{*he, grid, options.material.policy()}](
+                   std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
+            reflectance.brdf(pairs, result);
+        };
+    }
+    return [models](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
+        parallel_for(pairs.size(), [&](std::size_t i) {
+            for (std::size_t j = 0; j < models.size(); ++j)
+                result[i * models.size() + j] = models[j].brdf(pairs[i].in, pairs[i].out);
+        });
+    };
+}
+
 void evaluate_random(const EvalOptions& options) {
     const auto grid = wavelengths(options);
     const auto described = reflector(options);
     if (!grid || !described || *options.random_pairs == 0) {
         throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
     }
+    const auto prepared = models(options, *described);
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
-    for (const SpectralSample& sample : samples(options, *described)) {
-        warning.note(spectral::validity(described->surface, {normal, normal}, sample));
-    }
-    const spectral::SpectralReflectance reflectance{*described, *grid, options.material.policy()};
-    const auto [summary, mean_brdf] = evaluate_random_pairs(reflectance, *options.random_pairs, options.seed);
+    warning.note(*described, {normal, normal}, *grid, options.material.policy());
+    const auto [summary, mean_brdf] = evaluate_random_pairs(
+        batch_of(*described, prepared, options, *grid), grid->size(), *options.random_pairs, options.seed);
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),

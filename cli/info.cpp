@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "cli/energy_info.hpp"
 #include "cli/info_report.hpp"
 #include "cli/options.hpp"
 #include "cli/usage.hpp"
@@ -19,6 +20,8 @@ term, energy. Each is fine, a caution, or outside the model's validity, which is
 is no failure. The expected error is that of the model against exact scattering, not of
 the arithmetic; it was measured on 1-D perfectly conducting surfaces, 60 degrees the
 largest angle on record.
+Of models other than he it says how much light they reflect in all, and what is known to
+be wrong with the material.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.
 
 Examples:
@@ -32,22 +35,31 @@ struct InfoOptions {
     OutputOptions output;
 };
 
-void run(const InfoOptions& options) {
-    const auto grid = wavelengths_from_option(options.wavelengths);
-    require_angles("--theta", options.theta);
-    const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
-    const spectral::Reflector reflector = spectral::read_reflector(options.material);
-    static_cast<void>(samples_from_option("--wavelengths", reflector, grid, policy));
-    const MaterialInfo info{reflector, grid, options.theta, policy};
-    Output output{options.output.path};
-    if (format_of(options.output.path, options.output.json) == Format::json) {
+/// As text, JSON or a table, as the options say.
+template <class Info>
+void report(const OutputOptions& options, const Info& info) {
+    Output output{options.path};
+    if (format_of(options.path, options.json) == Format::json) {
         output.write(info_json(info));
-    } else if (options.output.path.ends_with(".csv")) {
+    } else if (options.path.ends_with(".csv")) {
         write_info_table(output, info);
     } else {
         output.write(info_text(info));
     }
     output.commit();
+}
+
+void run(const InfoOptions& options) {
+    const auto grid = wavelengths_from_option(options.wavelengths);
+    require_angles("--theta", options.theta);
+    const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+    const auto reflector = spectral::read_any_reflector(options.material);
+    static_cast<void>(models_from_option("--wavelengths", reflector, grid, policy));
+    if (const spectral::Reflector* he = reflector.he_torrance()) {
+        report(options.output, MaterialInfo{*he, grid, options.theta, policy});
+    } else {
+        report(options.output, EnergyInfo{reflector, grid, options.theta, policy});
+    }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "cli/options.hpp"
 
+#include <iostream>
+
 #include "cli/csv_reader.hpp"
 #include "cli/usage.hpp"
 #include "spectral/text.hpp"
@@ -63,6 +65,20 @@ CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
     return verb.add_option("--material,-m", path, "material file (JSON)");
 }
 
+spectral::AnyReflector MaterialOptions::read() const {
+    auto reflector = spectral::read_any_reflector(path);
+    for (const std::string& warning : reflector.warnings())
+        std::cerr << "hts: " << path << ": " << warning << '\n';
+    return reflector;
+}
+
+const spectral::Reflector& MaterialOptions::he_torrance(const spectral::AnyReflector& reflector,
+                                                        const std::string& option) {
+    if (const spectral::Reflector* he = reflector.he_torrance()) return *he;
+    throw UsageError{option + ": must come with a material of model he; " + reflector.name() + " has model " +
+                     reflector.model_name()};
+}
+
 Stokes stokes_from_option(const std::string& text) {
     if (text == "s") return Stokes::s_polarised();
     if (text == "p") return Stokes::p_polarised();
@@ -76,11 +92,11 @@ void require_angles(const std::string& option, const std::vector<double>& degree
     }
 }
 
-std::vector<SpectralSample> samples_from_option(const std::string& option,
-                                                const spectral::Reflector& reflector,
-                                                const spectral::WavelengthGrid& wavelengths,
-                                                spectral::OutsideRange policy) {
-    return spectral::located(option, [&] { return spectral_samples(reflector, wavelengths, policy); });
+std::vector<spectral::AnyModel> models_from_option(const std::string& option,
+                                                   const spectral::AnyReflector& reflector,
+                                                   const spectral::WavelengthGrid& wavelengths,
+                                                   spectral::OutsideRange policy) {
+    return spectral::located(option, [&] { return reflector.at(wavelengths, policy); });
 }
 
 Wavelength wavelength_from_option(double um) {

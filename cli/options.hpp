@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hts/polarisation.hpp"
+#include "spectral/any_reflector.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::cli {
@@ -41,6 +42,11 @@ struct MaterialOptions {
 
     /// The option of the file, for `required()`.
     CLI::Option* add_to(CLI::App& verb);
+    /// Reads the file; what it warns of goes to standard error.
+    [[nodiscard]] spectral::AnyReflector read() const;
+    /// The same for what only the He-Torrance model has; UsageError that names `option` for others.
+    [[nodiscard]] static const spectral::Reflector& he_torrance(const spectral::AnyReflector& reflector,
+                                                                const std::string& option);
     [[nodiscard]] spectral::OutsideRange policy() const noexcept {
         return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
     }
@@ -52,12 +58,11 @@ struct MaterialOptions {
 /// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
 void require_angles(const std::string& option, const std::vector<double>& degrees);
 
-/// The material at wavelengths that an option gave; hts::Error that names the option if the material is not known
-/// there.
-[[nodiscard]] std::vector<SpectralSample> samples_from_option(const std::string& option,
-                                                              const spectral::Reflector& reflector,
-                                                              const spectral::WavelengthGrid& wavelengths,
-                                                              spectral::OutsideRange policy);
+/// The model at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
+[[nodiscard]] std::vector<spectral::AnyModel> models_from_option(const std::string& option,
+                                                                 const spectral::AnyReflector& reflector,
+                                                                 const spectral::WavelengthGrid& wavelengths,
+                                                                 spectral::OutsideRange policy);
 
 /// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
 Wavelength wavelength_from_option(double um);

@@ -50,16 +50,21 @@ PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
       correlation_length{points.column("correlation_length_um")},
       albedo{points.column("albedo")} {}
 
-PointEvaluator::PointEvaluator(const CsvReader& points, std::optional<spectral::Reflector> reflector,
+PointEvaluator::PointEvaluator(const CsvReader& points,
+                               const std::optional<spectral::AnyReflector>& reflector,
                                std::optional<spectral::WavelengthGrid> wavelengths,
                                spectral::OutsideRange policy)
-    : columns_{points, !wavelengths},
-      reflector_{std::move(reflector)},
-      wavelengths_{std::move(wavelengths)},
-      policy_{policy} {
+    : columns_{points, !wavelengths}, wavelengths_{std::move(wavelengths)}, policy_{policy} {
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
     }
+    if (reflector && !reflector->he_torrance()) {
+        require_no_material_columns(points);
+        other_ = reflector;
+        if (wavelengths_) models_ = other_->at(*wavelengths_, policy_);
+        return;
+    }
+    if (reflector) reflector_ = *reflector->he_torrance();
     if (!reflector_) require_material(points);
     if (!same_for_all_rows()) return;
     for (std::size_t i = 0; i < wavelengths_->size(); ++i)
@@ -83,6 +88,14 @@ void PointEvaluator::require_material(const CsvReader& points) const {
                 " missing: must be in the header where no --material is given"};
 }
 
+void PointEvaluator::require_no_material_columns(const CsvReader& points) const {
+    for (const char* name : {"n", "k", "rms_roughness_um", "correlation_length_um", "albedo"}) {
+        if (!points.column(name)) continue;
+        throw Error{points.where_header() + "column " + name +
+                    ": must not be in the header where the material's model is not he"};
+    }
+}
+
 bool PointEvaluator::same_for_all_rows() const noexcept {
     return wavelengths_ && !columns_.n && !columns_.k && !columns_.albedo;
 }
@@ -100,6 +113,7 @@ std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points)
 void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
                               ValidityWarning& warning) const {
     const auto [in, out] = columns_.directions.pair(row);
+    if (other_) return evaluate_other(row, {in, out}, result);
     const Surface rough = surface(row);
     const View light = view(rough, in);
     const View seen = view(rough, out);
@@ -112,6 +126,20 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
                      pair.effective_roughness(),  pair.shadowing(), Mueller{}};
         warning.note(spectral::validity(rough, light, seen, at));
         if (with_mueller) result[i].mueller = directional_diffuse_mueller(in, out, directional);
+    }
+}
+
+void PointEvaluator::evaluate_other(const CsvRow& row, const spectral::DirectionPair& pair,
+                                    std::span<Evaluation> result) const {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Wavelength at = wavelength(row, i);
+        const spectral::AnyModel model = models_.empty() ? other_->at(at, policy_) : models_[i];
+        const spectral::BrdfTerms terms = model.terms(pair.in, pair.out);
+        result[i] = {};
+        result[i].wavelength = at.micrometres();
+        result[i].directional.brdf = terms.directional_diffuse;
+        result[i].uniform_diffuse = terms.uniform_diffuse;
+        result[i].specular_reflectance = model.specular_reflectance(pair.in).value();
     }
 }
 

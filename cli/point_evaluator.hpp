@@ -7,11 +7,12 @@
 
 #include "cli/csv_reader.hpp"
 #include "cli/validity_warning.hpp"
+#include "spectral/any_reflector.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::cli {
 
-/// The three terms at one pair and wavelength, and what the directional-diffuse term was made of.
+/// The three terms at one pair and wavelength, and what the directional-diffuse term of He-Torrance was made of.
 struct Evaluation {
     double wavelength;  ///< [um]
     DirectionalDiffuse directional;
@@ -35,14 +36,14 @@ class PairColumns {
 };
 
 /// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um and albedo go
-/// before the material's.
+/// before the material's; they are the He-Torrance model's alone.
 class PointEvaluator {
   public:
     ///   points        its header is looked at here, its rows are not
     ///   reflector     may be missing if the rows say all but the albedo, which then is 0
     ///   wavelengths   every row at each of these; may be missing if the rows have a wavelength
     /// Throws UsageError or hts::Error if something is missing or said twice.
-    PointEvaluator(const CsvReader& points, std::optional<spectral::Reflector> reflector,
+    PointEvaluator(const CsvReader& points, const std::optional<spectral::AnyReflector>& reflector,
                    std::optional<spectral::WavelengthGrid> wavelengths, spectral::OutsideRange policy);
 
     /// Wavelengths per row.
@@ -66,6 +67,9 @@ class PointEvaluator {
     using Sample = SpectralSample;
 
     void require_material(const CsvReader& points) const;
+    void require_no_material_columns(const CsvReader& points) const;
+    void evaluate_other(const CsvRow& row, const spectral::DirectionPair& pair,
+                        std::span<Evaluation> result) const;
     [[nodiscard]] bool same_for_all_rows() const noexcept;
     [[nodiscard]] Surface surface(const CsvRow& row) const;
     [[nodiscard]] Sample sample(const CsvRow* row, const Wavelength& wavelength) const;
@@ -75,9 +79,11 @@ class PointEvaluator {
 
     Columns columns_;
     std::optional<spectral::Reflector> reflector_;
+    std::optional<spectral::AnyReflector> other_;  // of a model other than He-Torrance
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::OutsideRange policy_;
-    std::vector<Sample> samples_;  // one per wavelength if the same for all rows, else none
+    std::vector<Sample> samples_;             // one per wavelength if the same for all rows, else none
+    std::vector<spectral::AnyModel> models_;  // the same of another model
 };
 
 }  // namespace hts::cli

@@ -37,7 +37,7 @@ Examples:
 struct PolarOptions {
     MaterialOptions material;
     OutputOptions output;
-    double wavelength = 0;
+    double wavelength = 0, phi_i = 0;
     std::vector<double> theta_i;
     std::optional<double> solid_angle;
     bool absolute = false, logarithmic = false;
@@ -52,12 +52,10 @@ std::optional<EqualCones> cones(const PolarOptions& options) {
     return from_option("--solid-angle", [&] { return EqualCones{*options.solid_angle}; });
 }
 
-std::vector<PolarCurve> curves(const PolarOptions& options, const spectral::Reflector& reflector) {
-    const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
-    const spectral::SpectralReflectance reflectance{reflector, grid, options.material.policy()};
+std::vector<PolarCurve> curves(const PolarOptions& options, const spectral::AnyModel& model) {
     std::vector<PolarCurve> result;
     for (const double theta_i : options.theta_i) {
-        result.push_back(polar_curve(reflectance, theta_i, cones(options), options.radius()));
+        result.push_back(polar_curve(model, theta_i, options.phi_i, cones(options), options.radius()));
     }
     return result;
 }
@@ -82,10 +80,10 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     output.commit();
 }
 
-PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflector,
-                 const std::string& data_file) {
+PolarStyle style(const PolarOptions& options, const std::string& name, const std::string& data_file) {
     PolarStyle style;
-    style.title = reflector.name + ", λ = " + shortest(options.wavelength) + " µm";
+    style.title = name + ", λ = " + shortest(options.wavelength) + " µm";
+    if (options.phi_i != 0) style.title += ", light from azimuth " + shortest(options.phi_i) + "°";
     style.captions.emplace_back(
         options.absolute
             ? "radius: BRDF [1/sr]"
@@ -102,17 +100,18 @@ PolarStyle style(const PolarOptions& options, const spectral::Reflector& reflect
 }
 
 /// About the specular direction of each curve, where the lobe is.
-void warn(const std::vector<double>& theta_i, const Surface& surface, const SpectralSample& sample) {
+void warn(const PolarOptions& options, const spectral::AnyReflector& reflector,
+          const spectral::WavelengthGrid& grid) {
     ValidityWarning warning;
-    for (const double degrees : theta_i) {
+    for (const double degrees : options.theta_i) {
         const Direction in = Direction::from_degrees(degrees, 0);
-        warning.note(spectral::validity(surface, {in, in.mirror()}, sample));
+        warning.note(reflector, {in, in.mirror()}, grid, options.material.policy());
     }
     warning.print();
 }
 
-void write(const PolarOptions& options, const spectral::Reflector& reflector) {
-    const auto drawn = curves(options, reflector);
+void write(const PolarOptions& options, const std::string& name, const spectral::AnyModel& model) {
+    const auto drawn = curves(options, model);
     const std::filesystem::path path{options.output.path};
     if (path.extension() != ".svg") {
         write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
@@ -120,7 +119,7 @@ void write(const PolarOptions& options, const spectral::Reflector& reflector) {
     }
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
-    draw(options.output.path, polar_script(drawn, style(options, reflector, data.filename().string())));
+    draw(options.output.path, polar_script(drawn, style(options, name, data.filename().string())));
 }
 
 void run(const PolarOptions& options) {
@@ -130,11 +129,12 @@ void run(const PolarOptions& options) {
     if (options.output.json && std::filesystem::path{options.output.path}.extension() == ".svg") {
         throw UsageError{"--json: must not come with an output .svg"};
     }
-    const auto reflector = spectral::read_reflector(options.material.path);
+    from_option("--phi-i", [&] { return Direction::from_degrees(0, options.phi_i); });
+    const auto reflector = options.material.read();
     const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
-    const auto samples = samples_from_option("--wavelength", reflector, grid, options.material.policy());
-    write(options, reflector);
-    warn(options.theta_i, reflector.surface, samples.front());
+    const auto models = models_from_option("--wavelength", reflector, grid, options.material.policy());
+    write(options, reflector.name(), models.front());
+    warn(options, reflector, grid);
 }
 
 }  // namespace
@@ -148,6 +148,8 @@ void add_polar(CLI::App& program) {
                      "angles of incidence [deg], 0 ... 90, separated by commas")
         ->required()
         ->delimiter(',');
+    verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
+        ->capture_default_str();
     verb->add_option("--solid-angle", options->solid_angle, "of source and receiver [sr], > 0 ... 1");
     verb->add_flag("--absolute", options->absolute, "radius: the BRDF itself");
     verb->add_flag("--log", options->logarithmic, "logarithmic radius, four decades");

@@ -26,16 +26,23 @@ std::vector<double> view_angles(double theta_i) {
     return angles;
 }
 
-PolarPoint point(const spectral::SpectralReflectance& reflectance, double theta_i, double view_angle,
-                 const std::optional<EqualCones>& cones) {
-    const Direction in = Direction::from_degrees(theta_i, 0);
-    const Direction out = Direction::from_degrees(std::abs(view_angle), view_angle < 0 ? 0 : 180);
-    const SpecularReflectance specular = reflectance.specular_reflectance(in).front();
-    const double off_mirror = radians(std::abs(view_angle - theta_i));
-    return {view_angle, reflectance.directional_diffuse({in, out}).front().brdf,
-            reflectance.uniform_diffuse().front(),
-            cones ? cones->brdf(specular, in.cos_theta(), off_mirror) : 0, 0};
-}
+/// A model at one wavelength in one plane of incidence.
+struct Plane {
+    const spectral::AnyModel& model;
+    double theta_i, phi_i;  // [deg]
+    const std::optional<EqualCones>& cones;
+
+    [[nodiscard]] PolarPoint at(double view_angle) const {
+        const Direction in = Direction::from_degrees(theta_i, phi_i);
+        const Direction out =
+            Direction::from_degrees(std::abs(view_angle), view_angle < 0 ? phi_i : phi_i + 180);
+        const auto [directional_diffuse, uniform_diffuse] = model.terms(in, out);
+        const double off_mirror = radians(std::abs(view_angle - theta_i));
+        const SpecularReflectance specular = model.specular_reflectance(in);
+        return {view_angle, directional_diffuse, uniform_diffuse,
+                cones ? cones->brdf(specular, in.cos_theta(), off_mirror) : 0, 0};
+    }
+};
 
 double scale(const PolarPoint& mirror, double theta_i, PolarRadius radius) {
     if (radius == PolarRadius::absolute) return 1;
@@ -65,12 +72,13 @@ double EqualCones::brdf(const SpecularReflectance& specular, double cos_theta_i,
     return specular.value() / (cos_theta_i * solid_angle_) * overlap(off_mirror);
 }
 
-PolarCurve polar_curve(const spectral::SpectralReflectance& reflectance, double theta_i,
+PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
                        const std::optional<EqualCones>& cones, PolarRadius radius) {
-    const double factor = scale(point(reflectance, theta_i, theta_i, cones), theta_i, radius);
+    const Plane plane{model, theta_i, phi_i, cones};
+    const double factor = scale(plane.at(theta_i), theta_i, radius);
     PolarCurve curve{theta_i, {}};
     for (const double view_angle : view_angles(theta_i)) {
-        curve.points.push_back(point(reflectance, theta_i, view_angle, cones));
+        curve.points.push_back(plane.at(view_angle));
         curve.points.back().radius = factor * curve.points.back().brdf();
     }
     return curve;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "spectral/reflectance.hpp"
+#include "spectral/any_model.hpp"
 
 namespace hts::cli {
 
@@ -52,10 +52,9 @@ enum class PolarRadius {
 };
 
 /// The curve of one angle of incidence.
-///   reflectance   of one wavelength      theta_i   [deg]  0 … 90      cones   none leaves the specular term
-///   out
+///   theta_i, phi_i   of the light [deg], theta_i 0 … 90      cones   none leaves the specular term out
 /// Throws hts::Error if the radius shall be normalised and the BRDF in the specular direction is 0.
-[[nodiscard]] PolarCurve polar_curve(const spectral::SpectralReflectance& reflectance, double theta_i,
+[[nodiscard]] PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
                                      const std::optional<EqualCones>& cones, PolarRadius radius);
 
 }  // namespace hts::cli

@@ -23,23 +23,23 @@ std::vector<spectral::DirectionPair> random_pairs(bench::Random& random, std::ui
 
 }  // namespace
 
-RandomPairsResult evaluate_random_pairs(const spectral::SpectralReflectance& reflectance, std::uint64_t count,
+RandomPairsResult evaluate_random_pairs(const BrdfBatch& batch, std::size_t wavelengths, std::uint64_t count,
                                         std::uint64_t seed) {
     bench::Random random{seed};
-    const std::uint64_t per_chunk = std::max<std::uint64_t>(1, evaluations_per_chunk / reflectance.size());
+    const std::uint64_t per_chunk = std::max<std::uint64_t>(1, evaluations_per_chunk / wavelengths);
     std::vector<double> values;
     Stopwatch watch;
     double sum = 0;
     for (std::uint64_t done = 0; done < count; done += per_chunk) {
         const auto pairs = random_pairs(random, std::min(per_chunk, count - done));
-        values.resize(pairs.size() * reflectance.size());
+        values.resize(pairs.size() * wavelengths);
         watch.start();
-        reflectance.brdf(pairs, values);
+        batch(pairs, values);
         watch.stop();
         sum = std::accumulate(values.begin(), values.end(), sum);
     }
-    const double evaluations = static_cast<double>(count) * static_cast<double>(reflectance.size());
-    return {{count, reflectance.size(), watch.seconds()}, sum / evaluations};
+    const double evaluations = static_cast<double>(count) * static_cast<double>(wavelengths);
+    return {{count, wavelengths, watch.seconds()}, sum / evaluations};
 }
 
 }  // namespace hts::cli

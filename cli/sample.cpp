@@ -26,7 +26,8 @@ none), pdf and weight. pdf is the density of all diffuse lobes together [1/sr], 
 specular draw the probability of that lobe [1], and 0 of none: a draw below the horizon,
 which counts and has weight 0. weight is brdf cos(theta_r) / pdf, of a specular draw
 reflectance / pdf; the mean weight, printed to standard error, is the reflectance into
-the hemisphere. The same seed gives the same draws.
+the hemisphere. The same seed gives the same draws. Models other than he draw one lobe,
+called uniform_diffuse where that part is all there is.
 
 Examples:
   hts sample --material aluminium.json --wavelength 0.5 --theta-i 45 --count 100000 --output dirs.csv
@@ -75,18 +76,15 @@ Degrees degrees(const Direction& direction) {
     return {std::atan2(direction.sin_theta(), direction.cos_theta()) * per_radian, phi < 0 ? phi + 360 : phi};
 }
 
-DirectionSampler sampler(const SampleOptions& options) {
-    const Wavelength wavelength = wavelength_from_option(options.wavelength);
-    const auto reflector = spectral::read_reflector(options.material.path);
-    const auto policy = options.material.policy();
-    return {reflector.surface,
-            {wavelength, reflector.material.index(wavelength, policy),
-             uniform_diffuse(reflector.albedo(wavelength, policy))},
-            Tolerance{accuracy::finest_tolerance}};
+spectral::AnyModel model(const SampleOptions& options) {
+    const auto grid = spectral::WavelengthGrid::from_micrometres(
+        {wavelength_from_option(options.wavelength).micrometres()});
+    return models_from_option("--wavelength", options.material.read(), grid, options.material.policy())
+        .front();
 }
 
-DirectionSampler::Uniforms uniforms(std::mt19937_64& random) {
-    DirectionSampler::Uniforms u{};
+Uniforms uniforms(std::mt19937_64& random) {
+    Uniforms u{};
     for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
     return u;
 }
@@ -117,7 +115,7 @@ plot $draws using 1:($3==2 ? $2 : 1/0) with dots lc rgb '#0072b2' notitle, \
 void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
-    const DirectionSampler prepared = sampler(options);
+    const spectral::AnyModel prepared = model(options);
     std::mt19937_64 random{options.seed};
     Output output{options.output.path};
     TableWriter table{output,

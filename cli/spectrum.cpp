@@ -40,16 +40,15 @@ struct Spectrum {
     std::vector<double> directional_diffuse, uniform_diffuse, brdf, specular_reflectance;
 };
 
-Spectrum spectrum_of(const spectral::SpectralReflectance& reflectance, const spectral::DirectionPair& pair) {
+Spectrum spectrum_of(const std::vector<spectral::AnyModel>& models, const spectral::DirectionPair& pair) {
     Spectrum result;
-    for (const DirectionalDiffuse& term : reflectance.directional_diffuse(pair)) {
-        result.directional_diffuse.push_back(term.brdf);
+    for (const spectral::AnyModel& model : models) {
+        const spectral::BrdfTerms terms = model.terms(pair.in, pair.out);
+        result.directional_diffuse.push_back(terms.directional_diffuse);
+        result.uniform_diffuse.push_back(terms.uniform_diffuse);
+        result.brdf.push_back(model.brdf(pair.in, pair.out));
+        result.specular_reflectance.push_back(model.specular_reflectance(pair.in).value());
     }
-    for (const SpecularReflectance& term : reflectance.specular_reflectance(pair.in)) {
-        result.specular_reflectance.push_back(term.value());
-    }
-    result.uniform_diffuse = reflectance.uniform_diffuse();
-    result.brdf = reflectance.brdf(pair);
     return result;
 }
 
@@ -70,8 +69,8 @@ void write_table(Output& output, Format format, const spectral::WavelengthGrid& 
     table.finish();
 }
 
-std::string title(const spectral::Reflector& reflector, const DirectionOptions& directions) {
-    return reflector.name + ", theta_i " + shortest(*directions.theta_i) + ", theta_r " +
+std::string title(const spectral::AnyReflector& reflector, const DirectionOptions& directions) {
+    return reflector.name() + ", theta_i " + shortest(*directions.theta_i) + ", theta_r " +
            shortest(*directions.theta_r) + ", phi " +
            shortest(directions.reflected_azimuth() - directions.incident_azimuth()) + " deg";
 }
@@ -113,31 +112,26 @@ std::optional<SpectrumColour> colour(const SpectrumOptions& options, const spect
     }
 }
 
-void warn(const Surface& surface, const spectral::DirectionPair& pair,
-          std::span<const SpectralSample> samples) {
-    ValidityWarning warning;
-    for (const SpectralSample& sample : samples) warning.note(spectral::validity(surface, pair, sample));
-    warning.print();
-}
-
 void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
-    const auto reflector = spectral::read_reflector(options.material.path);
-    const auto samples = samples_from_option("--wavelengths", reflector, grid, options.material.policy());
-    const auto spectrum = spectrum_of({reflector, grid, options.material.policy()}, pair);
+    const auto reflector = options.material.read();
+    const auto models = models_from_option("--wavelengths", reflector, grid, options.material.policy());
+    const auto spectrum = spectrum_of(models, pair);
     const auto seen = colour(options, grid, spectrum);
 
     Output output{options.output.path};
     const Format format = format_of(options.output.path, options.output.json);
     if (format == Format::json) {
-        output.write("{\"material\": " + json_string(reflector.name) +
+        output.write("{\"material\": " + json_string(reflector.name()) +
                      ",\n \"colour\": " + (seen ? seen->json() : "null") + ",\n \"spectrum\": ");
     }
     write_table(output, format, grid, spectrum);
     if (format == Format::json) output.write("}\n");
     output.commit();
-    warn(reflector.surface, pair, samples);
+    ValidityWarning warning;
+    warning.note(reflector, pair, grid, options.material.policy());
+    warning.print();
     if (seen) std::cerr << title(reflector, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
         draw(options.plot, plot_script(title(reflector, options.directions), grid, spectrum));

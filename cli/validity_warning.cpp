@@ -16,6 +16,14 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
+void ValidityWarning::note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
+                           const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy) {
+    const spectral::Reflector* he = reflector.he_torrance();
+    if (he == nullptr) return;
+    for (const SpectralSample& sample : spectral_samples(*he, wavelengths, policy))
+        note(spectral::validity(he->surface, pair, sample));
+}
+
 void ValidityWarning::print() const {
     if (outside_ == 0) return;
     std::cerr << "hts: " << outside_ << " of " << count_ << " values " << (count_ == 1 ? "is" : "are")

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string>
 
+#include "spectral/any_reflector.hpp"
+#include "spectral/reflectance.hpp"
 #include "spectral/validity.hpp"
 
 namespace hts::cli {
@@ -14,6 +16,9 @@ namespace hts::cli {
 class ValidityWarning {
   public:
     void note(const spectral::Validity& verdict) noexcept;
+    /// Verdicts at one pair and every wavelength, for a He-Torrance surface; of other models nothing is known.
+    void note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
+              const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy);
     /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if none is.
     void print() const;
 

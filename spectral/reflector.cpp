@@ -47,42 +47,14 @@ Material file_from(const JsonValue& index, const std::filesystem::path& folder) 
     return located(file.place(), [&] { return read_material(path); });
 }
 
-Material material_from(const JsonValue& index, const std::filesystem::path& folder) {
-    if (index.is_text()) return located(index.place(), [&] { return built_in_material(index.text()); });
-    if (!index.is_object()) {
-        throw index.error(R"(must be a built-in name, {"n", "k"}, {"file"} or {"table"})");
-    }
-    if (index.find("file")) return file_from(index, folder);
-    if (index.find("table")) return material_from_json(index, index.place());
-    if (index.find("n") || index.find("k")) return constant_from(index);
-    throw index.error(R"(must have "n" and "k", or "file", or "table")");
-}
-
-PiecewiseLinear albedo_table_from(const JsonValue& table) {
-    std::vector<PiecewiseLinear::Point> points;
-    for (const auto& row : table.rows({"um", "a"})) {
-        located(row.place, [&] {
-            const auto wavelength = Wavelength::from_micrometres(row.values[0]);
-            points.push_back({wavelength.micrometres(), checked_albedo(row.values[1])});
-        });
-    }
-    return PiecewiseLinear{std::move(points)};
-}
-
 DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
     if (!albedo) return DiffuseAlbedo{0};
     if (albedo->is_object()) {
         albedo->require_keys_among({"table"});
-        return DiffuseAlbedo{albedo_table_from((*albedo)["table"])};
+        return DiffuseAlbedo{number_table((*albedo)["table"], "a", checked_albedo)};
     }
     const double value = albedo->number();
     return located(albedo->place(), [&] { return DiffuseAlbedo{value}; });
-}
-
-void require_known_model(const JsonValue& model) {
-    const std::vector<std::string> known{"he"};
-    if (std::find(known.begin(), known.end(), model.text()) != known.end()) return;
-    throw model.error(in_quotes(model.text()) + " is not known; must be one of " + joined(known));
 }
 
 }  // namespace
@@ -98,9 +70,34 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
     return value_at(value_, range_of(value_).admit(wavelength, policy, "diffuse albedo"));
 }
 
+Material material_from(const JsonValue& index, const std::filesystem::path& folder) {
+    if (index.is_text()) return located(index.place(), [&] { return built_in_material(index.text()); });
+    if (!index.is_object()) {
+        throw index.error(R"(must be a built-in name, {"n", "k"}, {"file"} or {"table"})");
+    }
+    if (index.find("file")) return file_from(index, folder);
+    if (index.find("table")) return material_from_json(index, index.place());
+    if (index.find("n") || index.find("k")) return constant_from(index);
+    throw index.error(R"(must have "n" and "k", or "file", or "table")");
+}
+
+PiecewiseLinear number_table(const JsonValue& table, const char* column, const NumberCheck& check) {
+    std::vector<PiecewiseLinear::Point> points;
+    for (const auto& row : table.rows({"um", column})) {
+        located(row.place, [&] {
+            const auto wavelength = Wavelength::from_micrometres(row.values[0]);
+            points.push_back({wavelength.micrometres(), check(row.values[1])});
+        });
+    }
+    return PiecewiseLinear{std::move(points)};
+}
+
 Reflector reflector_from_json(const JsonValue& description, const std::filesystem::path& folder,
                               const std::string& default_name) {
-    require_known_model(description["model"]);
+    const JsonValue model = description["model"];
+    if (model.text() != "he") {
+        throw model.error(in_quotes(model.text()) + ": must be he, the He-Torrance model");
+    }
     description.require_keys_among(
         {"name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"});
     const auto name = description.find("name");

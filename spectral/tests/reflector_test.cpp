@@ -158,7 +158,7 @@ TEST_CASE("lengths, albedo, model and keys that cannot be are refused with their
         std::string what, by, message;
     };
     const Case cases[] = {
-        {"\"he\"", "\"walter\"", "\"model\": \"walter\" is not known; must be one of he"},
+        {"\"he\"", "\"walter\"", "\"model\": \"walter\": must be he, the He-Torrance model"},
         {"\"he\"", "1", "\"model\": must be a string, not a number"},
         {"\"model\": \"he\",", "", "\"model\": missing"},
         {"\"test\"", "{}", "\"name\": must be a string, not an object"},

@@ -1,0 +1,153 @@
+// Every model on the command line: the verbs take the material files in cli/data and others, and refuse what a model lacks.
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+
+using hts::cli::testing::cells;
+using hts::cli::testing::Result;
+using hts::cli::testing::Workplace;
+
+namespace {
+
+const std::string data = HTS_SOURCE_DIR "/cli/data/";
+const std::string point = " --wavelength 0.55 --theta-i 30 --theta-r 40 --phi 170";
+
+/// Material files by model; he is what the other tests are about.
+std::map<std::string, std::string> materials(const Workplace& place) {
+    const auto lobes = [&](const std::string& model, const std::string& lobe) {
+        return place.file(model + ".json",
+                          R"({"model": ")" + model + R"(", "kd": 0.1, "lobes": [)" + lobe + "]}");
+    };
+    return {
+        {"walter", data + "rough-gold.json"},
+        {"kurt", data + "purple-satin.json"},
+        {"ashikhmin", place.file("ashikhmin.json", R"({"model": "ashikhmin", "f0": 0.2, "diffuse_albedo": 0.5,
+                "normals": {"type": "gaussian", "sigma_x": 0.3, "sigma_y": 0.3}})")},
+        {"lambert", place.file("lambert.json", R"({"model": "lambert", "diffuse_albedo": 0.5})")},
+        {"oren_nayar",
+         place.file("oren_nayar.json",
+                    R"({"model": "oren_nayar", "diffuse_albedo": 0.5, "slope_angle_deg": 20})")},
+        {"ward", lobes("ward", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
+        {"ward_duer", lobes("ward_duer", R"({"ks": 0.5, "mx": 0.2, "my": 0.4})")},
+        {"cook_torrance", lobes("cook_torrance", R"({"ks": 0.5, "f0": 0.8, "m": 0.3})")},
+        {"blinn_phong", lobes("blinn_phong", R"({"ks": 0.5, "exponent": 30})")},
+        {"lafortune", lobes("lafortune", R"({"ks": 0.5, "cx": -1, "cy": -1, "exponent": 30})")},
+        {"ashikhmin_shirley",
+         place.file("ashikhmin_shirley.json",
+                    R"({"model": "ashikhmin_shirley", "rd": 0.5, "f0": 0.1, "nx": 20, "ny": 80})")}};
+}
+
+double cell(const std::vector<std::vector<std::string>>& table, std::size_t row, const std::string& column) {
+    for (std::size_t i = 0; i < table.front().size(); ++i) {
+        if (table.front()[i] == column) return std::strtod(table.at(row).at(i).c_str(), nullptr);
+    }
+    FAIL("no column " << column);
+    return 0;
+}
+
+/// What a command wrote, which must have gone well.
+std::string output(const Result& result) {
+    INFO(result.errors);
+    REQUIRE(result.exit_code == 0);
+    return result.output;
+}
+
+}  // namespace
+
+TEST_CASE("every verb takes every model") {
+    const Workplace place;
+    for (const auto& [model, file] : materials(place)) {
+        INFO(model);
+        const std::string material = " --material " + file;
+        const auto value = cells(output(place.hts("eval" + material + point + " --detail")));
+        const double brdf = cell(value, 1, "brdf");
+        CHECK(brdf > 0);
+        CHECK(cell(value, 1, "specular_reflectance") == 0);
+        CHECK(value.front().back() == "specular_reflectance");
+
+        const auto spectrum = cells(output(place.hts(
+            "spectrum" + material + " --theta-i 30 --theta-r 40 --phi 170 --wavelengths 0.5,0.55")));
+        CHECK(cell(spectrum, 2, "brdf") == Approx(brdf).epsilon(1e-14));
+
+        const auto curve = cells(
+            output(place.hts("polar" + material + " --wavelength 0.55 --theta-i 30 --phi-i 20 --absolute")));
+        CHECK(curve.size() > 700);
+
+        const auto albedo =
+            cells(output(place.hts("albedo" + material + " --wavelengths 0.55 --theta-i 40 --phi-i 20")));
+        const double total = cell(albedo, 1, "total");
+        CHECK(albedo.front().back() == "total");
+        const auto draws = cells(output(place.hts(
+            "sample" + material + " --wavelength 0.55 --theta-i 40 --phi-i 20 --count 4000 --seed 3")));
+        double sum = 0, squares = 0;
+        for (std::size_t i = 1; i < draws.size(); ++i) {
+            const double weight = cell(draws, i, "weight");
+            sum += weight / 4000;
+            squares += weight * weight / 4000;
+        }
+        const double error = std::sqrt((squares - sum * sum) / 4000);
+        CHECK(std::abs(sum - total) < 5 * error + 1e-5);
+
+        const auto info = nlohmann::json::parse(
+            output(place.hts("info " + file + " --wavelengths 0.55 --theta 0,60 --json")));
+        CHECK(info["model"] == model);
+        CHECK(info["points"].size() == 2);
+        CHECK(output(place.hts("info " + file + " --wavelengths 0.55 --theta 0")).find(model) !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("hts eval of points with any model gives the same bytes for any number of threads") {
+    const Workplace place;
+    std::string points = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";
+    for (int i = 0; i < 200; ++i)
+        points += "0.5," + std::to_string(i % 90) + ",10,40," + std::to_string(i) + "\n";
+    place.file("points.csv", points);
+    for (const auto& [model, file] : materials(place)) {
+        const std::string command = "eval --points points.csv --material " + file;
+        const auto one = place.hts(command, "OMP_NUM_THREADS=1");
+        CHECK(cells(one.output).size() == 201);
+        CHECK(one.output == place.hts(command, "OMP_NUM_THREADS=3").output);
+    }
+    const auto rate =
+        place.hts("eval --wavelengths 0.5,0.6 --random-pairs 1000 --material " + data + "rough-gold.json");
+    CHECK(output(rate).find("1000,2,1,") != std::string::npos);
+}
+
+TEST_CASE("what only the He-Torrance model has is refused with others") {
+    const Workplace place;
+    place.file("lambert.json", R"({"name": "paper", "model": "lambert", "diffuse_albedo": 0.5})");
+    const std::string header = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,n\n";
+    place.file("n.csv", header + "0.5,30,0,40,170,1.5\n");
+    const auto refuses = [&](const std::string& command, int exit_code, const std::string& named) {
+        const Result result = place.hts(command);
+        INFO(command << "\n" << result.errors);
+        CHECK(result.exit_code == exit_code);
+        CHECK(result.output.empty());
+        CHECK(result.errors.find(named) != std::string::npos);
+        CHECK(result.errors.find("he") != std::string::npos);
+    };
+    refuses("eval --material lambert.json --mueller" + point, 2, "--mueller");
+    refuses("eval --material lambert.json --polarisation s" + point, 2, "--polarisation");
+    refuses("albedo --material lambert.json --wavelengths 0.5 --theta-i 0 --measured 0.5", 2, "--measured");
+    refuses("albedo --material lambert.json --compensate-energy", 2, "--compensate-energy");
+    refuses("eval --material lambert.json --points n.csv", 1, "column n");
+}
+
+TEST_CASE("a material file's warning reaches the user") {
+    const Workplace place;
+    place.file("velvet.json", R"({"model": "ashikhmin", "f0": 1,
+        "normals": {"type": "slanted_fibres", "sigma": 0.5, "slant_deg": 40}})");
+    const auto result = place.hts("eval --material velvet.json" + point);
+    CHECK(result.exit_code == 0);
+    CHECK(result.errors.find("velvet.json: mean normal") != std::string::npos);
+    CHECK(output(place.hts("info velvet.json --wavelengths 0.5 --theta 60")).find("Warning: mean normal") !=
+          std::string::npos);
+}

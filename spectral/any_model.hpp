@@ -1,0 +1,122 @@
+/// Any reflectance model at one wavelength behind one face, for programs that learn at run time which it is.
+///
+/// A program that knows its model uses the model's own type (hts/microfacet/, hts/sampling.hpp): it is a plain value, its
+/// calls are inlined, and it is a hts::ReflectanceModel. AnyModel is for the edge: `read_any_reflector` gives one for a
+/// material file. Besides what the concept asks for it splits off a uniform-diffuse part, holds a specular delta, which is no
+/// number (only He-Torrance has one), and so says of each draw which lobe it came from.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "hts/microfacet/model.hpp"
+#include "hts/sampling.hpp"
+#include "spectral/energy.hpp"
+
+namespace hts::spectral {
+
+/// A BRDF by parts [1/sr].
+struct BrdfTerms {
+    double directional_diffuse;
+    double uniform_diffuse;  ///< the part that is the same for all directions above the horizon
+};
+
+/// An immutable model at one wavelength; copies share it. Calls are total, allocate nothing and may run on any thread.
+class AnyModel {
+  public:
+    ///   uniform_diffuse   part of the model's BRDF that is the same for all directions above the horizon [1/sr]
+    template <ReflectanceModel Model>
+    explicit AnyModel(Model model, double uniform_diffuse = 0)
+        : face_{std::make_shared<const Of<Model>>(std::move(model), uniform_diffuse)} {}
+
+    /// The He-Torrance model. The first draw or density prepares its sampler, some 20 ms.
+    [[nodiscard]] static AnyModel he_torrance(const Surface& surface, const SpectralSample& sample);
+
+    /// Both diffuse parts [1/sr], unpolarised.
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return face_->brdf(in, out);
+    }
+    /// The same by parts; the uniform one is the model's even where the other is 0.
+    [[nodiscard]] BrdfTerms terms(const Direction& in, const Direction& out) const noexcept {
+        return face_->terms(in, out);
+    }
+    /// Reflectance into the mirror direction; 0 for models without a delta.
+    [[nodiscard]] SpecularReflectance specular_reflectance(const Direction& in) const noexcept {
+        return face_->specular_reflectance(in);
+    }
+    /// Density in solid angle of `sample` drawing `out` from a diffuse lobe [1/sr].
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
+        return face_->pdf(in, out);
+    }
+    /// Draws a direction; the mean weight is the albedo. Models without a delta say Lobe::uniform_diffuse where that part
+    /// is all there is, else directional_diffuse, or none.
+    [[nodiscard]] WeightedDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept {
+        return face_->sample(in, uniforms);
+    }
+    /// Directional-hemispherical reflectance by term.
+    ///   error   accuracy::hemispherical_reflectance for He-Torrance, else hts::accuracy::directional_albedo
+    ///   cost    1 to 100 ms
+    [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const { return face_->albedo(in); }
+
+  private:
+    struct Face {
+        virtual ~Face() = default;
+        [[nodiscard]] virtual double brdf(const Direction& in, const Direction& out) const noexcept = 0;
+        [[nodiscard]] virtual BrdfTerms terms(const Direction& in, const Direction& out) const noexcept = 0;
+        [[nodiscard]] virtual SpecularReflectance specular_reflectance(
+            const Direction& in) const noexcept = 0;
+        [[nodiscard]] virtual double pdf(const Direction& in, const Direction& out) const noexcept = 0;
+        [[nodiscard]] virtual WeightedDirection sample(const Direction& in,
+                                                       const Uniforms& uniforms) const noexcept = 0;
+        [[nodiscard]] virtual HemisphericalReflectance albedo(const Direction& in) const = 0;
+    };
+    template <ReflectanceModel Model>
+    class Of;
+    class HeTorrance;
+
+    explicit AnyModel(std::shared_ptr<const Face> face) : face_{std::move(face)} {}
+    /// Albedo of a whole BRDF less its uniform part.
+    [[nodiscard]] static HemisphericalReflectance albedo_of(const Face& face, double uniform_diffuse,
+                                                            const Direction& in);
+
+    std::shared_ptr<const Face> face_;
+};
+
+template <ReflectanceModel Model>
+class AnyModel::Of final : public AnyModel::Face {
+  public:
+    Of(Model model, double uniform_diffuse) : model_{std::move(model)}, uniform_diffuse_{uniform_diffuse} {}
+
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept override {
+        return model_.brdf(in, out);
+    }
+    [[nodiscard]] BrdfTerms terms(const Direction& in, const Direction& out) const noexcept override {
+        const double sum = model_.brdf(in, out);
+        return {std::max(0.0, sum - uniform_diffuse_), std::min(sum, uniform_diffuse_)};
+    }
+    [[nodiscard]] SpecularReflectance specular_reflectance(const Direction& /*in*/) const noexcept override {
+        return SpecularReflectance{0};
+    }
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept override {
+        return model_.pdf(in, out);
+    }
+    [[nodiscard]] WeightedDirection sample(const Direction& in,
+                                           const Uniforms& uniforms) const noexcept override {
+        const DrawnDirection drawn = model_.sample(in, uniforms);
+        if (!(drawn.pdf > 0)) return {drawn.out, Lobe::none, 0, 0};
+        const bool uniform = terms(in, drawn.out).directional_diffuse == 0 && uniform_diffuse_ > 0;
+        return {drawn.out, uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse, drawn.weight,
+                drawn.pdf};
+    }
+    [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const override {
+        return albedo_of(*this, uniform_diffuse_, in);
+    }
+
+  private:
+    Model model_;
+    double uniform_diffuse_;
+};
+
+}  // namespace hts::spectral
