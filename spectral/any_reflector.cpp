@@ -33,6 +33,7 @@ AnyReflector read_any_reflector(const std::filesystem::path& path, const std::ve
     const auto entry = std::find_if(models.begin(), models.end(), named);
     if (entry == models.end()) {
         std::vector<std::string> known;
+        known.reserve(models.size());
         for (const ModelEntry& one : models) known.push_back(one.name);
         throw model.error(in_quotes(model.text()) + " is not known; must be one of " + joined(known));
     }

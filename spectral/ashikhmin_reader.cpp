@@ -54,7 +54,7 @@ NormalDensity slanted_from(const JsonValue& normals) {
 NormalDensity normals_from(const JsonValue& normals);
 
 /// [[share, {…}], …]
-NormalDensity mixture_from(const JsonValue& normals) {
+NormalDensity mixture_from(const JsonValue& normals) {  // NOLINT(misc-no-recursion): mixtures nest
     normals.require_keys_among({"type", "of"});
     const JsonValue list = normals["of"];
     std::vector<NormalDensity::Share> shares;
@@ -69,7 +69,7 @@ NormalDensity mixture_from(const JsonValue& normals) {
     return located(list.place(), [&] { return NormalDensity::mixture(shares); });
 }
 
-NormalDensity normals_from(const JsonValue& normals) {
+NormalDensity normals_from(const JsonValue& normals) {  // NOLINT(misc-no-recursion): mixtures nest
     const JsonValue type = normals["type"];
     if (type.text() == "gaussian") return gaussian_from(normals);
     if (type.text() == "grooves") return grooves_from(normals);

@@ -104,7 +104,8 @@ struct Construct {
 
 /// A model whose constructor takes numbers, one per key.
 template <ReflectanceModel Model, std::size_t N>
-[[nodiscard]] ModelEntry model_of_numbers(std::string name, std::string source, const NumberKey (&keys)[N]) {
+[[nodiscard]] ModelEntry model_of_numbers(std::string name, std::string source,
+                                          const NumberKey (&keys)[N]) {  // NOLINT(modernize-avoid-c-arrays)
     return model_made_by<Construct<Model>>(std::move(name), std::move(source), std::to_array(keys));
 }
 
@@ -149,7 +150,8 @@ class LobesOfNumbers {
 
 /// DiffuseAndLobes<Lobe>.
 template <LobeShape Lobe, std::size_t N>
-[[nodiscard]] ModelEntry model_of_lobes(std::string name, std::string source, const NumberKey (&list)[N]) {
+[[nodiscard]] ModelEntry model_of_lobes(std::string name, std::string source,
+                                        const NumberKey (&list)[N]) {  // NOLINT(modernize-avoid-c-arrays)
     return {std::move(name), std::move(source), [keys = std::to_array(list)](const MaterialFile& file) {
                 file.json.require_keys_among({"name", "model", "kd", "lobes"});
                 return AnyReflector{[parts = LobesOfNumbers<Lobe, N>{file.json, keys}](

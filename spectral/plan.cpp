@@ -96,6 +96,7 @@ void note(std::vector<Rung>& rejected, Rung rung) {
 std::vector<MeasuredRung> measured(const Scene& scene, const Reflector& material, const ErrorMeter& meter,
                                    const std::vector<Rung>& rungs) {
     std::vector<MeasuredRung> result;
+    result.reserve(rungs.size());
     for (const Rung& rung : rungs) result.push_back({rung, meter.error({scene, material, rung})});
     return result;
 }

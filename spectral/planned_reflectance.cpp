@@ -79,6 +79,7 @@ std::vector<SpecularReflectance> PlannedReflectance::specular_reflectance(const 
         interpolation_(at_nodes, spectrum);
     }
     std::vector<SpecularReflectance> result;
+    result.reserve(spectrum.size());
     for (const double value : spectrum) result.emplace_back(value);
     return result;
 }

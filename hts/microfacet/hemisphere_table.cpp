@@ -8,7 +8,8 @@ namespace {
 
 std::size_t column_count(NormalSymmetry symmetry, std::size_t per_quarter) {
     if (symmetry.isotropic) return 1;
-    const std::size_t quarters = (symmetry.mirror_x ? 1U : 2U) * (symmetry.mirror_y ? 1U : 2U);
+    const std::size_t quarters =
+        std::size_t{symmetry.mirror_x ? 1U : 2U} * std::size_t{symmetry.mirror_y ? 1U : 2U};
     return quarters * per_quarter + 1;
 }
 
