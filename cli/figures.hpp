@@ -20,6 +20,16 @@ struct Figure {
     std::string script;
 };
 
+/// What every script begins with: CSV in, quiet axes and grid.
+inline constexpr auto figure_style = R"(set datafile separator comma
+set border 3 lc rgb '#666666'
+set tics nomirror textcolor rgb '#333333'
+set grid lc rgb '#e4e4e4' lw 0.6
+)";
+
+/// A label on the page, at 0 ... 1 from the lower left corner.
+[[nodiscard]] std::string page_label(const std::string& text, double x, double y, int size);
+
 /// Figures 2, 8, 10, 11, 13 and 14 of Walter, Marschner, Li and Torrance 2007, theory alone.
 [[nodiscard]] std::vector<Figure> walter_figures();
 

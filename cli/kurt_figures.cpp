@@ -16,12 +16,6 @@ namespace {
 /// Okabe and Ito's colours, for all kinds of colour vision.
 constexpr std::array colours{"#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#aa4499"};
 
-constexpr auto style = R"(set datafile separator comma
-set border 3 lc rgb '#666666'
-set tics nomirror textcolor rgb '#333333'
-set grid lc rgb '#e4e4e4' lw 0.6
-)";
-
 constexpr auto albedo_axes = R"(set xlabel 'angle of incidence [°]'
 set xrange [0:90]
 set xtics 15
@@ -64,11 +58,6 @@ FigureTable albedo_table(const std::string& stem, const std::vector<std::string>
     return table;
 }
 
-std::string page_label(const std::string& text, double x, double y, int size) {
-    return "set label " + gnuplot_string(text) + " at screen " + shortest(x) + ',' + shortest(y) +
-           " left noenhanced font '," + std::to_string(size) + "' tc rgb '#111111'\n";
-}
-
 /// Title and caption above the picture.
 std::string heading(const std::string& title, const std::string& caption) {
     return page_label(title, 0.02, 0.955, 18) + page_label(caption, 0.02, 0.905, 13);
@@ -104,7 +93,7 @@ Figure figure_2() {
                       [&](std::size_t i, double degrees) { return symmetric_albedo(widths[i], degrees); })},
         {}};
     figure.script =
-        std::string{style} + "set margins 9,17,4,5\n" +
+        std::string{figure_style} + "set margins 9,17,4,5\n" +
         heading("Albedo of the symmetric form (9), after Fig. 2 of Kurt et al. 2010",
                 "F = 1. A curve per width m of the slopes.") +
         albedo_axes +
@@ -117,7 +106,8 @@ Figure figure_3() {
     const std::vector<double> widths{0.05, 0.2, 0.5}, alphas{0, 0.1, 0.25, 0.5, 0.75, 1};
     Figure figure{"figure-3", {}, {}};
     figure.script =
-        std::string{style} + "set multiplot layout 1,3 margins 0.085,0.98,0.2,0.82 spacing 0.04,0.1\n" +
+        std::string{figure_style} +
+        "set multiplot layout 1,3 margins 0.085,0.98,0.2,0.82 spacing 0.04,0.1\n" +
         heading("Albedo of the form with the exponent α, after Fig. 3 of Kurt et al. 2010",
                 "F = 1. Every curve with α > 0 grows without bound at last, like (cos θ)^-α.") +
         albedo_axes +
@@ -186,7 +176,7 @@ FigureTable plausibility_table() {
 Figure plausibility_map() {
     Figure figure{"plausible-alpha", {plausibility_table()}, {}};
     figure.script =
-        std::string{style} + "set margins 9,17,4,5\n" +
+        std::string{figure_style} + "set margins 9,17,4,5\n" +
         heading("Where the model of Kurt et al. 2010 conserves energy",
                 "F = 1. Below a curve the albedo is at most 1 up to that angle of incidence.") +
         "set logscale x\nset xrange [0.02:2]\nset yrange [0:1]\nset xlabel 'width m of the slopes'\n"

@@ -11,12 +11,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto style = R"(set datafile separator comma
-set border 3 lc rgb '#666666'
-set tics nomirror textcolor rgb '#333333'
-set grid lc rgb '#e4e4e4' lw 0.6
-set samples 2
-)";
+constexpr auto samples = "set samples 2\n";
 
 constexpr auto two_panels = "set multiplot layout 1,2 margins 0.08,0.975,0.13,0.82 spacing 0.095,0.1\n";
 
@@ -26,12 +21,6 @@ set xrange [-30:90]
 set xtics 30
 set yrange [0:*]
 )";
-
-/// A label on the page.
-std::string page_label(const std::string& text, double x, double y, int size) {
-    return "set label " + gnuplot_string(text) + " at screen " + shortest(x) + ',' + shortest(y) +
-           " left noenhanced font '," + std::to_string(size) + "' tc rgb '#111111'\n";
-}
 
 /// Title and caption, written once, above the first panel.
 std::string heading(const std::string& title, const std::string& caption) {
@@ -133,7 +122,7 @@ Figure figure_2() {
     return {
         "figure-2",
         {lobes("figure-2", measured_glasses[0], false)},
-        std::string{style} + "set margins 9,3,4,6\n" +
+        std::string{figure_style} + samples + "set margins 9,3,4,6\n" +
             heading("Light through ground glass, after Fig. 2 of Walter et al. 2007",
                     "Theory: GGX, α = 0.394, index 1.51. Dashed: where a smooth surface would refract the "
                     "light.") +
@@ -147,7 +136,7 @@ Figure figure_8() {
         "figure-8",
         {normals("figure-8-normals", {"beckmann", "phong", "ggx"}, facets, {1, 1, 1}, 40),
          shadowing("figure-8-shadowing")},
-        std::string{style} + two_panels +
+        std::string{figure_style} + samples + two_panels +
             heading("Normals and shadowing, after Fig. 8 of Walter et al. 2007",
                     "Beckmann α = 0.2, Phong exponent 48, GGX α = 0.2: Phong is like Beckmann, GGX has "
                     "a narrower peak and longer tails.") +
@@ -180,7 +169,7 @@ Figure sample_figure(const std::string& number, const MeasuredGlass& glass, doub
             {lobes(stem + "-lobes", glass, true),
              normals(stem + "-normals", {"beckmann", "ggx"}, facets, {glass.beckmann_scale, glass.ggx_scale},
                      widest_normal)},
-            std::string{style} + two_panels +
+            std::string{figure_style} + samples + two_panels +
                 heading(std::string{"Transmission of "} + glass.name + " glass, after Fig. " + number +
                             " of Walter et al. 2007",
                         caption) +

@@ -1,7 +1,6 @@
 // The directional-diffuse term in lanes, formula by formula; included once per instruction set.
 //
-// A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `reflectance` and
-// `lobe_place`. V is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
+// A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `fresnel_terms`. V is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
 #if defined(HTS_EVALUATION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_EVALUATION_KERNEL_INL
 #undef HTS_EVALUATION_KERNEL_INL

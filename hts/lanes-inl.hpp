@@ -97,8 +97,6 @@ struct WideLanes {
         return hn::RebindMask(d, hn::TestBit(a, integer(b)));  // one bit
     }
     static HWY_INLINE Flag not_negative(Int a) { return hn::RebindMask(d, hn::Gt(a, integer(-1))); }
-    static HWY_INLINE Flag at_most(Real a, Real b) { return hn::Le(a, b); }
-    static HWY_INLINE Flag both(Flag a, Flag b) { return hn::And(a, b); }
     static HWY_INLINE Int select_integer(Mask m, Int a, Int b) {
         return hn::IfThenElse(hn::RebindMask(di, m), a, b);
     }

@@ -94,8 +94,6 @@ struct PlainLanes {
     HTS_PLAIN_INLINE Mask either(Mask a, Mask b) noexcept { return a | b; }
     HTS_PLAIN_INLINE Mask any_bit(Int a, Int b) noexcept { return mask((a & b) != 0); }
     HTS_PLAIN_INLINE Flag not_negative(Int a) noexcept { return a >= 0; }
-    HTS_PLAIN_INLINE Flag at_most(Real a, Real b) noexcept { return a <= b; }
-    HTS_PLAIN_INLINE Flag both(Flag a, Flag b) noexcept { return static_cast<int>(a) & static_cast<int>(b); }
     /// By bits: a jump here would be mispredicted half of the time.
     HTS_PLAIN_INLINE Int select_integer(Mask m, Int a, Int b) noexcept { return b ^ ((a ^ b) & m); }
     HTS_PLAIN_INLINE Real select(Mask m, Real a, Real b) noexcept {

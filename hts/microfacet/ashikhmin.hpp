@@ -20,10 +20,10 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double tabulated_area = 2e-3;      ///< of g(k) from the table, relative, mean normal along n
-inline constexpr double facets_reflectance = 1e-3;  ///< of R(k) by integration, absolute
-inline constexpr double tabulated_reflectance = 1e-2;  ///< of R(k) from the table, absolute
-inline constexpr double lambertian_facets = 3e-3;      ///< of `LambertianFacets::brdf` relative to albedo/pi
+inline constexpr double tabulated_area = 2e-3;  ///< of g(k) from the table, relative, mean normal along n
+inline constexpr double integrated_reflectance = 1e-3;  ///< of R(k) by integration, absolute
+inline constexpr double tabulated_reflectance = 1e-2;   ///< of R(k) from the table, absolute
+inline constexpr double lambertian_facets = 3e-3;       ///< of `LambertianFacets::brdf` relative to albedo/pi
 }  // namespace accuracy
 
 /// How the facets reflect at one wavelength.
@@ -83,7 +83,7 @@ class AshikhminFacets {
     [[nodiscard]] FacetPair pair(const Direction& in, const Direction& out) const noexcept;
 
     /// R(k) of the facets alone [Ashikhmin00 (29)], by sums that are refined until they settle.
-    ///   error   accuracy::facets_reflectance     cost   0.1 to 3 ms
+    ///   error   accuracy::integrated_reflectance     cost   0.1 to 3 ms
     [[nodiscard]] double integrated_reflectance(const Direction& k, const FacetFresnel& fresnel) const;
     /// R(k) for Schlick's F from the tables, linear in f0.    error   accuracy::tabulated_reflectance
     [[nodiscard]] double reflectance(const Direction& k, double f0) const noexcept;

@@ -133,7 +133,7 @@ void check_reciprocity(const char* name, const Model& model) {
 TEST_CASE("Ashikhmin: tables of g and R against their integrals, and energy") {
     WorstCase area{"g(k) tabulated", hts::accuracy::tabulated_area};
     WorstCase reflectance{"R(k) tabulated", hts::accuracy::tabulated_reflectance};
-    WorstCase energy{"R(k) above 1, f0 = 1", hts::accuracy::facets_reflectance};
+    WorstCase energy{"R(k) above 1, f0 = 1", hts::accuracy::integrated_reflectance};
     const auto mirrors = FacetFresnel::schlick(1);
     for (const auto& [name, density] : upright()) {
         const AshikhminFacets facets{density};
@@ -159,7 +159,7 @@ TEST_CASE("Ashikhmin: tables of g and R against their integrals, and energy") {
 }
 
 TEST_CASE("Ashikhmin: the energy of correlated shadowing is bounded too") {
-    WorstCase energy{"R(k) above 1, correlated, f0 = 1", hts::accuracy::facets_reflectance};
+    WorstCase energy{"R(k) above 1, correlated, f0 = 1", hts::accuracy::integrated_reflectance};
     for (const auto& density : {NormalDensity::inverse_gaussian(0.5),
                                 NormalDensity::grooves(40 * degree, 0.1), NormalDensity::gaussian(0.3, 1)}) {
         const AshikhminFacets facets{density, FacetShadowing::correlated}, apart{density};
@@ -196,7 +196,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Ashikhmin: R(k) agrees with the integral of the BRDF over the outgoing direction") {
-    WorstCase worst{"R(k)", hts::accuracy::facets_reflectance};
+    WorstCase worst{"R(k)", hts::accuracy::integrated_reflectance};
     for (const auto shadowing : {FacetShadowing::uncorrelated, FacetShadowing::correlated}) {
         for (const auto& density : {NormalDensity::gaussian(0.3, 1), NormalDensity::inverse_gaussian(0.5),
                                     NormalDensity::grooves(40 * degree, 0.3)}) {
