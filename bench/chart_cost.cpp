@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bench/chart_script.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::bench {
 namespace {
@@ -76,7 +77,7 @@ std::string cost_script(const ChartData& data) {
            "core'\nplot ";
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const ChartStyle& style = methods[i].style;
-        const std::string colour = " lc rgb " + script::quoted(style.colour);
+        const std::string colour = " lc rgb " + spectral::gnuplot_string(style.colour);
         out << (i == 0 ? "" : ", \\\n  ") << "$m" << i << " with lines dt 3 lw 1" << colour << ", $m" << i
             << " using 1:($3 == 1 ? NaN : $2) with linespoints pi 2 pt " << style.marker << " ps "
             << script::marker_size(methods[i]) << " lw " << (methods[i].ours ? 2.4 : 1.3) << colour;

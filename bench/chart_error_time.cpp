@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bench/chart_script.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::bench {
 namespace {
@@ -85,7 +86,7 @@ void write_axes(std::ostream& out, std::size_t panel) {
 
 /// The band of failures and the name of the regime.
 void write_panel_texts(std::ostream& out, Regime regime) {
-    out << "set title " << script::quoted(title(regime)) << " offset 0,-0.6 font ',15' noenhanced\n"
+    out << "set title " << spectral::gnuplot_string(title(regime)) << " offset 0,-0.6 font ',15' noenhanced\n"
         << "set object 1 rect from graph 0, first 1 to graph 1, graph 1 fc rgb '#f0f0f0' fs solid noborder "
            "behind\n"
         << "set arrow 1 from graph 0, first 0.07 to graph 1, first 0.07 nohead lc rgb '#888888' lw 1 dt 2 "

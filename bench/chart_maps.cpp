@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bench/chart_script.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::bench {
 namespace {
@@ -111,7 +112,7 @@ std::string error_map_script(const ChartData& data) {
     for (std::size_t i = 0; i < count; ++i) {
         write_cells(out, data.maps[i], data.settings.grid);
         write_axes(out, i, count, layout);
-        out << "set title " << script::quoted(data.maps[i].method->title())
+        out << "set title " << spectral::gnuplot_string(data.maps[i].method->title())
             << " offset 0,-0.8 font ',13' noenhanced\n"
             << "plot $cells using (($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid 1 border lw 0.3 "
                "lc rgb variable\n"

@@ -1,15 +1,10 @@
 #include "bench/chart_script.hpp"
+#include "spectral/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hts::bench::script {
-
-std::string quoted(std::string_view text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-    return result + "'";
-}
 
 std::string colour_number(const std::string& colour) {
     return "0x" + colour.substr(1);
@@ -35,8 +30,9 @@ void begin_page(std::ostream& out, int width, int height) {
 }
 
 void write(std::ostream& out, double x, double y, int size, std::string_view text, std::string_view colour) {
-    out << "set label " << quoted(text) << " at screen " << x << "," << y << " left front noenhanced font ',"
-        << size << "' textcolor rgb " << quoted(colour) << '\n';
+    out << "set label " << spectral::gnuplot_string(text) << " at screen " << x << "," << y
+        << " left front noenhanced font '," << size << "' textcolor rgb " << spectral::gnuplot_string(colour)
+        << '\n';
 }
 
 void write_frame(std::ostream& out, const ChartData& data, std::string_view title, std::string_view subtitle,
@@ -54,7 +50,8 @@ LegendPlace write_family(std::ostream& out, const std::string& family, LegendPla
         at.y -= line;
         write(out, at.x + 0.018, at.y, 12, method.style.label, "#222222");
         out << "set label '' at screen " << at.x + 0.007 << "," << at.y << " point pt " << method.style.marker
-            << " ps " << marker_size(method) << " lw 1.6 lc rgb " << quoted(method.style.colour) << '\n';
+            << " ps " << marker_size(method) << " lw 1.6 lc rgb "
+            << spectral::gnuplot_string(method.style.colour) << '\n';
     }
     return {at.x, at.y - 1.5 * line};
 }

@@ -22,9 +22,6 @@ namespace hts::bench {
 /// What the three share.
 namespace script {
 
-/// A text as a gnuplot string literal, taken as it is.
-[[nodiscard]] std::string quoted(std::string_view text);
-
 /// "0xd55e00" from "#d55e00".
 [[nodiscard]] std::string colour_number(const std::string& colour);
 

@@ -78,11 +78,6 @@ void run(const FiguresOptions& options) {
 
 }  // namespace
 
-std::string page_label(const std::string& text, double x, double y, int size) {
-    return "set label " + gnuplot_string(text) + " at screen " + shortest(x) + ',' + shortest(y) +
-           " left noenhanced font '," + std::to_string(size) + "' tc rgb '#111111'\n";
-}
-
 void add_figures(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("figures", "figures of the papers computed anew, SVG by gnuplot");
     auto options = std::make_shared<FiguresOptions>();

@@ -72,12 +72,6 @@ std::string head(const std::string& picture) {
 
 }  // namespace
 
-std::string gnuplot_string(std::string_view text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
-    return quoted + "'";
-}
-
 void draw(const std::string& svg_path, std::string_view script) {
     const fs::path svg{svg_path};
     const fs::path script_path = fs::path{svg}.replace_extension(".gnuplot");

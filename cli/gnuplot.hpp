@@ -4,10 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "spectral/text.hpp"
+
 namespace hts::cli {
 
-/// A text as a gnuplot string literal, taken as it is.
-[[nodiscard]] std::string gnuplot_string(std::string_view text);
+using spectral::gnuplot_string;
 
 /// Writes the script beside the picture (figure.svg: figure.gnuplot), with the terminal and the output put
 /// in front, and runs it in that folder. hts::Error if gnuplot is missing, naming the package, or fails; the

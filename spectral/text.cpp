@@ -127,6 +127,12 @@ std::string in_quotes(std::string_view text) {
     return line;
 }
 
+std::string gnuplot_string(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
+    return quoted + "'";
+}
+
 double number_in(std::string_view text) {
     std::string_view digits = trimmed(text);
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);

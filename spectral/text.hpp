@@ -29,6 +29,9 @@ namespace hts::spectral {
 /// "text" with quotation marks around it, on one line: control characters become question marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// A text as a gnuplot string literal, taken as it is, on one line.
+[[nodiscard]] std::string gnuplot_string(std::string_view text);
+
 /// The finite number that is the whole text; hts::Error "\"abc\" is not a number" otherwise.
 [[nodiscard]] double number_in(std::string_view text);
 
