@@ -6,9 +6,14 @@
 
 #include "bench/stability_row.hpp"
 #include "hts/error.hpp"
+#include "spectral/html.hpp"
 
 namespace hts::bench {
 namespace {
+
+using spectral::html_escaped;
+using spectral::html_foot;
+using spectral::html_head;
 
 /// The verdict in words; those of a model's failure and of plain errors say more than the verdict's name.
 std::string spoken(const StabilityResult& result) {
@@ -36,22 +41,6 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '<') {
-            result += "&lt;";
-        } else if (c == '>') {
-            result += "&gt;";
-        } else if (c == '&') {
-            result += "&amp;";
-        } else {
-            result += c;
-        }
-    }
-    return result;
-}
-
 /// "5 of 30 cases fail"; a single case needs no count.
 std::string tally(const StabilityResult& r) {
     return std::to_string(r.failures) + " of " + std::to_string(r.cases) + " cases fail";
@@ -62,36 +51,18 @@ const char* css_class(const StabilityResult& result) {
     return is_failure(result.verdict) ? "bad" : "good";
 }
 
-constexpr std::string_view page_head = R"(<!DOCTYPE html>
-<html lang="en-GB"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>Stability of the He-Torrance model</title>
-<style>
-:root { color-scheme: light dark; --ink: #1b1f24; --paper: #fff; --rule: #d0d7de; --soft: #57606a;
-        --good: #116329; --bad: #a40e26; --model: #7d4e00; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6edf3; --paper: #0d1117; --rule: #30363d; --soft: #9da7b3;
-          --good: #56d364; --bad: #ff7b72; --model: #e3b341; } }
-body { font: 15px/1.45 system-ui, sans-serif; color: var(--ink); background: var(--paper);
-       max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.5rem; } h2 { font-size: 1.1rem; margin: 2rem 0 .4rem; }
-table { border-collapse: collapse; width: 100%; }
-td, th { text-align: left; vertical-align: top; padding: .35rem .6rem; border-top: 1px solid var(--rule); }
-th { color: var(--soft); font-weight: 600; }
+constexpr std::string_view page_style = R"(
 td:nth-child(1) { width: 22%; } td:nth-child(2) { width: 20%; } td:nth-child(3) { width: 22%; }
 tr.engine td:first-child { font-weight: 600; }
-.good { color: var(--good); } .bad { color: var(--bad); } .model { color: var(--model); }
-.soft { color: var(--soft); }
-</style></head><body>
-<h1>Where methods for the He-Torrance model fail, and what the engine does instead</h1>
 )";
 
 void write_html_row(std::ostream& out, const StabilityResult& r) {
-    out << "<tr" << (r.engine ? " class=\"engine\"" : "") << "><td>" << escaped(r.method)
+    out << "<tr" << (r.engine ? " class=\"engine\"" : "") << "><td>" << html_escaped(r.method)
         << "</td><td class=\"" << css_class(r) << "\">" << name(r.verdict)
-        << (is_failure(r.verdict) ? "" : " &#10003;") << "<br><span class=\"soft\">" << escaped(r.detail)
-        << "</span></td><td>" << escaped(r.where) << "<br><span class=\"soft\">" << tally(r)
-        << (r.bound > 0 ? ", bound " + brief(r.bound) : std::string{}) << "</span></td><td>" << escaped(r.why)
-        << "</td></tr>\n";
+        << (is_failure(r.verdict) ? "" : " &#10003;") << "<br><span class=\"soft\">" << html_escaped(r.detail)
+        << "</span></td><td>" << html_escaped(r.where) << "<br><span class=\"soft\">" << tally(r)
+        << (r.bound > 0 ? ", bound " + brief(r.bound) : std::string{}) << "</span></td><td>"
+        << html_escaped(r.why) << "</td></tr>\n";
 }
 
 }  // namespace
@@ -120,18 +91,21 @@ void write_stability_csv(std::ostream& out, const std::vector<StabilityResult>& 
 }
 
 void write_stability_html(std::ostream& out, const std::vector<StabilityResult>& results) {
-    out << page_head << "<p>" << escaped(summary(results))
+    out << html_head("Stability of the He-Torrance model",
+                     "Where methods for the He-Torrance model fail, and what the engine does instead",
+                     page_style)
+        << "<p>" << html_escaped(summary(results))
         << ". Each line is the worst case of its method, against 80 digits or an exact limit.</p>\n";
     int row = 0;
     for (const StabilityResult& r : results) {
         if (r.row != row) {
-            out << (row > 0 ? "</table>\n" : "") << "<h2>" << r.row << ". " << escaped(r.problem)
+            out << (row > 0 ? "</table>\n" : "") << "<h2>" << r.row << ". " << html_escaped(r.problem)
                 << "</h2>\n<table><tr><th>method</th><th>verdict</th><th>where</th><th>why</th></tr>\n";
         }
         row = r.row;
         write_html_row(out, r);
     }
-    out << (row > 0 ? "</table>\n" : "") << "</body></html>\n";
+    out << (row > 0 ? "</table>\n" : "") << html_foot;
 }
 
 }  // namespace hts::bench

@@ -6,10 +6,9 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/figure_files.hpp"
 #include "cli/figures.hpp"
 #include "cli/folder.hpp"
-#include "cli/gnuplot.hpp"
-#include "cli/table_writer.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
 
@@ -46,33 +45,13 @@ struct FiguresOptions {
     bool json = false;
 };
 
-void write_table(const std::filesystem::path& path, Format format, const FigureTable& numbers) {
-    Output output{path.string()};
-    TableWriter table{output, format, numbers.columns};
-    std::string text;
-    for (const auto& values : numbers.rows) {
-        TableWriter::Row row{table, text};
-        for (const double value : values) row.number(value);
-        row.end();
-    }
-    table.add(text);
-    table.finish();
-    output.commit();
-}
-
 void run(const FiguresOptions& options) {
     const std::filesystem::path folder{options.folder};
     make_folder(folder);
     const auto* const of_paper = std::find_if(
         papers.begin(), papers.end(), [&](const PaperFigures& each) { return options.paper == each.paper; });
     for (const Figure& figure : of_paper->make()) {
-        for (const FigureTable& table : figure.tables) {
-            write_table(folder / (table.stem + ".csv"), Format::csv, table);
-            if (options.json) write_table(folder / (table.stem + ".json"), Format::json, table);
-        }
-        const auto picture = folder / (figure.stem + ".svg");
-        draw(picture.string(), figure.script);
-        std::cout << picture.string() << '\n';
+        std::cout << write_figure(folder, figure, options.json).string() << '\n';
     }
 }
 

@@ -1,0 +1,36 @@
+#include "cli/figure_files.hpp"
+
+#include "cli/gnuplot.hpp"
+#include "cli/table_writer.hpp"
+
+namespace hts::cli {
+namespace {
+
+void write_table(const std::filesystem::path& path, Format format, const validation::FigureTable& numbers) {
+    Output output{path.string()};
+    TableWriter table{output, format, numbers.columns};
+    std::string text;
+    for (const auto& values : numbers.rows) {
+        TableWriter::Row row{table, text};
+        for (const double value : values) row.number(value);
+        row.end();
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+}  // namespace
+
+std::filesystem::path write_figure(const std::filesystem::path& folder, const validation::Figure& figure,
+                                   bool json) {
+    for (const validation::FigureTable& table : figure.tables) {
+        write_table(folder / (table.stem + ".csv"), Format::csv, table);
+        if (json) write_table(folder / (table.stem + ".json"), Format::json, table);
+    }
+    auto picture = folder / (figure.stem + ".svg");
+    draw(picture.string(), figure.script);
+    return picture;
+}
+
+}  // namespace hts::cli
