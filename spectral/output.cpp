@@ -1,4 +1,4 @@
-#include "cli/output.hpp"
+#include "spectral/output.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 #include "hts/error.hpp"
 
-namespace hts::cli {
+namespace hts::spectral {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ void write_file(const std::string& path, std::string_view text) {
     output.commit();
 }
 
-}  // namespace hts::cli
+}  // namespace hts::spectral

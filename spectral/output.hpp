@@ -1,0 +1,41 @@
+/// Output that appears complete or not at all. Private to the modules that write files.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hts::spectral {
+
+/// A file under construction. Text goes to a temporary file beside the target, which `commit` renames to it;
+/// an Output that is never committed, or a signal that ends the program, leaves nothing behind and an earlier
+/// file as it was. "-" is standard output; devices and pipes are written as they are. In both nothing
+/// appears before the first megabytes are full or `commit` is called.
+class Output {
+  public:
+    /// Throws hts::Error if the target is a directory or cannot be written.
+    explicit Output(std::string path);
+    ~Output();
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+    /// Throws hts::Error if the medium refuses, as `commit` does.
+    void write(std::string_view text);
+    void commit();
+
+  private:
+    void flush();
+    void discard() noexcept;
+    [[noreturn]] void fail() const;
+
+    std::string path_;
+    std::string target_;   // where a symbolic link leads
+    std::string partial_;  // empty if written directly
+    std::string buffer_;
+    int descriptor_ = -1;
+};
+
+/// Writes a whole file, as Output does.
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace hts::spectral
