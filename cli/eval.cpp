@@ -24,6 +24,9 @@ repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr] a
 specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of
 polarisation are those of model he; others have neither.
+With --transmission the view is behind the surface, theta_r counts from the inward normal,
+and the answer is btdf [1/sr], radiance out per irradiance in; straight on is theta_r =
+theta_i, phi_r = phi_i + 180.
 With --plan, --material is the name of one of its materials, and the wavelengths are the
 plan's. A spectral plan adds wavelength_um, brdf, specular_reflectance, an rgb one linear
 sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_green,
@@ -44,7 +47,7 @@ struct EvalOptions {
     std::string wavelengths, points, polarisation, plan;
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
-    bool mueller = false, detail = false;
+    bool mueller = false, detail = false, transmission = false;
 };
 
 std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) {
@@ -125,7 +128,7 @@ void evaluate_points(const EvalOptions& options) {
     const PointEvaluator evaluator{points, described, grid, options.material.policy()};
     warn_of_unused(points);
     const bool he = !described || described->he_torrance() != nullptr;
-    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he};
+    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he, options.transmission};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -135,6 +138,7 @@ void evaluate_points(const EvalOptions& options) {
     ValidityWarning warning;
     const Summary summary = Transform<Evaluation>{points, table, evaluator.wavelengths()}.run(
         [&](const CsvRow& row, std::span<Evaluation> result) {
+            if (answer.transmission) return evaluator.evaluate_transmission(row, result);
             evaluator.evaluate(row, answer.needs_mueller(), result, warning);
         },
         [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
@@ -198,6 +202,11 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
+    if (options.transmission && (options.mueller || options.detail || !options.polarisation.empty() ||
+                                 !options.plan.empty() || options.random_pairs)) {
+        throw UsageError{
+            "--transmission: must not come with --mueller, --detail, --polarisation, --plan, --random-pairs"};
+    }
     if (!options.plan.empty()) return evaluate_as_planned(options);
     options.random_pairs ? evaluate_random(options) : evaluate_points(options);
 }
@@ -220,6 +229,8 @@ void add_eval(CLI::App& program) {
     verb->add_flag("--detail", options->detail,
                    "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
                    "goes to standard error");
+    verb->add_flag("--transmission", options->transmission,
+                   "the view is behind the surface: btdf of transparent materials of model walter");
     verb->add_option(
         "--polarisation", options->polarisation,
         "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"

@@ -29,6 +29,10 @@ std::vector<std::string> mueller_columns() {
 std::vector<std::string> EvalAnswer::columns() const {
     std::vector<std::string> names;
     if (wavelength) names.emplace_back("wavelength_um");
+    if (transmission) {
+        add(names, {"btdf"});
+        return names;
+    }
     add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
     if (mueller) {
         for (std::string& name : mueller_columns()) names.push_back(std::move(name));
@@ -42,6 +46,10 @@ std::vector<std::string> EvalAnswer::columns() const {
 
 void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
     if (wavelength) row.field(shortest(value.wavelength));
+    if (transmission) {
+        row.number(value.btdf);
+        return;
+    }
     row.number(value.directional.brdf).number(value.uniform_diffuse);
     row.number(value.directional.brdf + value.uniform_diffuse).number(value.specular_reflectance);
     if (mueller) {

@@ -18,6 +18,7 @@ struct EvalAnswer {
     bool wavelength = false;
     bool mueller = false;
     bool detail = false;
+    bool transmission = false;         ///< btdf instead of the terms of reflection
     std::optional<Stokes> incident{};  ///< adds the Stokes vector that both diffuse terms reflect
 
     [[nodiscard]] bool needs_mueller() const noexcept { return mueller || incident; }

@@ -123,7 +123,7 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
         const DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
         const double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
         result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
-                     pair.effective_roughness(),  pair.shadowing(), Mueller{}};
+                     pair.effective_roughness(),  pair.shadowing(), Mueller{},          0};
         warning.note(spectral::validity(rough, light, seen, at));
         if (with_mueller) result[i].mueller = directional_diffuse_mueller(in, out, directional);
     }
@@ -133,14 +133,34 @@ void PointEvaluator::evaluate_other(const CsvRow& row, const spectral::Direction
                                     std::span<Evaluation> result) const {
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Wavelength at = wavelength(row, i);
-        const spectral::AnyModel model = models_.empty() ? other_->at(at, policy_) : models_[i];
-        const spectral::BrdfTerms terms = model.terms(pair.in, pair.out);
+        const spectral::AnyModel at_wavelength = model(at, i);
+        const spectral::BrdfTerms terms = at_wavelength.terms(pair.in, pair.out);
         result[i] = {};
         result[i].wavelength = at.micrometres();
         result[i].directional.brdf = terms.directional_diffuse;
         result[i].uniform_diffuse = terms.uniform_diffuse;
-        result[i].specular_reflectance = model.specular_reflectance(pair.in).value();
+        result[i].specular_reflectance = at_wavelength.specular_reflectance(pair.in).value();
     }
+}
+
+void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const {
+    const auto [in, behind] = columns_.directions.pair(row);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Wavelength at = wavelength(row, i);
+        if (const auto through = other_ ? std::optional{model(at, i)} : std::nullopt;
+            through && through->transmits()) {
+            result[i] = {};
+            result[i].wavelength = at.micrometres();
+            result[i].btdf = through->btdf(in, behind);
+            continue;
+        }
+        throw Error{"transmission at " + shortest(at.micrometres()) +
+                    " um: the surface is opaque: must be of model walter and transparent (k = 0)"};
+    }
+}
+
+spectral::AnyModel PointEvaluator::model(const Wavelength& wavelength, std::size_t i) const {
+    return models_.empty() ? other_->at(wavelength, policy_) : models_[i];
 }
 
 Surface PointEvaluator::surface(const CsvRow& row) const {

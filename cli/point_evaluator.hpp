@@ -21,6 +21,7 @@ struct Evaluation {
     double effective_roughness;   ///< [um]
     double shadowing;             ///< S
     Mueller mueller;              ///< of the directional-diffuse term [1/sr]
+    double btdf;                  ///< where the view is behind the surface [1/sr]
 };
 
 /// The columns of a pair of directions.
@@ -55,6 +56,8 @@ class PointEvaluator {
     ///   warning   is told the verdict on each
     void evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
                   ValidityWarning& warning) const;
+    /// The same for a view behind the surface, btdf alone; hts::Error where the surface is opaque at a wavelength.
+    void evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const;
 
   private:
     using Column = std::optional<std::size_t>;
@@ -76,6 +79,8 @@ class PointEvaluator {
     [[nodiscard]] RefractiveIndex index(const CsvRow* row, const Wavelength& wavelength) const;
     [[nodiscard]] double albedo(const CsvRow* row, const Wavelength& wavelength) const;
     [[nodiscard]] Wavelength wavelength(const CsvRow& row, std::size_t i) const;
+    /// Of a model other than He-Torrance.
+    [[nodiscard]] spectral::AnyModel model(const Wavelength& wavelength, std::size_t i) const;
 
     Columns columns_;
     std::optional<spectral::Reflector> reflector_;

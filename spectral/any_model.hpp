@@ -42,6 +42,13 @@ class AnyModel {
     [[nodiscard]] BrdfTerms terms(const Direction& in, const Direction& out) const noexcept {
         return face_->terms(in, out);
     }
+    /// Whether light passes through the surface.
+    [[nodiscard]] bool transmits() const noexcept { return face_->transmits(); }
+    /// Radiance that leaves along `behind` per irradiance from `in` [1/sr], see hts::TransmittingModel; 0 of an opaque
+    /// surface.
+    [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept {
+        return face_->btdf(in, behind);
+    }
     /// Reflectance into the mirror direction; 0 for models without a delta.
     [[nodiscard]] SpecularReflectance specular_reflectance(const Direction& in) const noexcept {
         return face_->specular_reflectance(in);
@@ -64,6 +71,11 @@ class AnyModel {
     struct Face {
         virtual ~Face() = default;
         [[nodiscard]] virtual double brdf(const Direction& in, const Direction& out) const noexcept = 0;
+        [[nodiscard]] virtual bool transmits() const noexcept { return false; }
+        [[nodiscard]] virtual double btdf(const Direction& /*in*/,
+                                          const Direction& /*behind*/) const noexcept {
+            return 0;
+        }
         [[nodiscard]] virtual BrdfTerms terms(const Direction& in, const Direction& out) const noexcept = 0;
         [[nodiscard]] virtual SpecularReflectance specular_reflectance(
             const Direction& in) const noexcept = 0;
@@ -91,6 +103,14 @@ class AnyModel::Of final : public AnyModel::Face {
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept override {
         return model_.brdf(in, out);
+    }
+    [[nodiscard]] bool transmits() const noexcept override {
+        if constexpr (TransmittingModel<Model>) return model_.transmits();
+        return false;
+    }
+    [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept override {
+        if constexpr (TransmittingModel<Model>) return model_.btdf(in, behind);
+        return 0;
     }
     [[nodiscard]] BrdfTerms terms(const Direction& in, const Direction& out) const noexcept override {
         const double sum = model_.brdf(in, out);

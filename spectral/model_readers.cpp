@@ -1,6 +1,7 @@
 #include "spectral/model_readers.hpp"
 
 #include <numbers>
+#include <optional>
 
 #include "hts/error.hpp"
 #include "hts/microfacet/cook_torrance.hpp"
@@ -41,6 +42,23 @@ FacetDistribution facets_from(const JsonValue& file) {
 
 }  // namespace
 
+/// Reflects as WalterBrdf does, and where its material is transparent lets the rest through.
+class RoughInterface : public WalterBrdf {
+  public:
+    RoughInterface(const FacetDistribution& facets, const RefractiveIndex& index, double exterior_index)
+        : WalterBrdf{facets, {index.n() / exterior_index, index.k() / exterior_index}} {
+        if (index.k() == 0) glass_.emplace(facets, exterior_index, index.n());
+    }
+    [[nodiscard]] bool transmits() const noexcept { return glass_.has_value(); }
+    [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept {
+        return glass_ ? glass_->bsdf({Side::front, in}, {Side::back, behind}) : 0;
+    }
+
+  private:
+    std::optional<WalterBsdf> glass_;
+};
+static_assert(TransmittingModel<RoughInterface>);
+
 AnyReflector read_walter(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "distribution", "alpha", "exponent", "index", "exterior_index"});
@@ -50,9 +68,8 @@ AnyReflector read_walter(const MaterialFile& file) {
                                       return RefractiveIndex{n, 0}.n();
                                   }};
     return AnyReflector{[=](const Wavelength& wavelength, OutsideRange policy) {
-        const RefractiveIndex index = material.index(wavelength, policy);
-        const double outside = exterior(wavelength, policy);
-        return AnyModel{WalterBrdf{facets, {index.n() / outside, index.k() / outside}}};
+        return AnyModel{
+            RoughInterface{facets, material.index(wavelength, policy), exterior(wavelength, policy)}};
     }};
 }
 

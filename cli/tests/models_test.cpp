@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "hts/microfacet/walter.hpp"
 
 using hts::cli::testing::cells;
 using hts::cli::testing::Result;
@@ -150,4 +151,25 @@ TEST_CASE("a material file's warning reaches the user") {
     CHECK(result.errors.find("velvet.json: mean normal") != std::string::npos);
     CHECK(output(place.hts("info velvet.json --wavelengths 0.5 --theta 60")).find("Warning: mean normal") !=
           std::string::npos);
+}
+
+TEST_CASE("hts eval --transmission is what ground glass lets through") {
+    const Workplace place;
+    place.file("glass.json",
+               R"({"model": "walter", "distribution": "ggx", "alpha": 0.394, "index": {"n": 1.51, "k": 0}})");
+    const std::string at = " --wavelength 0.55 --theta-i 30 --theta-r 20 --phi 180 --transmission";
+    const auto through = place.hts("eval --material glass.json" + at);
+    REQUIRE(through.exit_code == 0);
+    const auto table = cells(through.output);
+    CHECK(table.front().back() == "btdf");
+    const hts::WalterBsdf glass{hts::FacetDistribution::ggx(0.394), 1.0, 1.51};
+    CHECK(cell(table, 1, "btdf") == glass.bsdf({hts::Side::front, hts::Direction::from_degrees(30, 0)},
+                                               {hts::Side::back, hts::Direction::from_degrees(20, 180)}));
+
+    const auto metal =
+        place.hts("eval --material " + std::string{HTS_SOURCE_DIR} + "/cli/data/rough-gold.json" + at);
+    CHECK(metal.exit_code == 1);
+    CHECK(metal.output.empty());
+    CHECK(metal.errors.find("0.55 um: the surface is opaque") != std::string::npos);
+    CHECK(place.hts("eval --material glass.json --mueller" + at).exit_code == 2);
 }

@@ -36,4 +36,17 @@ concept ReflectanceModel = requires(const Model& model, const Direction& in, con
     noexcept->std::same_as<DrawnDirection>;
 };
 
+/// A model that lets light through as well. `behind` leads to a viewer on the far side, its polar angle measured from the
+/// inward normal, its azimuth that of the front: straight on through the surface from (theta, phi) is (theta, phi + 180 deg).
+///   transmits   whether it does at all; then
+///   btdf        radiance that leaves along `behind` per irradiance from `in` [1/sr]; 0 on the horizon
+template <class Model>
+concept TransmittingModel = ReflectanceModel<Model> &&
+    requires(const Model& model, const Direction& in, const Direction& behind) {
+    { model.transmits() }
+    noexcept->std::same_as<bool>;
+    { model.btdf(in, behind) }
+    noexcept->std::same_as<double>;
+};
+
 }  // namespace hts
