@@ -50,17 +50,12 @@ enum class Sweep {
 struct CurvePoint {
     double theta_i, phi_i, theta_r, phi_r;  ///< [deg], polar angles 0 … 90
     double value;                           ///< >= 0; what it is: CurveSet::quantity and scale
-    double uncertainty;                     ///< one standard deviation, in the value's unit; 0 where the set states none
+    double uncertainty;  ///< one standard deviation, in the value's unit; 0 where the set states none
 
     [[nodiscard]] DirectionPair pair() const;
     /// -1 where viewer and light stand on the same side of the normal, 1 on opposite sides.
     [[nodiscard]] double side() const noexcept;
 };
-
-/// A point within the plane of incidence.
-///   signed_theta_r   -90 … 90, positive on the mirror's side [deg]
-[[nodiscard]] CurvePoint in_plane_point(double theta_i, double signed_theta_r, double value,
-                                        double uncertainty) noexcept;
 
 /// Wavelengths that a detector adds up, with equal weight for equal lengths of it.
 struct Band {
@@ -68,6 +63,13 @@ struct Band {
 
     [[nodiscard]] bool single() const noexcept { return first == last; }
 };
+
+/// A point within the plane of incidence.
+///   sweep    which direction moves; Sweep::scattered counts as outgoing
+///   fixed    polar angle of the one that stands still, 0 … 90 [deg]
+///   swept    angle of the other, -90 … 90, positive on the mirror's side of it [deg]
+[[nodiscard]] CurvePoint in_plane_point(Sweep sweep, double fixed, double swept, double value,
+                                        double uncertainty) noexcept;
 
 struct Curve {
     Band band;
@@ -91,10 +93,10 @@ struct CurveSet {
     std::string stem;     ///< names files: "aluminium-sandblasted"; that of the file it was read from
     std::string surface;  ///< "sandblasted aluminium"
     CurveKind kind = CurveKind::measured;
-    std::string by;       ///< who: "measured by …" on every plot
-    std::string source;   ///< publication or data base
-    std::string licence;  ///< "CC0-1.0"
-    std::string how;      ///< command that regenerates the file from the original
+    std::string by;                    ///< who: "measured by …" on every plot
+    std::string source;                ///< publication or data base
+    std::string licence;               ///< "CC0-1.0"
+    std::string how;                   ///< command that regenerates the file from the original
     std::vector<std::string> notes{};  ///< what was left out and why, what is not known
 
     Quantity quantity = Quantity::brdf;
