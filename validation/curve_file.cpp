@@ -7,6 +7,7 @@
 #include "spectral/json_value.hpp"
 #include "spectral/text.hpp"
 #include "validation/curve.hpp"
+#include "validation/curve_json.hpp"
 
 namespace hts::validation {
 namespace {
@@ -22,17 +23,6 @@ constexpr std::array scales{Scale::absolute, Scale::specular, Scale::unknown};
 
 // ---- reading
 
-/// The one of `values` that a key names.
-template <class Values>
-auto named(const JsonValue& key, const Values& values) {
-    std::vector<std::string> names;
-    for (const auto value : values) {
-        if (key.text() == name(value)) return value;
-        names.emplace_back(name(value));
-    }
-    throw key.error(spectral::in_quotes(key.text()) + ": must be one of " + spectral::joined(names));
-}
-
 void require_format(const JsonValue& file) {
     const JsonValue kind = file["format"], version = file["format_version"];
     if (kind.text() != format)
@@ -41,26 +31,18 @@ void require_format(const JsonValue& file) {
         throw version.error(shortest(version.number()) + ": must be " + std::to_string(format_version));
 }
 
-std::string optional_text(const JsonValue& file, const char* key) {
-    const auto found = file.find(key);
-    return found ? found->text() : "";
-}
-
-std::optional<double> optional_number(const JsonValue& object, const char* key) {
-    const auto found = object.find(key);
+std::optional<MeasuredRoughness> roughness_from(const JsonValue& file) {
+    const auto found = file.find("measured_roughness");
     if (!found) return std::nullopt;
-    return found->number();
+    found->require_keys_among({"rms_um", "method"});
+    return MeasuredRoughness{(*found)["rms_um"].number(), (*found)["method"].text()};
 }
 
-Band band_from(const JsonValue& curve) {
-    if (const auto single = optional_number(curve, "wavelength_um")) {
-        if (curve.find("band_um")) throw curve["band_um"].error("must not stand beside \"wavelength_um\"");
-        return {*single, *single};
-    }
-    const JsonValue band = curve["band_um"];
-    const auto ends = band.items();
-    if (ends.size() != 2) throw band.error("must be [first, last]");
-    return {ends[0].number(), ends[1].number()};
+std::vector<std::string> notes_from(const JsonValue& file) {
+    std::vector<std::string> result;
+    if (const auto notes = file.find("notes"))
+        for (const JsonValue& note : notes->items()) result.push_back(note.text());
+    return result;
 }
 
 /// In-plane curves name the angle that stands still; scattered pairs name none.
@@ -103,20 +85,6 @@ Curve curve_from(const JsonValue& curve, bool uncertain) {
     const JsonValue points = curve["points"];
     if (sweep == Sweep::scattered) return scattered_curve(points, band, uncertain);
     return in_plane_curve(points, band, sweep, curve[fixed_key(sweep)].number(), uncertain);
-}
-
-std::optional<MeasuredRoughness> roughness_from(const JsonValue& file) {
-    const auto found = file.find("measured_roughness");
-    if (!found) return std::nullopt;
-    found->require_keys_among({"rms_um", "method"});
-    return MeasuredRoughness{(*found)["rms_um"].number(), (*found)["method"].text()};
-}
-
-std::vector<std::string> notes_from(const JsonValue& file) {
-    std::vector<std::string> result;
-    if (const auto notes = file.find("notes"))
-        for (const JsonValue& note : notes->items()) result.push_back(note.text());
-    return result;
 }
 
 // ---- writing
@@ -169,30 +137,65 @@ class Writer {
 
 }  // namespace
 
-CurveSet read_curves(const std::filesystem::path& path) {
-    const JsonValue file = JsonValue::read(path);
+std::vector<std::string> head_keys() {
+    return {"surface",
+            "kind",
+            "by",
+            "source",
+            "licence",
+            "notes",
+            "quantity",
+            "scale",
+            "source_solid_angle_sr",
+            "detector_solid_angle_sr",
+            "measured_roughness"};
+}
+
+CurveSet head_from(const JsonValue& file, const std::string& surface) {
+    return {.stem = "",
+            .surface = surface.empty() ? file["surface"].text() : surface,
+            .kind = named(file["kind"], kinds),
+            .by = file["by"].text(),
+            .source = file["source"].text(),
+            .licence = file["licence"].text(),
+            .how = "",
+            .notes = notes_from(file),
+            .quantity = named(file["quantity"], quantities),
+            .scale = named(file["scale"], scales),
+            .source_solid_angle = optional_number(file, "source_solid_angle_sr"),
+            .detector_solid_angle = optional_number(file, "detector_solid_angle_sr"),
+            .roughness = roughness_from(file),
+            .uncertainty = "",
+            .curves = {}};
+}
+
+Band band_from(const JsonValue& object) {
+    if (const auto single = optional_number(object, "wavelength_um")) {
+        if (object.find("band_um")) throw object["band_um"].error("must not stand beside \"wavelength_um\"");
+        return {*single, *single};
+    }
+    const JsonValue band = object["band_um"];
+    const auto ends = band.items();
+    if (ends.size() != 2) throw band.error("must be [first, last]");
+    return {ends[0].number(), ends[1].number()};
+}
+
+CurveSet curves_from_json(const JsonValue& file, const std::string& stem, const std::string& place) {
     require_format(file);
-    file.require_keys_among({"format", "format_version", "surface", "kind", "by", "source", "licence", "how",
-                             "notes", "quantity", "scale", "source_solid_angle_sr", "detector_solid_angle_sr",
-                             "measured_roughness", "uncertainty", "curves"});
-    CurveSet set{.stem = path.stem().string(),
-                 .surface = file["surface"].text(),
-                 .kind = named(file["kind"], kinds),
-                 .by = file["by"].text(),
-                 .source = file["source"].text(),
-                 .licence = file["licence"].text(),
-                 .how = file["how"].text(),
-                 .notes = notes_from(file),
-                 .quantity = named(file["quantity"], quantities),
-                 .scale = named(file["scale"], scales),
-                 .source_solid_angle = optional_number(file, "source_solid_angle_sr"),
-                 .detector_solid_angle = optional_number(file, "detector_solid_angle_sr"),
-                 .roughness = roughness_from(file),
-                 .uncertainty = optional_text(file, "uncertainty"),
-                 .curves = {}};
+    auto keys = head_keys();
+    keys.insert(keys.end(), {"format", "format_version", "how", "uncertainty", "curves"});
+    file.require_keys_among(keys);
+    CurveSet set = head_from(file);
+    set.stem = stem;
+    set.how = file["how"].text();
+    if (const auto uncertainty = file.find("uncertainty")) set.uncertainty = uncertainty->text();
     for (const JsonValue& curve : file["curves"].items())
         set.curves.push_back(curve_from(curve, !set.uncertainty.empty()));
-    return checked(std::move(set), path.string());
+    return checked(std::move(set), place);
+}
+
+CurveSet read_curves(const std::filesystem::path& path) {
+    return curves_from_json(JsonValue::read(path), path.stem().string(), path.string());
 }
 
 std::string curves_text(const CurveSet& set) {

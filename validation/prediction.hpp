@@ -28,13 +28,13 @@
 namespace hts::validation {
 
 namespace accuracy {
-/// Of the specular term, relative: rho_s is taken at the middle of the light that reaches the detector. For cones up to
-/// 0.02 sr and 75 deg.
-inline constexpr double specular_average = 2e-3;
+/// Of the specular term, relative: rho_s is taken at the middle of the light that reaches the detector. For cones up to 2e-3 sr and incidence
+/// up to 75 deg.
+inline constexpr double specular_average = 5e-3;
 /// Of the band 2 ... 5.7 um with 8 wavelengths, relative to the largest value of a curve, sigma_0 0.1 ... 2 um.
-inline constexpr double band_average = 1e-3;
+inline constexpr double band_average = 4e-6;
 /// Of `common_solid_angle`, relative, for half angles from 0.01 and parts from 1 % of the overlapping range on.
-inline constexpr double common_solid_angle = 1e-9;
+inline constexpr double common_solid_angle = 5e-9;
 }  // namespace accuracy
 
 /// Nodes of the averages.

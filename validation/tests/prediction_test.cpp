@@ -153,7 +153,7 @@ TEST_CASE("averages over the instrument's cones are those of brute force") {
             const auto values = Prediction{set}.values(reflector);
             for (std::size_t i = 0; i < angles.size(); ++i) {
                 const auto exact =
-                    brute_force(model, set.curves[0].points[i].pair(), source, detector, 6, 150);
+                    brute_force(model, set.curves[0].points[i].pair(), source, detector, 4, 200);
                 const auto bare = Prediction{set_of(set.curves[0])}.values(reflector)[i];
                 INFO("theta_i " << theta_i << ", theta_r " << angles[i] << ", source " << source
                                 << ": without cones " << bare);
