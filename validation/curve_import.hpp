@@ -54,14 +54,15 @@ struct ImportRecipe {
     /// the light stands at 0: 180 or 0.
     double mirror_sign = 1, mirror_azimuth = 180;
     Selection selection{};
-    /// The smallest step of the printed values, of which half is taken as a reading error; 0 where it does not matter.
+    /// The smallest step of the printed values, step / sqrt 12 of which is the standard deviation of rounding.
     double resolution = 0;
     /// Whether pairs that swap light and viewer tell how far the values can be trusted.
     bool uncertainty_from_reciprocity = false;
 };
 
 /// Reads a recipe; hts::Error "path: key "…": …" that names the legal range.
-[[nodiscard]] ImportRecipe read_recipe(const std::filesystem::path& path);
+///   surface   what the file shows, in place of the recipe's key "surface"; empty: the key must be there
+[[nodiscard]] ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface = "");
 
 /// Reads a file as the recipe says. hts::Error "path:line: …" for what is no number, missing columns, angles outside 0 … 90
 /// deg, negative values that the recipe does not leave out, and directions that stand twice.
