@@ -13,6 +13,7 @@ void add_curves(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);
 void add_figures(CLI::App& program);
+void add_fit(CLI::App& program);
 void add_furnace(CLI::App& program);
 void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);

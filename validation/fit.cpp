@@ -122,6 +122,14 @@ std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector
     return result;
 }
 
+/// Places in the list, as its numbers rise.
+std::vector<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
+    std::vector<std::size_t> result(numbers.size());
+    std::iota(result.begin(), result.end(), std::size_t{0});
+    std::ranges::sort(result, {}, [&](std::size_t i) { return numbers[i]; });
+    return result;
+}
+
 /// Standard errors, correlation and statements, from the derivatives at the minimum.
 void add_uncertainty(Fit& fit, const FitProblem& problem, const std::vector<double>& coordinates) {
     const Residuals residuals = [&](std::span<const double> x) { return problem.residuals(x); };
@@ -129,7 +137,7 @@ void add_uncertainty(Fit& fit, const FitProblem& problem, const std::vector<doub
     std::vector<FreeParameter> parameters;
     std::vector<std::size_t> places;
     Columns columns;
-    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    for (const std::size_t k : in_order(problem.free())) {
         FittedParameter& parameter = fit.parameters[problem.free()[k]];
         if (at_bound(coordinates[k], problem.bounds()[k])) {
             parameter.outcome = Outcome::at_bound;

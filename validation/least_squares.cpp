@@ -99,7 +99,7 @@ class BoundedQuadratic {
 // ---- not linear
 
 /// Step of a difference: what central differences lose and what the last bits lose meet near it.
-constexpr double difference = 1e-4;
+constexpr double difference = 1e-3;
 
 class Function final : public ceres::CostFunction {
   public:
