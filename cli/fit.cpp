@@ -1,10 +1,10 @@
 // hts fit: the parameters with which a model comes closest to measured curves, and what those leave open.
 
+#include <unistd.h>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <unistd.h>
 
 #include "cli/fit_report.hpp"
 #include "cli/options.hpp"
@@ -55,7 +55,8 @@ std::string json_of(const std::string& text) {
 std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {
     const auto at = text.find('=');
     if (at == std::string::npos) throw UsageError{option + ": " + text + ": must be name=value"};
-    return {text.substr(0, at), from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
+    return {text.substr(0, at),
+            from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
 }
 
 template <class Choice>
@@ -65,7 +66,8 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
         if (text == name(c)) return c;
         names.emplace_back(name(c));
     }
-    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " + spectral::joined(names)};
+    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " +
+                     spectral::joined(names)};
 }
 
 validation::FitSelection selection(const FitOptions& options) {
@@ -88,8 +90,10 @@ FitRequest request(const FitOptions& options) {
                       .loss_scale = options.loss_scale,
                       .followed_starts = options.followed_starts};
     for (const std::string& text : options.fixed) {
-        if (text.starts_with("index=")) result.index = json_of(text.substr(6));
-        else result.fixed.insert(assignment("--fix", text));
+        if (text.starts_with("index="))
+            result.index = json_of(text.substr(6));
+        else
+            result.fixed.insert(assignment("--fix", text));
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
     if (::isatty(STDERR_FILENO) != 0) {
@@ -130,9 +134,10 @@ std::vector<std::string> expanded(const std::vector<std::string>& curves) {
 
 void fit_all_models(const FitOptions& options) {
     Output output{options.output.empty() ? "-" : options.output};
-    TableWriter table{output, format_of(options.output, options.json),
-                      {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms", "l2_cosine",
-                       "aic", "bic"}};
+    TableWriter table{output,
+                      format_of(options.output, options.json),
+                      {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
+                       "l2_cosine", "aic", "bic"}};
     for (const std::string& name : expanded(options.curves)) {
         const CurveSet set = validation::curves_named(name);
         const auto fits = validation::fits_of(
@@ -144,7 +149,8 @@ void fit_all_models(const FitOptions& options) {
             TableWriter::Row row{table, text};
             row.field(fit.data).field(choice_of(fit).label()).field(std::to_string(s.data));
             row.field(std::to_string(s.free_parameters));
-            for (const double x : {s.median_abs_log, s.rms_log, s.rms, s.l2, s.aic, s.bic}) row.field(brief(x, 6));
+            for (const double x : {s.median_abs_log, s.rms_log, s.rms, s.l2, s.aic, s.bic})
+                row.field(brief(x, 6));
             row.end();
         }
         table.add(text);
@@ -162,22 +168,29 @@ void run(const FitOptions& options) {
 }  // namespace
 
 void add_fit(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
+    CLI::App* verb =
+        program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
-    verb->add_option("curves", options->curves, "curve set: a file or a name of hts curves list; with --all-models several, or folders")
+    verb->add_option("curves", options->curves,
+                     "curve set: a file or a name of hts curves list; with --all-models several, or folders")
         ->required();
     verb->add_option("--model", options->model, "he, beckmann, ggx, kurt, ward, …")->capture_default_str();
     verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")->capture_default_str();
-    verb->add_option("--index", options->index, "optical constants: a built-in name, or JSON as in a material file");
+    verb->add_option("--index", options->index,
+                     "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al");
-    verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")->delimiter(',');
+    verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
+        ->delimiter(',');
     verb->add_option("--start", options->starts, "the only start of a parameter: name=value");
-    verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")->capture_default_str();
+    verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
+        ->capture_default_str();
     verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str();
     verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
         ->capture_default_str();
-    verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg]")->capture_default_str();
-    verb->add_option("--most-points", options->most_points, "thin the data out to so many; 0: all")->capture_default_str();
+    verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg]")
+        ->capture_default_str();
+    verb->add_option("--most-points", options->most_points, "thin the data out to so many; 0: all")
+        ->capture_default_str();
     verb->add_option("--rings", options->nodes, "of nodes over each cone, 0 ... 8")->capture_default_str();
     verb->add_option("--starts", options->followed_starts, "how many of the best starts are followed")
         ->capture_default_str();

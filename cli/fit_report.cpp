@@ -66,8 +66,9 @@ std::string fit_text(const Fit& fit) {
     text += "  median |ln(model/measured)| " + brief(s.median_abs_log) + ", rms " + brief(s.rms_log) +
             "; rms difference " + brief(s.rms) + ", L2 " + brief(s.l2) + "\n";
     if (s.reduced_chi_squared) text += "  reduced chi squared " + brief(*s.reduced_chi_squared) + "\n";
-    text += "  AIC " + brief(s.aic, 6) + ", BIC " + brief(s.bic, 6) + "; " + std::to_string(fit.starts_at_best) + " of " +
-            std::to_string(fit.starts.size()) + " starts reached the best\n";
+    text += "  AIC " + brief(s.aic, 6) + ", BIC " + brief(s.bic, 6) + "; " +
+            std::to_string(fit.starts_at_best) + " of " + std::to_string(fit.starts.size()) +
+            " starts reached the best\n";
     for (const std::string& statement : fit.statements) text += "  not determined: " + statement + "\n";
     return text;
 }
@@ -76,7 +77,8 @@ std::string fit_json(const Fit& fit) {
     ordered_json parameters = ordered_json::array(), starts = ordered_json::array();
     for (const FittedParameter& parameter : fit.parameters) parameters.push_back(parameter_json(parameter));
     for (const auto& start : fit.starts) {
-        starts.push_back({{"cost", number(start.cost)}, {"iterations", start.iterations}, {"converged", start.converged}});
+        starts.push_back(
+            {{"cost", number(start.cost)}, {"iterations", start.iterations}, {"converged", start.converged}});
     }
     const ordered_json report{{"data", fit.data},
                               {"model", fit.model},

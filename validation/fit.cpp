@@ -202,6 +202,10 @@ const FittedParameter& Fit::parameter(const std::string& name) const {
     return *found;
 }
 
+spectral::AnyReflector fitted_reflector(const Fit& fit) {
+    return reflector_from(fit.material);
+}
+
 Fit fitted(const FitRequest& request, const FitData& data) {
     const FitData good = checked(data);
     const FitProblem problem{request, good};

@@ -117,4 +117,7 @@ struct Fit {
 /// free parameters, uncertainties that are needed and not there, a value of 0 where its logarithm is needed.
 [[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data);
 
+/// The fitted material as a model, without the scale.
+[[nodiscard]] spectral::AnyReflector fitted_reflector(const Fit& fit);
+
 }  // namespace hts::validation

@@ -36,7 +36,8 @@ CurveSet selected(const CurveSet& set, const FitSelection& selection) {
         throw Error{set.stem + ": no point > 0 up to " + std::to_string(selection.largest_theta) +
                     " deg: must be at least one"};
     }
-    const std::size_t every = selection.most_points == 0 ? 1 : (count + selection.most_points - 1) / selection.most_points;
+    const std::size_t every =
+        selection.most_points == 0 ? 1 : (count + selection.most_points - 1) / selection.most_points;
     std::size_t at = 0;
     for (Curve& curve : result.curves) {
         std::erase_if(curve.points, [&](const CurvePoint&) { return at++ % every != 0; });

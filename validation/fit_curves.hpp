@@ -9,9 +9,9 @@ namespace hts::validation {
 
 /// Which points of a curve set are fitted, and how finely averages are taken.
 struct FitSelection {
-    double largest_theta = 87;      ///< of both polar angles [deg]
-    std::size_t most_points = 0;    ///< every so-manieth point, so that at most these are left; 0: all
-    AveragingNodes nodes{4, 1};     ///< enough for lobes much wider than the cones
+    double largest_theta = 87;    ///< of both polar angles [deg]
+    std::size_t most_points = 0;  ///< every so-manieth point, so that at most these are left; 0: all
+    AveragingNodes nodes{4, 1};   ///< enough for lobes much wider than the cones
 };
 
 /// The points > 0 of a set that are selected; each band is a channel. Uncertainties are those of the set.

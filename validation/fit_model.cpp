@@ -92,13 +92,6 @@ const FitFamily& family_named(const std::string& name) {
                 spectral::joined(names)};
 }
 
-const spectral::ModelEntry& entry_named(const std::string& model,
-                                        const std::vector<spectral::ModelEntry>& models) {
-    const auto found = std::ranges::find(models, model, &spectral::ModelEntry::name);
-    if (found != models.end()) return *found;
-    throw Error{"model " + spectral::in_quotes(model) + " is not registered"};
-}
-
 }  // namespace
 
 // A line per model: its name here and in material files, keys that are no numbers, numbers, numbers of each lobe.
@@ -127,9 +120,8 @@ std::size_t FitLayout::channel_count() const noexcept {
     return channels.empty() ? 0 : *std::ranges::max_element(channels) + 1;
 }
 
-FitModel::FitModel(const std::string& family, FitLayout layout,
-                   const std::vector<spectral::ModelEntry>& models)
-    : family_{family_named(family)}, layout_{std::move(layout)}, entry_{entry_named(family_.model, models)} {
+FitModel::FitModel(const std::string& family, FitLayout layout)
+    : family_{family_named(family)}, layout_{std::move(layout)} {
     if (layout_.wavelengths.empty() || layout_.wavelengths.size() != layout_.channels.size()) {
         throw Error{"fit: as many channels as wavelengths, and at least one, must be given"};
     }
@@ -187,7 +179,16 @@ std::string FitModel::material_text(std::span<const double> values, const std::s
 }
 
 spectral::AnyReflector FitModel::reflector(std::span<const double> values) const {
-    return entry_.read({spectral::JsonValue::parse(material_text(values, name()), "fit"), {}, name()});
+    return reflector_from(material_text(values, name()));
+}
+
+spectral::AnyReflector reflector_from(const std::string& material_text) {
+    const auto file = spectral::JsonValue::parse(material_text, "fit");
+    const std::string model = file["model"].text(), name = file["name"].text();
+    const auto& models = spectral::built_in_models();
+    const auto entry = std::ranges::find(models, model, &spectral::ModelEntry::name);
+    if (entry == models.end()) throw file["model"].error(spectral::in_quotes(model) + " is not registered");
+    return entry->read({file, {}, name});
 }
 
 }  // namespace hts::validation

@@ -77,8 +77,7 @@ struct FitLayout {
 class FitModel {
   public:
     /// hts::Error that names the model or layout that is not known or not possible.
-    FitModel(const std::string& family, FitLayout layout,
-             const std::vector<spectral::ModelEntry>& models = spectral::built_in_models());
+    FitModel(const std::string& family, FitLayout layout);
 
     [[nodiscard]] const std::string& name() const noexcept { return family_.name; }
     [[nodiscard]] const FitFamily& family() const noexcept { return family_; }
@@ -95,8 +94,10 @@ class FitModel {
 
     FitFamily family_;
     FitLayout layout_;
-    spectral::ModelEntry entry_;
     std::vector<FitParameter> parameters_;
 };
+
+/// What a material file means.
+[[nodiscard]] spectral::AnyReflector reflector_from(const std::string& material_text);
 
 }  // namespace hts::validation

@@ -46,7 +46,8 @@ std::vector<DirectionPair> all_around(int count) {
     for (int i = 0; i < count; ++i) {
         const double theta = random.uniform(0, 85), phi = random.uniform(0, 360);
         const bool near = i % 2 == 0;
-        const double out = near ? std::clamp(theta + random.uniform(-15, 15), 0.0, 85.0) : random.uniform(0, 85);
+        const double out =
+            near ? std::clamp(theta + random.uniform(-15, 15), 0.0, 85.0) : random.uniform(0, 85);
         const double turn = near ? phi + 180 + random.uniform(-15, 15) : random.uniform(0, 360);
         pairs.push_back({Direction::from_degrees(theta, phi), Direction::from_degrees(out, turn)});
     }
@@ -84,9 +85,11 @@ spectral::AnyReflector he(double rms, double length, double albedo) {
 std::string in_words(const Fit& fit) {
     std::ostringstream text;
     for (const auto& p : fit.parameters) {
-        text << p.name << " = " << p.value << " +- " << p.standard_error << ' ' << p.unit << " (" << name(p.outcome) << ")\n";
+        text << p.name << " = " << p.value << " +- " << p.standard_error << ' ' << p.unit << " ("
+             << name(p.outcome) << ")\n";
     }
-    text << "rms log " << fit.statistics.rms_log << ", starts " << fit.starts_at_best << " of " << fit.starts.size() << '\n';
+    text << "rms log " << fit.statistics.rms_log << ", starts " << fit.starts_at_best << " of "
+         << fit.starts.size() << '\n';
     for (const auto& statement : fit.statements) text << statement << '\n';
     return text.str();
 }
@@ -102,7 +105,8 @@ TEST_CASE("He-Torrance parameters come back from noisy data") {
     CHECK(fit.parameter("sigma0").value == Approx(rms).epsilon(0.01));
     CHECK(fit.parameter("tau").value == Approx(length).epsilon(0.01));
     CHECK(fit.parameter("a").value == Approx(albedo).epsilon(0.01));
-    for (const auto& [name, truth] : std::map<std::string, double>{{"sigma0", rms}, {"tau", length}, {"a", albedo}}) {
+    for (const auto& [name, truth] :
+         std::map<std::string, double>{{"sigma0", rms}, {"tau", length}, {"a", albedo}}) {
         const auto& found = fit.parameter(name);
         CHECK(std::abs(found.value - truth) < 4 * found.standard_error);
     }
@@ -111,13 +115,14 @@ TEST_CASE("He-Torrance parameters come back from noisy data") {
 }
 
 TEST_CASE("optical constants and scale come back where they are asked for") {
-    const auto truth = spectral::AnyReflector{spectral::Reflector{"glass", {0.1, 1.2}, spectral::Material::constant({1.6, 0}),
-                                                                  spectral::DiffuseAlbedo{0.2}}};
+    const auto truth = spectral::AnyReflector{spectral::Reflector{
+        "glass", {0.1, 1.2}, spectral::Material::constant({1.6, 0}), spectral::DiffuseAlbedo{0.2}}};
     auto data = seen(truth, in_plane(), 0.002);
     for (double& value : data.values) value *= 1.3;
     const Fit fit = fitted({.model = "he", .freed = {"scale"}, .residual = Residual::relative}, data);
     INFO(in_words(fit));
-    for (const auto& [name, expected] : std::map<std::string, double>{{"n", 1.6}, {"scale", 1.3}, {"sigma0", 0.1}}) {
+    for (const auto& [name, expected] :
+         std::map<std::string, double>{{"n", 1.6}, {"scale", 1.3}, {"sigma0", 0.1}}) {
         CHECK(fit.parameter(name).value == Approx(expected).epsilon(0.03));
         CHECK(std::abs(fit.parameter(name).value - expected) < 4 * fit.parameter(name).standard_error);
     }
@@ -146,7 +151,8 @@ TEST_CASE("Kurt's parameters come back to 1 % with 1 % noise") {
                            all_around(1500), 0.01);
     const Fit fit = fitted({.model = "kurt", .freed = {"my"}, .residual = Residual::weighted}, data);
     INFO(in_words(fit));
-    const std::map<std::string, double> truth{{"kd", 0.1}, {"ks", 0.3}, {"f0", 0.1}, {"mx", 0.12}, {"my", 0.3}, {"alpha", 0.2}};
+    const std::map<std::string, double> truth{{"kd", 0.1},  {"ks", 0.3}, {"f0", 0.1},
+                                              {"mx", 0.12}, {"my", 0.3}, {"alpha", 0.2}};
     for (const auto& [name, value] : truth) {
         INFO(name);
         CHECK(fit.parameter(name).value == Approx(value).epsilon(0.01));
@@ -154,12 +160,15 @@ TEST_CASE("Kurt's parameters come back to 1 % with 1 % noise") {
 }
 
 TEST_CASE("two lobes are told apart") {
-    const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.8, 0.08, 0.08, 0}}, {0.5, KurtLobe{0.8, 0.4, 0.4, 0}}};
+    const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.8, 0.08, 0.08, 0}},
+                                                    {0.5, KurtLobe{0.8, 0.4, 0.4, 0}}};
     const auto data = seen(spectral::AnyReflector{[&](const Wavelength&, spectral::OutsideRange) {
                                return spectral::AnyModel{Kurt{0.05, lobes}};
                            }},
                            in_plane(), 0.01);
-    const Fit fit = fitted({.model = "kurt", .lobes = 2, .fixed = {{"f0", 0.8}, {"alpha", 0}}, .residual = Residual::relative}, data);
+    const Fit fit = fitted(
+        {.model = "kurt", .lobes = 2, .fixed = {{"f0", 0.8}, {"alpha", 0}}, .residual = Residual::relative},
+        data);
     INFO(in_words(fit));
     const bool narrow_first = fit.parameter("mx1").value < fit.parameter("mx2").value;
     CHECK(fit.parameter(narrow_first ? "mx1" : "mx2").value == Approx(0.08).epsilon(0.01));
@@ -236,7 +245,8 @@ TEST_CASE("a fit stays within bounds and says where it ended at one") {
     for (const FittedParameter& p : fit.parameters) {
         CHECK(p.value >= p.lowest);
         CHECK(p.value <= p.highest);
-        const bool said = std::ranges::find(fit.statements, p.name + ": ended at its bound") != fit.statements.end();
+        const bool said =
+            std::ranges::find(fit.statements, p.name + ": ended at its bound") != fit.statements.end();
         CHECK(said == (p.outcome == Outcome::at_bound));
     }
 }
@@ -283,30 +293,37 @@ TEST_CASE("bounded linear least squares finds what a search finds") {
 
 TEST_CASE("what cannot be fitted is named") {
     const auto good = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01);
-    CHECK_THROWS_WITH(fitted({.model = "phong"}, good), Contains("model \"phong\" is not known: must be one of he, "));
-    CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"gloss", 1}}}, good),
-                      Contains("parameter \"gloss\" of model \"he\" is not known: must be one of sigma0, tau, a"));
+    CHECK_THROWS_WITH(fitted({.model = "phong"}, good),
+                      Contains("model \"phong\" is not known: must be one of he, "));
+    CHECK_THROWS_WITH(
+        fitted({.model = "he", .fixed = {{"gloss", 1}}}, good),
+        Contains("parameter \"gloss\" of model \"he\" is not known: must be one of sigma0, tau, a"));
     CHECK_THROWS_WITH(fitted({.model = "he", .starts = {{"sigma0", 5000}}}, good),
                       Contains("sigma0: start 5000 um: must be 0.0001 ... 1000"));
-    CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"a", -0.1}}}, good), Contains("a: fixed at -0.1 1: must be 0 ... 1"));
+    CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"a", -0.1}}}, good),
+                      Contains("a: fixed at -0.1 1: must be 0 ... 1"));
     CHECK_THROWS_WITH(fitted({.model = "lambert", .lobes = 2}, good), Contains("has no lobes"));
     CHECK_THROWS_WITH(fitted({.model = "kurt", .lobes = 4}, good), Contains("4 lobes: must be 1 ... 3"));
     CHECK_THROWS_WITH(fitted({.model = "kurt", .index = "\"Al\""}, good), Contains("has no index"));
     CHECK_THROWS_WITH(fitted({.model = "he", .index = "\"Unobtainium\""}, good), Contains("Unobtainium"));
 
-    const std::vector<FitSample> few{{in_plane()[0], 0, 0.1, 0}, {in_plane()[1], 0, 0.1, 0}, {in_plane()[2], 0, 0.1, 0}};
+    const std::vector<FitSample> few{
+        {in_plane()[0], 0, 0.1, 0}, {in_plane()[1], 0, 0.1, 0}, {in_plane()[2], 0, 0.1, 0}};
     CHECK_THROWS_WITH(fitted({.model = "he", .index = "\"Al\""}, fit_data("three", one_micron, few)),
                       Contains("three: 3 values for 3 free parameters: must be more"));
-    CHECK_THROWS_WITH(fitted({.model = "lambert", .residual = Residual::weighted}, fit_data("three", one_micron, few)),
-                      Contains("no uncertainties"));
+    CHECK_THROWS_WITH(
+        fitted({.model = "lambert", .residual = Residual::weighted}, fit_data("three", one_micron, few)),
+        Contains("no uncertainties"));
     const auto bad = [&](double value, double uncertainty, std::size_t wavelength) {
         auto samples = few;
         samples[1] = {in_plane()[1], wavelength, value, uncertainty};
         return fit_data("bad", one_micron, samples);
     };
-    CHECK_THROWS_WITH(bad(std::nan(""), 0, 0), Contains("bad: sample 2: value nan: must be a finite number >= 0"));
+    CHECK_THROWS_WITH(bad(std::nan(""), 0, 0),
+                      Contains("bad: sample 2: value nan: must be a finite number >= 0"));
     CHECK_THROWS_WITH(bad(-1, 0, 0), Contains("must be a finite number >= 0"));
     CHECK_THROWS_WITH(bad(1, 0.1, 0), Contains("bad: sample 1: uncertainty 0"));
     CHECK_THROWS_WITH(bad(1, 0, 7), Contains("wavelength 7: must be one of the grid's 1"));
-    CHECK_THROWS_WITH(fitted({.model = "lambert"}, bad(0, 0, 0)), Contains("value 2 is 0: must be > 0 for log residuals"));
+    CHECK_THROWS_WITH(fitted({.model = "lambert"}, bad(0, 0, 0)),
+                      Contains("value 2 is 0: must be > 0 for log residuals"));
 }
