@@ -29,6 +29,8 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_materials(program);
     hts::cli::add_info(program);
     hts::cli::add_figures(program);
+    hts::cli::add_curves(program);
+    hts::cli::add_fit(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
 }

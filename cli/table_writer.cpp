@@ -1,8 +1,6 @@
 #include "cli/table_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -50,13 +48,6 @@ Format format_of(std::string_view path, bool json) {
 
 void append_number(std::string& text, double value) {
     text += brief(value, 17);
-}
-
-std::string brief(double value, int digits) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
-    return {text.data(), end};
 }
 
 std::string json_string(std::string_view text) {

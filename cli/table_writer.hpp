@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::cli {
 
@@ -17,8 +18,7 @@ enum class Format { csv, json };
 
 /// 17 significant digits, enough to read back the same double.
 void append_number(std::string& text, double value);
-/// For the eye: so many significant digits, without trailing zeros.
-[[nodiscard]] std::string brief(double value, int digits = 4);
+using spectral::brief;
 /// A JSON string with its quotes.
 [[nodiscard]] std::string json_string(std::string_view text);
 

@@ -9,9 +9,11 @@ namespace hts::cli {
 /// UsageError or CLI::ParseError for wrong usage, hts::Error for bad data.
 void add_albedo(CLI::App& program);
 void add_chart(CLI::App& program);
+void add_curves(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);
 void add_figures(CLI::App& program);
+void add_fit(CLI::App& program);
 void add_furnace(CLI::App& program);
 void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);

@@ -1,6 +1,7 @@
 #include "spectral/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -131,6 +132,13 @@ std::string gnuplot_string(std::string_view text) {
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
     return quoted + "'";
+}
+
+std::string brief(double value, int digits) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    return {text.data(), end};
 }
 
 double number_in(std::string_view text) {

@@ -32,6 +32,9 @@ namespace hts::spectral {
 /// A text as a gnuplot string literal, taken as it is, on one line.
 [[nodiscard]] std::string gnuplot_string(std::string_view text);
 
+/// For the eye: so many significant digits, without trailing zeros.
+[[nodiscard]] std::string brief(double value, int digits = 4);
+
 /// The finite number that is the whole text; hts::Error "\"abc\" is not a number" otherwise.
 [[nodiscard]] double number_in(std::string_view text);
 

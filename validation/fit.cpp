@@ -1,0 +1,240 @@
+#include "validation/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <numeric>
+
+#include "hts/error.hpp"
+#include "validation/fit_problem.hpp"
+#include "validation/fit_uncertainty.hpp"
+
+namespace hts::validation {
+namespace {
+
+double sum_of_squares(const std::vector<double>& values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+/// Runs `work(i)` for all i on all cores; the first failure, in order of i, is thrown.
+template <class Work>
+void for_each(std::size_t count, const Work& work) {
+    std::vector<std::exception_ptr> failures(count);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        try {
+            work(k);
+        } catch (...) {
+            failures[k] = std::current_exception();
+        }
+    }
+    for (const auto& failure : failures) {
+        if (failure) std::rethrow_exception(failure);
+    }
+}
+
+/// The starts with the lowest sums of squares, lowest first.
+std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std::size_t count) {
+    const auto starts = problem.starts();
+    std::vector<double> costs(starts.size());
+    for_each(starts.size(),
+             [&](std::size_t i) { costs[i] = sum_of_squares(problem.projected_residuals(starts[i])); });
+    std::vector<std::size_t> order(starts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return costs[i]; });
+    std::vector<std::vector<double>> result;
+    for (std::size_t i = 0; i < std::min(count, order.size()); ++i) result.push_back(starts[order[i]]);
+    return result;
+}
+
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request) {
+    const auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
+    const Residuals residuals = [&](std::span<const double> x) { return problem.projected_residuals(x); };
+    const std::vector<Bounds> bounds{
+        problem.bounds().begin(),
+        problem.bounds().begin() + static_cast<std::ptrdiff_t>(problem.searched_count())};
+    std::vector<Minimum> result(starts.size());
+    std::size_t done = 0;
+    for_each(starts.size(), [&](std::size_t i) {
+        result[i] = local_minimum(residuals, starts[i], bounds, request.most_iterations);
+#pragma omp critical(hts_fit_progress)
+        if (request.progress) request.progress(++done, starts.size());
+    });
+    return result;
+}
+
+// ---- what came out
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+FitStatistics statistics(const FitData& data, const std::vector<double>& predicted, std::size_t free,
+                         double cost) {
+    FitStatistics result{};
+    std::vector<double> logs;
+    double squares = 0, with_cosine = 0, chi_squared = 0;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        const double difference = predicted[i] - data.values[i];
+        squares += difference * difference;
+        with_cosine += std::pow(difference * data.cosines[i], 2);
+        if (!data.uncertainties.empty()) chi_squared += std::pow(difference / data.uncertainties[i], 2);
+        if (predicted[i] > 0 && data.values[i] > 0)
+            logs.push_back(std::abs(std::log(predicted[i] / data.values[i])));
+    }
+    const auto n = static_cast<double>(predicted.size()), k = static_cast<double>(free);
+    result.data = predicted.size();
+    result.free_parameters = free;
+    result.rms_log = std::sqrt(sum_of_squares(logs) / std::max(1.0, static_cast<double>(logs.size())));
+    result.median_abs_log = median(logs);
+    result.rms = std::sqrt(squares / n);
+    result.l2 = std::sqrt(with_cosine / n);
+    if (!data.uncertainties.empty()) result.reduced_chi_squared = chi_squared / (n - k);
+    result.cost = cost;
+    const double likelihood = n * std::log(std::max(cost / n, std::numeric_limits<double>::min()));
+    result.aic = likelihood + 2 * (k + 1);
+    result.bic = likelihood + (k + 1) * std::log(n);
+    return result;
+}
+
+bool at_bound(double coordinate, const Bounds& bounds) {
+    const auto near = [&](double bound) {
+        return std::abs(coordinate - bound) <= 1e-9 * std::max(1.0, std::abs(bound));
+    };
+    return near(bounds.lowest) || near(bounds.highest);
+}
+
+std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector<double>& values) {
+    std::vector<FittedParameter> result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto& [parameter, role, fixed, tied] = problem.places()[i];
+        const Outcome outcome = role == Role::fixed  ? Outcome::fixed
+                                : role == Role::tied ? Outcome::tied
+                                                     : Outcome::fitted;
+        result.push_back({parameter.name, parameter.range.unit, values[i], 0, parameter.range.lowest,
+                          parameter.range.highest, outcome});
+    }
+    return result;
+}
+
+/// Places in the list, as its numbers rise.
+std::vector<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
+    std::vector<std::size_t> result(numbers.size());
+    std::iota(result.begin(), result.end(), std::size_t{0});
+    std::ranges::sort(result, {}, [&](std::size_t i) { return numbers[i]; });
+    return result;
+}
+
+/// Standard errors, correlation and statements, from the derivatives at the minimum.
+void add_uncertainty(Fit& fit, const FitProblem& problem, const std::vector<double>& coordinates) {
+    const Residuals residuals = [&](std::span<const double> x) { return problem.residuals(x); };
+    const Columns all = jacobian(residuals, coordinates, problem.bounds());
+    std::vector<FreeParameter> parameters;
+    std::vector<std::size_t> places;
+    Columns columns;
+    for (const std::size_t k : in_order(problem.free())) {
+        FittedParameter& parameter = fit.parameters[problem.free()[k]];
+        if (at_bound(coordinates[k], problem.bounds()[k])) {
+            parameter.outcome = Outcome::at_bound;
+            continue;
+        }
+        places.push_back(problem.free()[k]);
+        parameters.push_back(
+            {parameter.name, problem.places()[places.back()].parameter.range, parameter.value});
+        columns.push_back(all[k]);
+    }
+    const double freedom = static_cast<double>(fit.predicted.size() - parameters.size());
+    const Uncertainty found = uncertainty(parameters, columns, fit.statistics.cost / freedom);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        fit.parameters[places[k]].standard_error = found.standard_errors[k];
+        fit.correlated.push_back(parameters[k].name);
+    }
+    fit.correlation = found.correlation;
+    fit.statements = found.statements;
+    for (const FittedParameter& parameter : fit.parameters) {
+        if (parameter.outcome == Outcome::at_bound)
+            fit.statements.push_back(parameter.name + ": ended at its bound");
+    }
+}
+
+}  // namespace
+
+const char* name(Residual residual) noexcept {
+    switch (residual) {
+        case Residual::logarithmic:
+            return "log";
+        case Residual::relative:
+            return "relative";
+        case Residual::weighted:
+            return "weighted";
+        case Residual::cosine:
+            return "cosine";
+    }
+    return "";
+}
+
+const char* name(Loss loss) noexcept {
+    return loss == Loss::squares ? "squares" : loss == Loss::huber ? "huber" : "cauchy";
+}
+
+const char* name(Outcome outcome) noexcept {
+    switch (outcome) {
+        case Outcome::fitted:
+            return "fitted";
+        case Outcome::at_bound:
+            return "at bound";
+        case Outcome::fixed:
+            return "fixed";
+        case Outcome::tied:
+            return "tied";
+    }
+    return "";
+}
+
+const FittedParameter& Fit::parameter(const std::string& name) const {
+    const auto found = std::ranges::find(parameters, name, &FittedParameter::name);
+    if (found == parameters.end()) throw Error{"fit: no parameter \"" + name + "\""};
+    return *found;
+}
+
+spectral::AnyReflector fitted_reflector(const Fit& fit) {
+    return reflector_from(fit.material);
+}
+
+Fit fitted(const FitRequest& request, const FitData& data) {
+    const FitData good = checked(data);
+    const FitProblem problem{request, good};
+    const auto followed = minima(problem, request);
+    const auto best = std::ranges::min_element(followed, {}, &Minimum::cost);
+    const auto coordinates = problem.completed(best->x);
+    const auto values = problem.values(coordinates);
+
+    Fit fit{request.model,
+            data.name,
+            request,
+            listed(problem, values),
+            {},
+            {},
+            problem.predicted(values),
+            {},
+            {},
+            0,
+            {},
+            {}};
+    fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best->cost);
+    for (const Minimum& minimum : followed) {
+        fit.starts.push_back({2 * minimum.cost, minimum.iterations, minimum.converged});
+        if (minimum.cost <= best->cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
+    }
+    add_uncertainty(fit, problem, coordinates);
+    fit.material = problem.model().material_text(std::span{values}.first(values.size() - 1),
+                                                 data.name + ", fitted " + request.model);
+    return fit;
+}
+
+}  // namespace hts::validation

@@ -1,0 +1,24 @@
+/// Fits as parts of a validation report.
+#pragma once
+
+#include "validation/fit.hpp"
+#include "validation/report.hpp"
+
+namespace hts::validation {
+
+/// The He-Torrance model fitted to every set of curves that comes with the program: parameters with their uncertainties, what
+/// each set leaves open, fitted beside measured roughness, and the criteria that are asked of some sets.
+[[nodiscard]] Section fits_section(Effort effort);
+
+/// Every model fitted to every set: L2 errors like Table 3 of [Kurt10], and information criteria.
+[[nodiscard]] Section models_section(Effort effort);
+
+/// A number determined by two others.
+struct Ratio {
+    double value, standard_error;
+};
+
+/// Of two parameters that move by factors, with the correlation between them taken into account.
+[[nodiscard]] Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower);
+
+}  // namespace hts::validation

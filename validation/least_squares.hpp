@@ -1,0 +1,42 @@
+/// Least squares within bounds: linear ones exactly, others by Ceres Solver. Private to the fits.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace hts::validation {
+
+struct Bounds {
+    double lowest, highest;
+};
+
+/// Columns of a matrix, all of one length.
+using Columns = std::vector<std::vector<double>>;
+
+/// The x within bounds that minimises |sum_j x_j columns_j - target|^2, the global minimum. Columns that are 0 or depend on
+/// others leave x at a bound.
+[[nodiscard]] std::vector<double> bounded_linear_solution(const Columns& columns,
+                                                          std::span<const double> target,
+                                                          const std::vector<Bounds>& bounds);
+
+/// Residuals at a point, always as many. Must be total within the bounds.
+using Residuals = std::function<std::vector<double>(std::span<const double> x)>;
+
+/// Derivatives of the residuals, a column per coordinate: central differences, one-sided where a bound is near.
+[[nodiscard]] Columns jacobian(const Residuals& residuals, std::span<const double> x,
+                               const std::vector<Bounds>& bounds);
+
+struct Minimum {
+    std::vector<double> x;
+    double cost;  ///< sum of squares / 2
+    int iterations;
+    bool converged;
+};
+
+/// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start within them.
+/// The same bits for the same start.
+[[nodiscard]] Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
+                                    const std::vector<Bounds>& bounds, int most_iterations);
+
+}  // namespace hts::validation
