@@ -9,8 +9,10 @@
 #include "bench/chart.hpp"
 #include "bench/chart_script.hpp"
 #include "bench/chart_tables.hpp"
+#include "cli/figure_files.hpp"
 #include "cli/folder.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/model_chart.hpp"
 #include "cli/output.hpp"
 #include "cli/verbs.hpp"
 
@@ -33,13 +35,17 @@ Into the folder go, each with .csv and .json (the numbers) and .gnuplot (the scr
   cost-against-g.svg       the time against g
 Nothing is written before all is measured.
 
+--models measures something else: every model of the library, fitted to He-Torrance on four
+surfaces, and He-Torrance's own limits; error against time into models.svg. Minutes.
+
 Examples:
   hts chart --output out/charts --quick
-  hts chart --output out/charts --seed 7)";
+  hts chart --output out/charts --seed 7
+  hts chart --output out/models --models --quick)";
 
 struct ChartOptions {
     std::string folder;
-    bool quick = false;
+    bool quick = false, models = false;
     std::uint64_t seed = 1;
 };
 
@@ -60,6 +66,11 @@ void write_chart(const fs::path& path, const bench::ChartTable& table, const std
 void run(const ChartOptions& options) {
     const fs::path folder{options.folder};
     make_folder(folder);
+    if (options.models) {
+        const ModelChart chart = measured_models(options.quick, options.seed, progress());
+        std::cout << write_figure(folder, model_figure(chart), true).string() << '\n';
+        return;
+    }
     const auto settings =
         options.quick ? bench::ChartSettings::quick(options.seed) : bench::ChartSettings::full(options.seed);
     const bench::ChartData data = bench::measured_charts(settings, progress());
@@ -77,6 +88,7 @@ void add_chart(CLI::App& program) {
     auto options = std::make_shared<ChartOptions>();
     verb->add_option("-o,--output", options->folder, "folder for pictures and tables")->required();
     verb->add_flag("--quick", options->quick, "fewer points, in less than a minute");
+    verb->add_flag("--models", options->models, "instead: every model, fitted to He-Torrance");
     verb->add_option("--seed", options->seed, "of the random points")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
