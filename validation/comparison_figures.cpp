@@ -220,18 +220,17 @@ std::vector<Curve> model_lines(const CurveSet& set, const spectral::AnyReflector
     CurveSet fine = set;
     fine.curves.clear();
     for (const Curve& curve : set.curves) {
-        if (curve.sweep == Sweep::scattered) continue;
         Curve line{curve.band, curve.sweep, {}};
         double first = 90, last = -90;
         for (const CurvePoint& p : curve.points) {
             first = std::min(first, curve.swept_angle(p));
             last = std::max(last, curve.swept_angle(p));
         }
-        for (int i = 0; first + i * step <= last; ++i)
+        for (int i = 0; curve.sweep != Sweep::scattered && first + i * step <= last; ++i)
             line.points.push_back(in_plane_point(curve.sweep, curve.fixed_angle(), first + i * step, 0, 0));
         fine.curves.push_back(std::move(line));
     }
-    if (fine.curves.empty()) return {};
+    if (fine.point_count() == 0) return {};
     const std::vector<double> values = Prediction{fine, nodes}.values(reflector, policy);
     std::size_t next = 0;
     for (Curve& curve : fine.curves)
@@ -246,7 +245,7 @@ Figure log_overlay(const ComparisonPicture& picture) {
     script << figure_style << files(picture)
            << frame(picture, std::string{"dots: "} + picture.by() + "     " + (pairs ? "crosses" : "lines") +
                                  ": model     x: " + swept_label(set) + "     y: " + value_label(set))
-           << "set multiplot\nset logscale y\nset format y '10^{%L}'\nset yrange " << decades_of(set).range()
+           << "set multiplot\nset logscale y\nset format y '10^{%L}'\nset xtics 30\nunset mytics"
            << "\nset tics font ',10'\nset bmargin 1.8\nset tmargin 1.6\nset lmargin 5\nset rmargin 1\nset "
               "bars small\n";
     const Grid grid{set.curves.size()};
@@ -267,9 +266,8 @@ Figure polar_overlay(const ComparisonPicture& picture) {
     const Radius radius = radius_of(picture.set, shown);
     std::ostringstream script;
     script << figure_style << files(picture) << radius.function()
-           << frame(picture, "dots: " + picture.by() + "     lines: model     radius: " +
-                                 value_label(picture.set) + (radius.logarithmic ? ", logarithmic" : "") +
-                                 "     angle: " + swept_label(picture.set));
+           << frame(picture, "dots: " + picture.by() +
+                                 "     lines: model     radius: " + value_label(picture.set) + radius.text());
     polar_frame(script, radius);
     script << "set key at screen 0.5,0.075 bottom center horizontal samplen 2 font ',12'\nplot sample \\\n";
     for (int ring = 1; ring <= Radius::rings; ++ring)
@@ -296,8 +294,8 @@ Figure residual_plot(const ComparisonPicture& picture) {
     const bool pairs = scattered(picture.set);
     std::ostringstream script;
     script << figure_style << files(picture)
-           << frame(picture, "ln(model / measured), points " + picture.by() +
-                                 ": positive where the model is too bright")
+           << frame(picture, "points " + picture.by() +
+                                 ": above 0 where the model is too bright; beyond ±3 drawn at the edge")
            << "set tmargin at screen 0.88\nset bmargin at screen 0.2\nset lmargin at screen 0.09\nset "
               "rmargin at screen "
            << (pairs ? 0.97 : 0.86) << "\nset xlabel " << gnuplot_string(swept_label(picture.set))

@@ -10,7 +10,8 @@
 
 namespace hts::validation {
 
-/// The curves of a set at every half degree, with the model's values: what is drawn as lines. Scattered pairs have none.
+/// The curves of a set at every half degree, with the model's values: what is drawn as lines. Those of scattered pairs are
+/// without points, and there are no lines at all if none has any.
 [[nodiscard]] std::vector<Curve> model_lines(const CurveSet& set, const spectral::AnyReflector& reflector,
                                              const AveragingNodes& nodes, spectral::OutsideRange policy,
                                              double scale = 1);

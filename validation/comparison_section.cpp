@@ -59,7 +59,8 @@ ReportTable maxima_table(const CurveSet& set, const Comparison& result, const st
 }
 
 std::string cone_text(const char* what, const std::optional<double>& solid_angle) {
-    return std::string{what} + (solid_angle ? " " + brief(*solid_angle) + " sr" : " not stated");
+    const std::string size = solid_angle ? brief(*solid_angle).append(" sr") : "not stated";
+    return std::string{what}.append(" ").append(size);
 }
 
 std::string reciprocity_text(const CurveSet& set) {
