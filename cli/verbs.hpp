@@ -9,6 +9,7 @@ namespace hts::cli {
 /// UsageError or CLI::ParseError for wrong usage, hts::Error for bad data.
 void add_albedo(CLI::App& program);
 void add_chart(CLI::App& program);
+void add_compare(CLI::App& program);
 void add_curves(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);

@@ -18,8 +18,9 @@ const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
 
 TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
-    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "figures", "sample", "plan", "albedo",
-                                   "furnace", "materials", "info", "chart", "stability"}) {
+    for (const std::string verb :
+         {"eval", "phi", "spectrum", "polar", "figures", "sample", "plan", "albedo", "furnace", "materials",
+          "info", "chart", "stability", "curves", "compare"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);
