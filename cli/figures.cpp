@@ -43,7 +43,8 @@ struct PaperFigures {
     std::vector<Figure> (*make)();
 };
 
-constexpr std::array papers{PaperFigures{"he1991", validation::he_figures}, PaperFigures{"kurt", kurt_figures}, PaperFigures{"walter", walter_figures}};
+constexpr std::array papers{PaperFigures{"he1991", validation::he_figures},
+                            PaperFigures{"kurt", kurt_figures}, PaperFigures{"walter", walter_figures}};
 
 struct FiguresOptions {
     std::string paper, folder;

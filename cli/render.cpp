@@ -78,7 +78,8 @@ auto named(const List& list, const std::string& name) {
 Gallery chosen(const RenderOptions& options) {
     const auto shape = named(shapes, options.scene);
     if (shape == shapes.end()) {
-        if (!options.material.path.empty()) throw UsageError{"--material: must not come with " + options.scene};
+        if (!options.material.path.empty())
+            throw UsageError{"--material: must not come with " + options.scene};
         return *named(validation::galleries(), options.scene);
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
@@ -113,12 +114,14 @@ std::vector<std::string> scene_names() {
 }  // namespace
 
 void add_render(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand("render", "pictures of the papers' scenes and of any material, PNG");
+    CLI::App* verb =
+        program.add_subcommand("render", "pictures of the papers' scenes and of any material, PNG");
     auto options = std::make_shared<RenderOptions>();
     verb->add_option("scene", options->scene, "which")->required()->check(CLI::IsMember(scene_names()));
     verb->add_option("-o,--output", options->output, "picture, a .png file")->required();
     options->material.add_to(*verb);
-    verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg]")->capture_default_str();
+    verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg]")
+        ->capture_default_str();
     verb->add_option("--size", options->size, "width of the picture, 16 ... 4096")
         ->capture_default_str()
         ->check(CLI::Range(16, 4096));

@@ -80,8 +80,8 @@ ValueGrid read_png_luminance(const std::filesystem::path& path) {
         Image image;
         image.begin_reading(read_bytes(path));
         if (image->width > most || image->height > most) {
-            throw Error{"picture of " + std::to_string(image->width) + " by " + std::to_string(image->height) +
-                        " pixels: must be at most 4096 by 4096"};
+            throw Error{"picture of " + std::to_string(image->width) + " by " +
+                        std::to_string(image->height) + " pixels: must be at most 4096 by 4096"};
         }
         ValueGrid grid{image->height, image->width, {}};
         for (const std::uint16_t value : image.read<std::uint16_t>(PNG_FORMAT_LINEAR_Y)) {

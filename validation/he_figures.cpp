@@ -62,20 +62,21 @@ std::string title(const HeFigure& figure) {
 }
 
 std::string polar_figure(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
-    return polar_script(curves, {title(figure),
-                                 {"radius: BRDF / BRDF in the specular direction, eq. 11; peaks averaged over "
-                                  "cones of π/1024 sr",
-                                  theory_only},
-                                 stem(figure) + ".csv"});
+    return polar_script(curves,
+                        {title(figure),
+                         {"radius: BRDF / BRDF in the specular direction, eq. 11; peaks averaged over "
+                          "cones of π/1024 sr",
+                          theory_only},
+                         stem(figure) + ".csv"});
 }
 
 /// BRDF against the view angle, as in Fig. 11.
 std::string semilogarithmic_figure(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
     constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499"};
-    std::string script = std::string{figure_style} + "set margins 11,4,5,6\n" +
-                         page_label(title(figure), 0.03, 0.95, 17) +
-                         page_label(std::string{"Peaks averaged over cones of π/1024 sr. "} + theory_only, 0.03, 0.9, 13) +
-                         R"(set logscale y
+    std::string script =
+        std::string{figure_style} + "set margins 11,4,5,6\n" + page_label(title(figure), 0.03, 0.95, 17) +
+        page_label(std::string{"Peaks averaged over cones of π/1024 sr. "} + theory_only, 0.03, 0.9, 13) +
+        R"(set logscale y
 set format y '10^{%T}'
 set xlabel 'view angle [°], the mirror side positive'
 set ylabel 'BRDF [1/sr]' offset 1,0
@@ -103,8 +104,8 @@ Figure drawn(const HeFigure& figure) {
             {table(figure, curves)},
             figure.radius == PolarRadius::normalised ? polar_figure(figure, curves)
                                                      : semilogarithmic_figure(figure, curves),
-            "After Fig. " + std::to_string(figure.number) + " of He et al. 1991: " + figure.reflector.name + ". " +
-                theory_only};
+            "After Fig. " + std::to_string(figure.number) + " of He et al. 1991: " + figure.reflector.name +
+                ". " + theory_only};
 }
 
 }  // namespace

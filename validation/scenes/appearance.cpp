@@ -67,6 +67,8 @@ struct Appearance::Face {
     virtual void brdf(std::span<const DirectionPair> pairs, std::span<Spectrum> result) const noexcept = 0;
     [[nodiscard]] virtual Spectrum specular_reflectance(const Direction& in) const noexcept = 0;
     [[nodiscard]] virtual bool has_specular() const noexcept = 0;
+    /// Albedo of the part that is the same for all directions, as far as it is known apart.
+    [[nodiscard]] virtual Spectrum uniform_albedo() const noexcept = 0;
     [[nodiscard]] virtual SpectralDraw draw(const Direction& in,
                                             const std::array<double, 4>& u) const noexcept = 0;
     [[nodiscard]] virtual double pdf(const Direction& in, const Direction& out) const noexcept = 0;
@@ -76,10 +78,10 @@ struct Appearance::Face {
 class Appearance::HeTorrance final : public Face {
   public:
     explicit HeTorrance(const spectral::Reflector& reflector)
-        : prepared_{reflector.surface,
-                    spectral::spectral_samples(reflector, picture_wavelengths(),
-                                               spectral::OutsideRange::clamp),
-                    Tolerance{accuracy::rendered_brdf}} {
+        : prepared_{
+              reflector.surface,
+              spectral::spectral_samples(reflector, picture_wavelengths(), spectral::OutsideRange::clamp),
+              Tolerance{accuracy::rendered_brdf}} {
         for (const std::size_t band : drawing_bands) {
             samplers_.emplace_back(reflector.surface, prepared_.samples()[band], prepared_.tolerance());
         }
@@ -100,6 +102,13 @@ class Appearance::HeTorrance final : public Face {
         return result;
     }
     [[nodiscard]] bool has_specular() const noexcept override { return true; }
+    [[nodiscard]] Spectrum uniform_albedo() const noexcept override {
+        Spectrum result;
+        for (std::size_t i = 0; i < bands; ++i) {
+            result.values[i] = std::numbers::pi * prepared_.samples()[i].uniform_diffuse;
+        }
+        return result;
+    }
     [[nodiscard]] SpectralDraw draw(const Direction& in,
                                     const std::array<double, 4>& u) const noexcept override {
         const auto chosen = static_cast<std::size_t>(u[3] * static_cast<double>(samplers_.size()));
@@ -142,6 +151,7 @@ class Appearance::Other final : public Face {
         return {};
     }
     [[nodiscard]] bool has_specular() const noexcept override { return false; }
+    [[nodiscard]] Spectrum uniform_albedo() const noexcept override { return {}; }
     [[nodiscard]] SpectralDraw draw(const Direction& in,
                                     const std::array<double, 4>& u) const noexcept override {
         const auto chosen = static_cast<std::size_t>(u[3] * static_cast<double>(drawing_bands.size()));
@@ -161,10 +171,11 @@ class Appearance::Other final : public Face {
 
 namespace {
 
-/// Mean over incident light from everywhere of what the diffuse lobes reflect, by evenly spread draws.
-Spectrum average_albedo(const Appearance& appearance) {
+/// Mean over incident light from everywhere of what the diffuse lobes reflect: the uniform part and, by evenly spread draws,
+/// the rest.
+Spectrum average_albedo(const Appearance& appearance, const Spectrum& uniform) {
     constexpr std::uint32_t draws = 8192;
-    Spectrum sum;
+    Spectrum sum = uniform;
     for (std::uint32_t i = 0; i < draws; ++i) {
         const auto [a, b] = even_point(stream(1, 0, 0), i);
         const auto [c, d] = even_point(stream(1, 0, 1), i);
@@ -172,7 +183,9 @@ Spectrum average_albedo(const Appearance& appearance) {
         const Direction in = Direction::from_vector(cosine_vector(a, b));
         const SpectralDraw drawn = appearance.draw(in, {c, d, e, f});
         if (!(drawn.pdf > 0) || drawn.lobe == Lobe::specular) continue;
-        sum.add(drawn.out.cos_theta() / (drawn.pdf * draws), appearance.brdf({in, drawn.out}));
+        const double weight = drawn.out.cos_theta() / (drawn.pdf * draws);
+        sum.add(weight, appearance.brdf({in, drawn.out}));
+        sum.add(-weight / std::numbers::pi, uniform);
     }
     return sum;
 }
@@ -185,7 +198,7 @@ Appearance::Appearance(const spectral::AnyReflector& reflector) {
     } else {
         face_ = std::make_shared<const Other>(reflector);
     }
-    diffuse_albedo_ = average_albedo(*this);
+    diffuse_albedo_ = average_albedo(*this, face_->uniform_albedo());
 }
 
 Spectrum Appearance::brdf(const DirectionPair& pair) const noexcept {

@@ -11,7 +11,8 @@
 namespace hts::validation {
 
 /// Which pixel and which two dimensions of its samples; streams with other numbers are independent.
-[[nodiscard]] std::uint32_t stream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t dimensions) noexcept;
+[[nodiscard]] std::uint32_t stream(std::uint32_t seed, std::uint32_t pixel,
+                                   std::uint32_t dimensions) noexcept;
 
 /// Point `index` of a stream, both coordinates in [0, 1).
 [[nodiscard]] std::array<double, 2> even_point(std::uint32_t stream, std::uint32_t index) noexcept;

@@ -11,7 +11,8 @@ namespace hts::validation {
 Picture picture_of(const Gallery& gallery, RenderSettings settings, const Progress& progress) {
     const std::vector<Scene> scenes = gallery.scenes();
     const std::size_t gap = gallery.columns > 1 ? std::max<std::size_t>(1, settings.width / 150) : 0;
-    settings.width = std::max<std::size_t>(1, (settings.width - (gallery.columns - 1) * gap) / gallery.columns);
+    settings.width =
+        std::max<std::size_t>(1, (settings.width - (gallery.columns - 1) * gap) / gallery.columns);
     settings.height = static_cast<std::size_t>(
         std::max(1L, std::lround(gallery.height_over_width * static_cast<double>(settings.width))));
     const auto count = static_cast<double>(scenes.size());
@@ -23,6 +24,11 @@ Picture picture_of(const Gallery& gallery, RenderSettings settings, const Progre
         }));
     }
     return panels(pictures, gallery.columns, gap);
+}
+
+Rectangle softbox(Vector3 centre, Vector3 looks_at, double width, double height) {
+    const Frame frame = Frame::about(normalised(looks_at - centre), cross({0, 0, 1}, looks_at - centre));
+    return {centre - (width / 2) * frame.x - (height / 2) * frame.y, width * frame.x, height * frame.y};
 }
 
 const std::vector<Gallery>& galleries() {

@@ -68,7 +68,8 @@ class Batch {
 
     static std::array<DirectionPair, capacity> filled(const Direction& view) {
         const DirectionPair pair{view, view};
-        return {pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair, pair};
+        return {pair, pair, pair, pair, pair, pair, pair, pair,
+                pair, pair, pair, pair, pair, pair, pair, pair};
     }
 };
 
@@ -103,10 +104,12 @@ Spectrum lit(const Scene& scene, const SurfacePoint& point, const PixelSample& s
 }
 
 /// The same of one point of each lamp, for paths: weighted against meeting the lamp by a drawn direction.
-Spectrum lit_once(const Scene& scene, const SurfacePoint& point, const PixelSample& sample, std::uint32_t bend) {
+Spectrum lit_once(const Scene& scene, const SurfacePoint& point, const PixelSample& sample,
+                  std::uint32_t bend) {
     Batch batch{point};
     for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
-        const Illumination from = illumination(scene, scene.lights[l], point, numbers(sample, bend, 3 + l, sample.index));
+        const Illumination from =
+            illumination(scene, scene.lights[l], point, numbers(sample, bend, 3 + l, sample.index));
         if (from.cosine_over_pdf == 0) continue;
         const double drawn = point.appearance->pdf(point.view, from.in);
         batch.add(from.in, from.cosine_over_pdf * from.pdf / (from.pdf + drawn), scene.lights[l].radiance());
@@ -137,7 +140,8 @@ struct Path {
             worth = (1 / drawn.pdf) * worth * point.appearance->specular_reflectance(point.view);
             drawn_pdf = 0;
         } else {
-            worth = (drawn.out.cos_theta() / drawn.pdf) * worth * point.appearance->brdf({drawn.out, point.view});
+            worth =
+                (drawn.out.cos_theta() / drawn.pdf) * worth * point.appearance->brdf({drawn.out, point.view});
             drawn_pdf = drawn.pdf;
         }
         return survives(sample, bend);
@@ -190,8 +194,10 @@ Spectrum path_radiance(const Scene& scene, const Ray& ray, const PixelSample& sa
     for (std::uint32_t bend = 0; bend < most_bends; ++bend) {
         const Sight sight = seen(scene, path.ray);
         if (sight.object == nullptr) {
-            if (sight.light == nullptr) sum.add(1, path.worth, scene.ambient);
-            else sum.add(balance(path.ray, sight, path.drawn_pdf), path.worth, sight.light->radiance());
+            if (sight.light == nullptr)
+                sum.add(1, path.worth, scene.ambient);
+            else
+                sum.add(balance(path.ray, sight, path.drawn_pdf), path.worth, sight.light->radiance());
             break;
         }
         const SurfacePoint point{path.ray, sight};

@@ -28,8 +28,8 @@ class Tracer {
     Tracer(const Scene& scene, const RenderSettings& settings)
         : scene_{scene},
           settings_{settings},
-          colours_{
-              spectral::tristimulus_weights(picture_wavelengths().micrometres(), spectral::Illuminant::D65)} {}
+          colours_{spectral::tristimulus_weights(picture_wavelengths().micrometres(),
+                                                 spectral::Illuminant::D65)} {}
 
     [[nodiscard]] spectral::Xyz pixel(std::size_t row, std::size_t column) const {
         const auto number = static_cast<std::uint32_t>(row * settings_.width + column);

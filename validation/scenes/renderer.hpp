@@ -36,7 +36,8 @@ struct RenderSettings {
 using Progress = std::function<void(double share)>;
 
 /// A picture, on all cores; the same bits for any number of threads.
-[[nodiscard]] Picture render(const Scene& scene, const RenderSettings& settings, const Progress& progress = {});
+[[nodiscard]] Picture render(const Scene& scene, const RenderSettings& settings,
+                             const Progress& progress = {});
 
 /// Radiance along a ray by [He91 (12)], the mean of `samples` choices of points on the lights.
 [[nodiscard]] Spectrum radiance(const Scene& scene, const Ray& ray, std::uint32_t samples);

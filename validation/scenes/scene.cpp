@@ -26,8 +26,8 @@ LightSample sampled(const Sphere& sphere, Vector3 from, const std::array<double,
     const Vector3 aside = std::abs(towards.z) < 0.9 ? Vector3{0, 0, 1} : Vector3{1, 0, 0};
     const double cosine = 1 - opening * u[0], sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double azimuth = 2 * pi * u[1];
-    const Vector3 direction = normalised(Frame::about(towards, aside)
-                                             .outward({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}));
+    const Vector3 direction = normalised(
+        Frame::about(towards, aside).outward({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}));
     const auto met = sphere.meeting({from, direction});
     // a ray along the rim may miss by rounding: it then ends beside the centre
     const double distance = met ? met->distance : length(sphere.centre() - from) * cosine;

@@ -59,6 +59,8 @@ class Camera {
     Camera(Vector3 place, Vector3 looks_at, double field_of_view);
     /// Through a point of the picture: x from the left, y from the top, 0 ... 1 across its width.
     [[nodiscard]] Ray ray(double x, double y, double height_over_width) const noexcept;
+    /// Towards a point of the scene.
+    [[nodiscard]] Ray towards(Vector3 point) const noexcept { return {place_, normalised(point - place_)}; }
 
   private:
     Vector3 place_, right_, up_, forward_;

@@ -14,6 +14,9 @@ namespace hts::validation {
 /// A perfectly diffuse material.   rgb   albedo, 0 ... 1
 [[nodiscard]] Appearance matt(const std::array<double, 3>& rgb);
 
+/// A rectangle about a centre whose normal points at something, its first edge level.
+[[nodiscard]] Rectangle softbox(Vector3 centre, Vector3 looks_at, double width, double height);
+
 [[nodiscard]] std::vector<Gallery> he_galleries();
 [[nodiscard]] std::vector<Gallery> microfacet_galleries();
 

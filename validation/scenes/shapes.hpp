@@ -87,7 +87,8 @@ class Rectangle {
     }
     /// u and v of a point of its plane.
     [[nodiscard]] std::array<double, 2> coordinates(Vector3 point) const noexcept {
-        return {dot(point - corner_, frame_.x) / first_length_, dot(point - corner_, frame_.y) / second_length_};
+        return {dot(point - corner_, frame_.x) / first_length_,
+                dot(point - corner_, frame_.y) / second_length_};
     }
     [[nodiscard]] double area() const noexcept { return first_length_ * second_length_; }
     [[nodiscard]] Vector3 normal() const noexcept { return frame_.z; }
