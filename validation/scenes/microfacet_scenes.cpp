@@ -163,14 +163,14 @@ Scene sphere_scene(const Appearance& material) {
 }
 
 Scene cloth_scene(const Appearance& material) {
-    Scene scene{{}, {}, Spectrum::grey(0.05), Camera{{0.3, -5.2, 4.6}, {0, -0.05, 0}, 27}};
+    Scene scene{{}, {}, Spectrum::grey(0.05), Camera{{0.3, -6.2, 3.2}, {0, -0.1, 0}, 27}};
     scene.objects.push_back(
         {Cloth{
              {0, 0, 0},
              2,
              {{0.13, 4.4, 0.5, 0.4}, {0.08, 3.1, 2.2, 1.1}, {0.035, 8.3, -1.7, 2.0}, {0.12, 0.9, -2.4, 0.2}}},
          {material}});
-    scene.lights.push_back({Sphere{{-5, 4, 3.6}, 0.5}, Spectrum::grey(500)});
+    scene.lights.push_back({Sphere{{-4, 4, 5.5}, 0.5}, Spectrum::grey(480)});
     return scene;
 }
 
