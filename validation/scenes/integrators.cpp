@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "validation/scenes/evenly.hpp"
 
@@ -34,6 +35,12 @@ Direction above(Vector3 local) {
     return Direction::from_vector({local.x, local.y, std::max(local.z, 0.0)});
 }
 
+/// An array of equal values, which need no default.
+template <class Value, std::size_t... i>
+std::array<Value, sizeof...(i)> copies(const Value& value, std::index_sequence<i...> /*indices*/) {
+    return {(static_cast<void>(i), value)...};
+}
+
 /// Pairs of directions and what light along each is worth, evaluated together.
 class Batch {
   public:
@@ -61,16 +68,11 @@ class Batch {
     }
 
     const SurfacePoint& point_;
-    std::array<DirectionPair, capacity> pairs_ = filled(point_.view);
+    std::array<DirectionPair, capacity> pairs_ =
+        copies(DirectionPair{point_.view, point_.view}, std::make_index_sequence<capacity>{});
     std::array<Spectrum, capacity> lights_;
     std::size_t count_ = 0;
     Spectrum sum_;
-
-    static std::array<DirectionPair, capacity> filled(const Direction& view) {
-        const DirectionPair pair{view, view};
-        return {pair, pair, pair, pair, pair, pair, pair, pair,
-                pair, pair, pair, pair, pair, pair, pair, pair};
-    }
 };
 
 /// What a point of a light sends to a surface.
