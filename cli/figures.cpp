@@ -11,11 +11,15 @@
 #include "cli/folder.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
+#include "validation/he_figures.hpp"
 
 namespace hts::cli {
 namespace {
 
 constexpr auto help = R"(
+he1991: Figs 7 to 11 of He, Torrance, Sillion and Greenberg 1991 in the paper's axes. Theory
+alone: its measured curves are not available.
+
 kurt: Figs 2 and 3 of Kurt, Szirmay-Kalos and Krivanek 2010, the albedo of their model
 against the angle of incidence, and the largest exponent alpha with which it conserves
 energy, against the width m (F = 1). About a minute on one core.
@@ -29,6 +33,7 @@ Into the folder go, for each, the picture (.svg), its script (.gnuplot) and its 
 (.csv, or .json beside them with --json).
 
 Example:
+  hts figures he1991 --output out/he1991
   hts figures kurt --output out/kurt
   hts figures walter --output out/walter)";
 
@@ -38,7 +43,8 @@ struct PaperFigures {
     std::vector<Figure> (*make)();
 };
 
-constexpr std::array papers{PaperFigures{"kurt", kurt_figures}, PaperFigures{"walter", walter_figures}};
+constexpr std::array papers{PaperFigures{"he1991", validation::he_figures},
+                            PaperFigures{"kurt", kurt_figures}, PaperFigures{"walter", walter_figures}};
 
 struct FiguresOptions {
     std::string paper, folder;

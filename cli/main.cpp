@@ -32,6 +32,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_curves(program);
     hts::cli::add_fit(program);
     hts::cli::add_compare(program);
+    hts::cli::add_render(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
 }

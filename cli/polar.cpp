@@ -7,14 +7,20 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/options.hpp"
-#include "cli/polar_script.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/usage.hpp"
 #include "cli/validity_warning.hpp"
 #include "cli/verbs.hpp"
+#include "validation/polar_script.hpp"
 
 namespace hts::cli {
 namespace {
+
+using validation::EqualCones;
+using validation::PolarCurve;
+using validation::PolarPoint;
+using validation::PolarRadius;
+using validation::PolarStyle;
 
 constexpr auto help = R"(
 The polar angle is the view angle in the plane of incidence, -90 ... 90 deg, positive on

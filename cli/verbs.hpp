@@ -20,6 +20,7 @@ void add_materials(CLI::App& program);
 void add_phi(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_polar(CLI::App& program);
+void add_render(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);

@@ -3,6 +3,7 @@
 
 #include "hts/microfacet/ashikhmin.hpp"
 #include "spectral/model_readers.hpp"
+#include "spectral/png.hpp"
 #include "spectral/text.hpp"
 
 namespace hts::spectral {
@@ -51,10 +52,41 @@ NormalDensity slanted_from(const JsonValue& normals) {
                       [](double angle, double width) { return NormalDensity::slanted_fibres(width, angle); });
 }
 
-NormalDensity normals_from(const JsonValue& normals);
+/// Rows of numbers of equal length, [[…], …].
+ValueGrid grid_from(const JsonValue& rows) {
+    ValueGrid grid{0, 0, {}};
+    for (const JsonValue& row : rows.items()) {
+        const auto values = row.items();
+        if (grid.rows == 0) grid.columns = values.size();
+        if (values.size() != grid.columns) throw row.error("must be as long as the first row");
+        for (const JsonValue& value : values) grid.values.push_back(value.number());
+        ++grid.rows;
+    }
+    return grid;
+}
+
+NormalDensity tabulated_from(const JsonValue& normals) {
+    normals.require_keys_among({"type", "rows"});
+    const JsonValue rows = normals["rows"];
+    return located(rows.place(), [&] { return NormalDensity::tabulated(grid_from(rows)); });
+}
+
+/// A picture, bright where normals are many, over a Gaussian.
+NormalDensity image_from(const JsonValue& normals, const std::filesystem::path& folder) {
+    normals.require_keys_among({"type", "file", "extent", "sigma_x", "sigma_y"});
+    const JsonValue file = normals["file"], extent = normals["extent"];
+    const JsonValue x = normals["sigma_x"], y = normals["sigma_y"];
+    const double sigma_x = width_from(x), sigma_y = width_from(y), edge = extent.number();
+    static_cast<void>(density_of(x, sigma_x, 1, y, sigma_y, NormalDensity::gaussian));  // names a wrong width
+    const ValueGrid pixels = located(file.place(), [&] { return read_png_luminance(folder / file.text()); });
+    return located(extent.place(), [&] { return NormalDensity::image(sigma_x, sigma_y, pixels, edge); });
+}
+
+NormalDensity normals_from(const JsonValue& normals, const std::filesystem::path& folder);
 
 /// [[share, {…}], …]
-NormalDensity mixture_from(const JsonValue& normals) {  // NOLINT(misc-no-recursion): mixtures nest
+// NOLINTNEXTLINE(misc-no-recursion): mixtures nest
+NormalDensity mixture_from(const JsonValue& normals, const std::filesystem::path& folder) {
     normals.require_keys_among({"type", "of"});
     const JsonValue list = normals["of"];
     std::vector<NormalDensity::Share> shares;
@@ -62,22 +94,27 @@ NormalDensity mixture_from(const JsonValue& normals) {  // NOLINT(misc-no-recurs
         const auto pair = row.items();
         if (pair.size() != 2) throw row.error("must be a share and normals, [0.7, {…}]");
         const double share = pair[0].number();
-        const NormalDensity density = normals_from(pair[1]);
+        const NormalDensity density = normals_from(pair[1], folder);
         shares.push_back({share, density});
         located(pair[0].place(), [&] { return NormalDensity::mixture({shares.back()}); });
     }
     return located(list.place(), [&] { return NormalDensity::mixture(shares); });
 }
 
-NormalDensity normals_from(const JsonValue& normals) {  // NOLINT(misc-no-recursion): mixtures nest
+// NOLINTNEXTLINE(misc-no-recursion): mixtures nest
+NormalDensity normals_from(const JsonValue& normals, const std::filesystem::path& folder) {
     const JsonValue type = normals["type"];
     if (type.text() == "gaussian") return gaussian_from(normals);
     if (type.text() == "grooves") return grooves_from(normals);
     if (type.text() == "inverse_gaussian") return velvet_from(normals);
     if (type.text() == "slanted_fibres") return slanted_from(normals);
-    if (type.text() == "mixture") return mixture_from(normals);
-    throw type.error(in_quotes(type.text()) +
-                     " is not known; must be gaussian, grooves, inverse_gaussian, slanted_fibres or mixture");
+    if (type.text() == "tabulated") return tabulated_from(normals);
+    if (type.text() == "image") return image_from(normals, folder);
+    if (type.text() == "mixture") return mixture_from(normals, folder);
+    throw type.error(
+        in_quotes(type.text()) +
+        " is not known; must be gaussian, grooves, inverse_gaussian, slanted_fibres, tabulated, image "
+        "or mixture");
 }
 
 double checked_f0(double f0) {
@@ -116,7 +153,7 @@ AnyReflector::AtWavelength model_from(const MaterialFile& file, const AshikhminF
 AnyReflector read_ashikhmin(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "normals", "f0", "index", "metal", "diffuse_albedo", "correlated_shadowing"});
-    const NormalDensity density = normals_from(file.json["normals"]);
+    const NormalDensity density = normals_from(file.json["normals"], file.folder);
     const bool correlated = truth_or(file.json, "correlated_shadowing", false);
     const AshikhminFacets facets{density,
                                  correlated ? FacetShadowing::correlated : FacetShadowing::uncorrelated};

@@ -35,6 +35,22 @@ TEST_CASE("hts figures kurt draws the albedo and where it stays below 1 (HTS_EXH
     CHECK(std::stod(rows.back()[4]) < std::stod(rows.back()[3]));
 }
 
+TEST_CASE("hts figures he1991 draws Figs 7 to 11 with their numbers") {
+    const Workplace place;
+    const auto result = place.hts("figures he1991 --output he");
+    CHECK(result.exit_code == 0);
+    CHECK(std::count(result.output.begin(), result.output.end(), '\n') == 5);
+    for (const std::string figure : {"7", "8", "9", "10", "11"}) {
+        INFO(figure);
+        const std::string picture = place.read("he/he-figure-" + figure + ".svg");
+        CHECK(picture.find("</svg>") != std::string::npos);
+        CHECK(picture.find("not available") != std::string::npos);
+    }
+    const auto rows = cells(place.read("he/he-figure-11.csv"));
+    CHECK(rows[0][5] == "radius");
+    CHECK(std::stod(rows[100][5]) == Approx(0.15 / 3.14159265358979));
+}
+
 TEST_CASE("hts figures walter draws normals, shadowing and lobes with their numbers") {
     const Workplace place;
     const auto result = place.hts("figures walter --output walter --json");

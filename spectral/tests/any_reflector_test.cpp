@@ -10,6 +10,7 @@
 
 #include "comparison.hpp"
 #include "spectral/model_readers.hpp"
+#include "spectral/png.hpp"
 #include "spectral/reflectance.hpp"
 #include "temporary_folder.hpp"
 
@@ -260,6 +261,34 @@ TEST_CASE("what is wrong with a material file is named by key and legal range") 
             CHECK(message.find(part) != std::string::npos);
         }
     }
+}
+
+TEST_CASE("normals may come from a picture or a table") {
+    const TemporaryFolder folder;
+    const auto with = [&](const std::string& normals) {
+        return reflector_of(folder, R"({"model": "ashikhmin", "f0": 0.2, "normals": )" + normals + "}")
+            .at(green);
+    };
+    folder.write("white.png", hts::spectral::png_bytes(4, 4, std::vector<std::uint8_t>(48, 255)));
+    const AnyModel picture =
+        with(R"({"type": "image", "file": "white.png", "extent": 1, "sigma_x": 0.5, "sigma_y": 0.5})");
+    const AnyModel gaussian = with(R"({"type": "gaussian", "sigma_x": 0.5, "sigma_y": 0.5})");
+    const AnyModel table = with(R"({"type": "tabulated", "rows": [[1], [1], [1]]})");
+    const AnyModel everywhere = with(R"({"type": "inverse_gaussian", "sigma": "infinity"})");
+    for (const double theta : {0.0, 30.0, 60.0}) {
+        const auto in = Direction::from_degrees(20, 0), out = Direction::from_degrees(theta, 150);
+        CHECK(picture.brdf(in, out) == Approx(gaussian.brdf(in, out)).epsilon(0.01));
+        CHECK(table.brdf(in, out) == Approx(everywhere.brdf(in, out)).epsilon(0.01));
+    }
+    const auto problem = [&](const std::string& normals) {
+        return complaint(folder, [&] { with(normals); });
+    };
+    CHECK(problem(R"({"type": "image", "file": "no.png", "extent": 1, "sigma_x": 0.5, "sigma_y": 0.5})") ==
+          R"(m.json: key "normals.file": no.png: cannot be read: must be a PNG file)");
+    CHECK(problem(R"({"type": "image", "file": "white.png", "extent": 2, "sigma_x": 0.5, "sigma_y": 0.5})") ==
+          R"(m.json: key "normals.extent": extent of the image of normals 2: must be > 0 and at most 1)");
+    CHECK(problem(R"({"type": "tabulated", "rows": [[1, 2], [1]]})") ==
+          R"(m.json: key "normals.rows[1]": must be as long as the first row)");
 }
 
 TEST_CASE("slanted velvet warns that its mean normal is tilted") {

@@ -1,4 +1,4 @@
-#include "cli/polar_curves.hpp"
+#include "validation/polar_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "hts/error.hpp"
 
-namespace hts::cli {
+namespace hts::validation {
 namespace {
 
 constexpr int steps_per_degree = 4;
@@ -84,4 +84,4 @@ PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double p
     return curve;
 }
 
-}  // namespace hts::cli
+}  // namespace hts::validation

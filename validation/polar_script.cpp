@@ -1,16 +1,18 @@
-#include "cli/polar_script.hpp"
+#include "validation/polar_script.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
 
-#include "cli/gnuplot.hpp"
-#include "cli/table_writer.hpp"
 #include "hts/error.hpp"
+#include "spectral/text.hpp"
 
-namespace hts::cli {
+namespace hts::validation {
 namespace {
+
+using spectral::brief;
+using spectral::gnuplot_string;
 
 /// Okabe and Ito's colours that stand out on white, for all kinds of colour vision; then greys.
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499",
@@ -169,4 +171,4 @@ std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle
     return script.str();
 }
 
-}  // namespace hts::cli
+}  // namespace hts::validation

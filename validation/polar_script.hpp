@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/polar_curves.hpp"
+#include "validation/polar_curves.hpp"
 
-namespace hts::cli {
+namespace hts::validation {
 
 struct PolarStyle {
     std::string title;
@@ -19,4 +19,4 @@ struct PolarStyle {
 /// Surface normal up, light from the left: view angles from -90 deg (left) to 90 deg (right).
 [[nodiscard]] std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle& style);
 
-}  // namespace hts::cli
+}  // namespace hts::validation

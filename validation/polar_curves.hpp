@@ -6,7 +6,7 @@
 
 #include "spectral/any_model.hpp"
 
-namespace hts::cli {
+namespace hts::validation {
 
 /// How source and receiver widen the specular delta: both are cones of the same solid angle.
 ///
@@ -57,4 +57,4 @@ enum class PolarRadius {
 [[nodiscard]] PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
                                      const std::optional<EqualCones>& cones, PolarRadius radius);
 
-}  // namespace hts::cli
+}  // namespace hts::validation
