@@ -26,6 +26,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_furnace(program);
     hts::cli::add_sample(program);
     hts::cli::add_plan(program);
+    hts::cli::add_table(program);
     hts::cli::add_materials(program);
     hts::cli::add_info(program);
     hts::cli::add_figures(program);

@@ -24,5 +24,6 @@ void add_render(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
+void add_table(CLI::App& program);
 
 }  // namespace hts::cli
