@@ -14,25 +14,12 @@
 
 #include "hts/evaluation_simd.hpp"
 #include "hts/evaluation_table.hpp"
-#include "hts/lanes-inl.hpp"
+#include "hts/polynomials-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::evaluation_detail::HWY_NAMESPACE {
 
-/// Sum of coefficients[i] x^i by two Horner chains, of the even and of the odd powers.
-template <class Lanes, class V, std::size_t size>
-HWY_INLINE V polynomial(const Lanes& o, const std::array<double, size>& coefficients, V x) {
-    static_assert(size % 2 == 0);
-    const V x2 = x * x;
-    V even = o.real(coefficients[size - 2]);
-    V odd = o.real(coefficients[size - 1]);
-    HTS_UNROLL
-    for (std::size_t i = size - 2; i > 0; i -= 2) {
-        even = o.mul_add(even, x2, o.real(coefficients[i - 2]));
-        odd = o.mul_add(odd, x2, o.real(coefficients[i - 1]));
-    }
-    return o.mul_add(odd, x, even);
-}
+using lanes::HWY_NAMESPACE::polynomial;
 
 /// exp(-s) for 0 <= s <= 60.
 ///   error   relative, at most 6e-11

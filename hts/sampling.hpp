@@ -24,7 +24,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "hts/evaluation.hpp"
 
@@ -93,8 +93,10 @@ class DirectionSampler {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    struct Prepared;
+
     PreparedReflectance reflectance_;
-    std::vector<double> nodes_;
+    std::shared_ptr<const Prepared> prepared_;
 };
 
 }  // namespace hts

@@ -132,6 +132,6 @@ TEST_CASE("the same numbers draw the same direction, and a copy draws as the ori
             CHECK(a.weight == b.weight);
         }
     }
-    CHECK(one.bytes() > 33 * 16 * sizeof(double));
-    CHECK(one.bytes() < 6000);
+    CHECK(one.bytes() > 60 * 40 * sizeof(double));
+    CHECK(one.bytes() < 40000);
 }
