@@ -37,7 +37,7 @@ struct Reason {
 /// Says which points stay.
 class Filter {
   public:
-    explicit Filter(const Selection& keep) : keep_{keep} {}
+    explicit Filter(Selection keep) : keep_{keep} {}
 
     bool keeps(const CurvePoint& p) {
         const Selection& k = keep_;

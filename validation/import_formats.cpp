@@ -121,29 +121,33 @@ struct AstmHeader {
     std::size_t stated_points = 0;
 };
 
+/// The number after NUM_POINTS.
+std::size_t stated_points(const Line& line, const std::string& place) {
+    const double count = spectral::located(place, [&] { return spectral::number_in(line.words[1]); });
+    if (count >= 1 && count <= 1e8 && count == std::floor(count)) return static_cast<std::size_t>(count);
+    throw Error{place + ": NUM_POINTS " + std::string{line.words[1]} + ": must be a whole number from 1"};
+}
+
+/// The channels after the four angles.
+std::vector<std::string> channels_in(const Line& line, const std::string& place) {
+    const std::vector<std::string_view> first{"theta_i", "phi_i", "theta_s", "phi_s"};
+    const auto names = spectral::split(line.words[1], ',');
+    if (line.words.size() != 2 || names.size() <= first.size() ||
+        !std::equal(first.begin(), first.end(), names.begin()))
+        throw Error{place + ": VARS: must be theta_i,phi_i,theta_s,phi_s and channels, without blanks"};
+    return {names.begin() + 4, names.end()};
+}
+
 AstmHeader astm_header(const std::vector<Line>& lines, const fs::path& path) {
     AstmHeader header;
     for (std::size_t i = 0; i < lines.size() && header.first_row == 0; ++i) {
-        const auto& [number, words] = lines[i];
-        if (words.size() < 2) continue;
-        if (words[0] == "NUM_POINTS") {
-            const double count =
-                spectral::located(where(path, number), [&] { return spectral::number_in(words[1]); });
-            if (!(count >= 1 && count <= 1e8 && count == std::floor(count)))
-                throw Error{where(path, number) + ": NUM_POINTS " + std::string{words[1]} +
-                            ": must be a whole number from 1"};
-            header.stated_points = static_cast<std::size_t>(count);
-        }
-        if (words[0] != "VARS") continue;
+        const Line& line = lines[i];
+        if (line.words.size() < 2) continue;
+        const std::string place = where(path, line.number);
+        if (line.words[0] == "NUM_POINTS") header.stated_points = stated_points(line, place);
+        if (line.words[0] != "VARS") continue;
         header.first_row = i + 1;
-        for (const std::string_view variable : spectral::split(words[1], ','))
-            header.channels.emplace_back(variable);
-        const std::vector<std::string> first{"theta_i", "phi_i", "theta_s", "phi_s"};
-        if (words.size() != 2 || header.channels.size() < 5 ||
-            !std::equal(first.begin(), first.end(), header.channels.begin()))
-            throw Error{where(path, number) +
-                        ": VARS: must be theta_i,phi_i,theta_s,phi_s and channels, without blanks"};
-        header.channels.erase(header.channels.begin(), header.channels.begin() + 4);
+        header.channels = channels_in(line, place);
     }
     if (header.first_row == 0) throw Error{path.string() + ": no line VARS: must name the columns"};
     return header;
