@@ -114,7 +114,9 @@ Decades decades_of(const Curve& curve) {
 /// Where a panel stands on the page: `count` of them in rows below the title.
 struct Grid {
     explicit Grid(std::size_t count)
-        : columns{static_cast<std::size_t>(std::ceil(std::sqrt(1.3 * static_cast<double>(count))))},
+        : columns{count == 1
+                      ? 1
+                      : static_cast<std::size_t>(std::ceil(std::sqrt(1.3 * static_cast<double>(count))))},
           rows{(count + columns - 1) / columns} {}
     void place(std::ostream& script, std::size_t i) const {
         const double width = 0.97 / static_cast<double>(columns), height = 0.82 / static_cast<double>(rows);
@@ -137,8 +139,13 @@ void panel(std::ostream& script, const ComparisonPicture& picture, std::size_t n
     } else {
         script << "points every ::1 using " << of_curve << ":7 with points pt 2 ps 0.6 " << model_style;
     }
-    script << " notitle, \\\n     points every ::1 using " << of_curve
-           << (uncertain ? ":5:6 with yerrorbars " : ":5 with points ") << measured_style
+    script << " notitle, \\\n     ";
+    // bars and dots apart: gnuplot's own error bars wipe out what lies about each dot
+    if (uncertain)
+        script << "points every ::1 using " << of_curve
+               << ":($5 > $6 ? $5 - $6 : $5 / 100):(0):($5 > $6 ? 2*$6 : $5 + $6) "
+               << "with vectors nohead lw 0.8 lc rgb '#999999' notitle, \\\n     ";
+    script << "points every ::1 using " << of_curve << ":5 with points " << measured_style
            << " notitle\nunset label\n";
 }
 
@@ -243,11 +250,11 @@ Figure log_overlay(const ComparisonPicture& picture) {
     const bool pairs = scattered(set);
     std::ostringstream script;
     script << figure_style << files(picture)
-           << frame(picture, std::string{"dots: "} + picture.by() + "     " + (pairs ? "crosses" : "lines") +
-                                 ": model     x: " + swept_label(set) + "     y: " + value_label(set))
+           << frame(picture, std::string{"dots: "} + name(set.kind) + "     " +
+                                 (pairs ? "crosses" : "lines") + ": model     x: " + swept_label(set) +
+                                 "     y: " + value_label(set))
            << "set multiplot\nset logscale y\nset format y '10^{%L}'\nset xtics 30\nunset mytics"
-           << "\nset tics font ',10'\nset bmargin 1.8\nset tmargin 1.6\nset lmargin 5\nset rmargin 1\nset "
-              "bars small\n";
+           << "\nset tics font ',10'\nset bmargin 1.8\nset tmargin 1.6\nset lmargin 5\nset rmargin 1\n";
     const Grid grid{set.curves.size()};
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
         grid.place(script, i);
@@ -266,7 +273,7 @@ Figure polar_overlay(const ComparisonPicture& picture) {
     const Radius radius = radius_of(picture.set, shown);
     std::ostringstream script;
     script << figure_style << files(picture) << radius.function()
-           << frame(picture, "dots: " + picture.by() +
+           << frame(picture, std::string{"dots: "} + name(picture.set.kind) +
                                  "     lines: model     radius: " + value_label(picture.set) + radius.text());
     polar_frame(script, radius);
     script << "set key at screen 0.5,0.075 bottom center horizontal samplen 2 font ',12'\nplot sample \\\n";

@@ -166,6 +166,7 @@ template <class Model>
 std::vector<Prediction::Answer> answers_of(const Model& reflector, const std::vector<Prediction::Job>& jobs,
                                            spectral::OutsideRange policy) {
     std::vector<Prediction::Answer> answers;
+    answers.reserve(jobs.size());
     for (const Prediction::Job& job : jobs) answers.push_back(answer_of(reflector, job, policy));
     return answers;
 }
