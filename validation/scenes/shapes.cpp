@@ -29,7 +29,7 @@ double first_root(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0 && a > 0)) return never;
     const double q = -b - std::copysign(std::sqrt(discriminant), b);
-    const auto [near, far] = std::minmax({q / a, q == 0 ? 0 : c / q});
+    const auto [near, far] = std::minmax({q / a, q == 0 ? 0.0 : c / q});
     if (near >= shortest_distance) return near;
     return far >= shortest_distance ? far : never;
 }
@@ -179,11 +179,12 @@ std::optional<Meeting> Cloth::meeting(const Ray& ray) const noexcept {
     const double side = above(ray.at(distance)) < 0 ? -1 : 1;
     constexpr double least_step = 1e-4;
     double before = distance;
-    for (double height = side * above(ray.at(distance)); height > 0;
-         height = side * above(ray.at(distance))) {
+    double height = side * above(ray.at(distance));
+    while (height > 0) {
         before = distance;
         distance += std::max(height / rate, least_step);
         if (distance > end) return std::nullopt;
+        height = side * above(ray.at(distance));
     }
     while (rate * (distance - before) > accuracy::cloth_height) {
         const double middle = (before + distance) / 2;

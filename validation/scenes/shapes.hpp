@@ -57,7 +57,7 @@ class Cylinder {
 
   private:
     [[nodiscard]] std::optional<Meeting> side(const Ray& ray) const noexcept;
-    [[nodiscard]] std::optional<Meeting> lid(const Ray& ray, double height, double up) const noexcept;
+    [[nodiscard]] std::optional<Meeting> lid(const Ray& ray, double height, double towards) const noexcept;
 
     Vector3 base_;
     double radius_, height_;
