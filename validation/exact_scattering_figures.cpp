@@ -29,14 +29,6 @@ std::size_t class_of(double distance) {
     return i;
 }
 
-std::vector<double> different(const FigureTable& table, std::size_t column) {
-    std::vector<double> values;
-    for (const auto& row : table.rows) values.push_back(row[column]);
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
-
 std::size_t place_of(const std::vector<double>& values, double value) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
 }

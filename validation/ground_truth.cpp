@@ -85,6 +85,15 @@ std::size_t column_of(const FigureTable& table, std::string_view name) {
     return static_cast<std::size_t>(found - table.columns.begin());
 }
 
+std::vector<double> different(const FigureTable& table, std::size_t column) {
+    std::vector<double> values;
+    for (const auto& row : table.rows) {
+        if (std::find(values.begin(), values.end(), row[column]) == values.end())
+            values.push_back(row[column]);
+    }
+    return values;
+}
+
 std::string rounded(double value, int digits) {
     return in_digits("%.*f", digits, value);
 }

@@ -43,6 +43,9 @@ using AddResults = void (*)(Section& section, const std::vector<FigureTable>& ta
 /// Position of a column; it must be there.
 [[nodiscard]] std::size_t column_of(const FigureTable& table, std::string_view name);
 
+/// Values of a column, each once, as they come.
+[[nodiscard]] std::vector<double> different(const FigureTable& table, std::size_t column);
+
 /// Digits for a reader: "0.43".
 [[nodiscard]] std::string rounded(double value, int digits);
 

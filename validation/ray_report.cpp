@@ -132,15 +132,6 @@ std::vector<Row> rows_with(const FigureTable& table, const Row& first) {
     return rows;
 }
 
-std::vector<double> different(const FigureTable& table, std::size_t column) {
-    std::vector<double> values;
-    for (const Row& row : table.rows) {
-        if (std::find(values.begin(), values.end(), row[column]) == values.end())
-            values.push_back(row[column]);
-    }
-    return values;
-}
-
 Figure shadowing_figure(const FigureTable& table) {
     const auto all = different(table, 0);
     std::ostringstream out;
