@@ -36,9 +36,11 @@ std::size_t place_of(const std::vector<double>& values, double value) {
 /// Labelled tics at 0, 1, 2 …
 std::string tics(const std::vector<double>& values) {
     std::string text;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        text.append(i == 0 ? "(" : ", ").append("'" + shortest(values[i]) + "' " + std::to_string(i));
-    return text + ")";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text.append(i == 0 ? "('" : ", '").append(shortest(values[i])).append("' ");
+        text.append(std::to_string(i));
+    }
+    return text.append(")");
 }
 
 struct ModelRow {
@@ -143,7 +145,7 @@ Figure moment_map_figure(const FigureTable& map) {
             out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.205
                 << "\nset tmargin at screen " << top - 0.04 << "\nset bmargin at screen " << top - 0.225
                 << '\n'
-                << "set ytics " << (a == 0 ? tics(roughnesses) : "()") << "\nset ylabel '"
+                << (a == 0 ? "set ytics " + tics(roughnesses) : "unset ytics") << "\nset ylabel '"
                 << (a == 0 ? "σ_0/λ" : "") << "' offset 1,0\nset xtics " << tics(lengths) << " offset 0,0.4\n"
                 << "set title 'θ_i = " << angles[a] << "°' font ',13' offset 0,-0.8\n";
             write_panel(out, map, model_rows[m], angles[a]);

@@ -110,10 +110,11 @@ Figure figure(const FigureTable& table, const std::string& provenance) {
         steps.push_back(
             {deviations[i], (static_cast<double>(i) + 0.5) / static_cast<double>(deviations.size())});
     out << data_block("deviations", steps)
-        << "set multiplot layout 1,2 margins 0.075,0.975,0.27,0.86 spacing 0.08,0.05\n"
+        << "set multiplot layout 1,2 margins 0.075,0.975,0.12,0.86 spacing 0.08,0.05\n"
         << "set logscale x\nset format x '10^{%L}'\nset xlabel 'closed form [1/sr]'\nset ylabel 'computed / "
            "closed form'\n"
-        << "set key at screen 0.02,0.02 left bottom horizontal maxrows 2 samplen 1 width 2 font ',12'\n"
+        << "set yrange [0.5:1.6]\nset key inside top left Left reverse vertical maxrows 3 samplen 0.8 font "
+           "',11'\n"
         << "set arrow from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888'\nplot ";
     for (std::size_t i = 0; i < all.size(); ++i)
         out << (i == 0 ? "" : ", ") << "$case" << i

@@ -178,7 +178,7 @@ Figure lobe_figure(const FigureTable& table) {
         << "set multiplot layout " << steepness.size() << ',' << angles.size()
         << " margins 0.06,0.98,0.09,0.87 spacing 0.06,0.1\nset xrange [-90:90]\nset xtics 30\nset yrange "
            "[0:*]\n"
-        << "set key at graph 0.02,0.97 left top Left reverse samplen 2 font ',12'\n";
+        << "set key at screen 0.985,0.985 right top vertical samplen 2 font ',12'\n";
     std::size_t number = 0;
     for (const double slope : steepness) {
         for (const double theta : angles) {
