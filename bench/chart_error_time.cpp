@@ -109,7 +109,7 @@ void write_legend(std::ostream& out) {
     script::write(
         out, 0.012, 0.039, 12,
         "Crossed, in the grey band: at some points no correct digit, 0, infinity or NaN. Dashed: 7 % "
-        "(0.3 dB), what the best case of the model itself differs from exact scattering.",
+        "(0.3 dB), a typical distance of the model itself from exact scattering.",
         "#333333");
 }
 

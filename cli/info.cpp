@@ -18,8 +18,8 @@ exp(-g) of the light that stays in the mirror direction, and how far the model's
 assumptions hold: tau/lambda, k R cos^3(theta), sigma0/tau, shadowing, the shadowed mirror
 term, energy. Each is fine, a caution, or outside the model's validity, which is said and
 is no failure. The expected error is that of the model against exact scattering, not of
-the arithmetic; it was measured on 1-D perfectly conducting surfaces, 60 degrees the
-largest angle on record.
+the arithmetic: the map of hts truth moments, 1-D perfectly conducting surfaces up to 70
+degrees, unpolarised.
 Of models other than he it says how much light they reflect in all, and what is known to
 be wrong with the material.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.

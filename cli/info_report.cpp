@@ -97,6 +97,7 @@ std::string error_text(spectral::ModelError error) {
     const auto known = decibels(error);
     if (!known) return "unknown";
     if (known->most == 0) return "none (a mirror)";
+    if (known->most == known->least) return brief(known->least) + " dB";
     return brief(known->least) + " to " + brief(known->most) + " dB";
 }
 
@@ -223,8 +224,9 @@ std::string info_text(const MaterialInfo& info) {
     if (info.validity.perturbation_advised())
         text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
     text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
-         << "\n(where known: as measured on 1-D perfectly conducting surfaces, 60 deg the largest angle on "
-            "record)\n";
+         << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
+            "surfaces up to "
+            "70 deg, unpolarised)\n";
     return text.str();
 }
 

@@ -25,5 +25,6 @@ void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_table(CLI::App& program);
+void add_truth(CLI::App& program);
 
 }  // namespace hts::cli

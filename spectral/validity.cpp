@@ -128,7 +128,7 @@ Limits limits(Criterion criterion) noexcept {
 }
 
 std::optional<Decibels> decibels(ModelError error) noexcept {
-    constexpr std::array<Decibels, 5> known{{{0, 0}, {0.3, 0.5}, {0.4, 1}, {0.4, 4.6}, {2, 4.6}}};
+    constexpr std::array<Decibels, 5> known{{{0, 0}, {0, 1.1}, {0.1, 2.1}, {0.2, 1}, {1, 1}}};
     if (error == ModelError::unknown) return std::nullopt;
     return known[static_cast<std::size_t>(error)];
 }

@@ -34,4 +34,7 @@ set grid lc rgb '#e4e4e4' lw 0.6
 /// A label on the page, at 0 ... 1 from the lower left corner.
 [[nodiscard]] std::string page_label(const std::string& text, double x, double y, int size);
 
+/// Numbers that stand in the script itself, to be plotted as $NAME; NaN leaves a gap.
+[[nodiscard]] std::string data_block(const std::string& name, const std::vector<std::vector<double>>& rows);
+
 }  // namespace hts::validation

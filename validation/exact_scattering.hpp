@@ -1,0 +1,31 @@
+/// How far the model is from exact scattering. The map over sigma_0/lambda, tau/lambda and theta_i, in dB,
+/// from the method of moments (`moment_method`).
+#pragma once
+
+#include "validation/ground_truth.hpp"
+#include "validation/moment_method.hpp"
+
+namespace hts::validation {
+
+/// Surfaces of the map, lengths in wavelengths, sigma_0/tau at most 1/2; a few of them for a quick look.
+[[nodiscard]] std::vector<RoughnessStatistics> moment_grid(Effort effort);
+
+/// One row per surface and angle of incidence: energy and mirror of the exact solution, and for each model the
+/// distances from it in dB, columns "he_torrance_te_db", "he_torrance_db" (unpolarised) and so on.
+[[nodiscard]] FigureTable moment_map_table(const std::vector<MomentResult>& results);
+/// One row per angle of scattering, the lobes themselves.
+[[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results);
+
+/// Checks of a map against what is claimed of it.
+[[nodiscard]] std::vector<Check> moment_checks(const FigureTable& map);
+/// The map as a picture, a panel per model and angle.
+[[nodiscard]] Figure moment_map_figure(const FigureTable& map);
+/// Lobes against their closed forms.
+[[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes);
+
+/// Solves the surfaces of the grid. Quick: 3 surfaces, 40 realisations; full: all, 250 realisations.
+[[nodiscard]] GroundTruth exact_scattering_study(Effort effort);
+/// Its section; quick shows the kept map as well.
+[[nodiscard]] Section exact_scattering_section(Effort effort);
+
+}  // namespace hts::validation

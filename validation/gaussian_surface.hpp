@@ -1,0 +1,47 @@
+/// Random surfaces to be scattered from: heights of normal distribution with autocorrelation
+/// C(r) = exp(-r^2/tau^2) [He91 (48)], in one dimension or two, with exact derivatives.
+///
+/// A surface is periodic and sampled evenly: white noise is filtered by the square root of the spectrum, so that
+/// covariances at the samples are those of C, wrapped round the period. Derivatives are those of the trigonometric
+/// polynomial through the samples. Lengths are in any one unit. The same seed gives the same surface on every machine
+/// with the same mathematical library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hts::validation {
+
+/// A seed of its own for each realisation and part of a study; neighbours give unrelated streams.
+[[nodiscard]] std::uint64_t seed_of(std::uint64_t study, std::uint64_t part,
+                                    std::uint64_t realisation) noexcept;
+
+/// What is known of a surface's statistics.
+struct RoughnessStatistics {
+    double rms_roughness;       ///< sigma_0
+    double correlation_length;  ///< tau
+};
+
+/// Height over a line, z(x), x = i step.
+struct RandomProfile {
+    double step;
+    std::vector<double> height, slope, second_derivative;
+};
+
+///   samples   of a period, products of 2, 3 and 5 are quick; step at most tau/3, period at least 6 tau
+[[nodiscard]] RandomProfile random_profile(const RoughnessStatistics& statistics, double step,
+                                           std::size_t samples, std::uint64_t seed);
+
+/// Height over a square, z(x, y), sample (i, j) at x = i step, y = j step in row j.
+struct RandomField {
+    double step;
+    std::size_t samples;  ///< along each side
+    std::vector<double> height, slope_x, slope_y;
+};
+
+///   samples   as above, along a side      cost   0.2 microseconds a sample
+[[nodiscard]] RandomField random_field(const RoughnessStatistics& statistics, double step,
+                                       std::size_t samples, std::uint64_t seed);
+
+}  // namespace hts::validation

@@ -1,0 +1,86 @@
+#include "validation/ground_truth.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "comparison.hpp"
+#include "hts/error.hpp"
+#include "spectral/validity.hpp"
+#include "validation/exact_scattering.hpp"
+#include "validation/fourier_integral.hpp"
+#include "validation/ray_report.hpp"
+
+using namespace hts::validation;
+
+TEST_CASE("ground truth that is kept is whole, says how it was computed, and is refused under other names") {
+    for (const char* stem : {"moment-method-map", "moment-method-lobes", "fourier-integral", "ray-shadowing",
+                             "ray-bounces", "ray-lobes"}) {
+        INFO(stem);
+        CHECK(kept_table(stem).rows.size() > 20);
+        CHECK(kept_provenance(stem).find("hts truth ") != std::string::npos);
+        CHECK(kept_provenance(stem).find("quick") == std::string::npos);
+    }
+    CHECK(kept_table("moment-method-map").rows.size() == 4 * moment_grid(Effort::full).size());
+    CHECK_THROWS_WITH(kept_table("nothing"), "ground truth nothing: no such table is kept");
+    const FigureTable small{"small", {"a", "b"}, {{1, 0.123456789}, {2, 1e-9}}};
+    CHECK(table_csv(small, "how\nwith what") == "# how\n# with what\na,b\n1,0.12346\n2,1e-09\n");
+    CHECK(column_of(small, "b") == 1);
+    CHECK_THROWS_AS(column_of(small, "c"), hts::Error);
+}
+
+TEST_CASE("what hts::spectral says of the model's error is what the kept map has") {
+    using hts::spectral::ModelError;
+    const FigureTable map = kept_table("moment-method-map");
+    std::map<ModelError, std::pair<double, double>> measured;
+    for (const auto& row : map.rows) {
+        const auto in = hts::Direction::from_degrees(row[2], 0);
+        const hts::SpectralSample sample{hts::Wavelength::from_micrometres(1), {1.5, 0}, 0};
+        const auto verdict = hts::spectral::validity({row[0], row[1]}, {in, in.mirror()}, sample);
+        const double distance = row[column_of(map, "he_torrance_db")];
+        const auto [known, first] = measured.try_emplace(verdict.error, distance, distance);
+        known->second.first = std::fmin(known->second.first, distance);
+        known->second.second = std::fmax(known->second.second, distance);
+    }
+    for (const auto& [error, range] : measured) {
+        const auto stated = hts::spectral::decibels(error);
+        std::printf("error class %d: %.3f to %.3f dB\n", static_cast<int>(error), range.first, range.second);
+        if (error == ModelError::unknown) continue;
+        REQUIRE(stated);
+        CHECK(stated->least == Approx(range.first).margin(0.0501));  // a decimal
+        CHECK(stated->most == Approx(range.second).margin(0.0501));
+    }
+    CHECK(measured.size() >= 5);
+}
+
+TEST_CASE("the Fourier integral of explicit surfaces is the directional-diffuse term before shadowing") {
+    FourierSettings settings;
+    settings.realisations = 60;
+    settings.directions = 12;
+    for (const FourierCase& of : {FourierCase{0.5, 1, 20}, {4, 1, 40}}) {
+        const FourierResult result = fourier_result(of, settings);
+        CHECK(result.points.size() == 12);
+        double squares = 0;
+        for (const FourierPoint& point : result.points) {
+            squares += point.deviation() * point.deviation();
+            CHECK(std::fabs(point.deviation()) < 4.5);  // of a mean of 60 numbers of exponential distribution
+        }
+        CHECK(squares < 30);  // 12 expected; 1 in 300 beyond by chance, at this seed or another
+    }
+}
+
+TEST_CASE(
+    "each section of the ground truth has its checks, and pictures of what is kept (HTS_EXHAUSTIVE=1)") {
+    if (!hts::testing::exhaustive()) return;
+    for (const Section& section : {exact_scattering_section(Effort::quick), fourier_section(Effort::quick),
+                                   rays_section(Effort::quick)}) {
+        INFO(section.stem);
+        CHECK(section.checks.size() >= 4);
+        CHECK(section.checks.front().claim.starts_with("quick: "));
+        CHECK_FALSE(section.checks.back().claim.starts_with("quick: "));
+        CHECK_FALSE(section.figures.empty());
+        CHECK(section.text.find("The full result, kept: ") != std::string::npos);
+    }
+}

@@ -1,0 +1,88 @@
+#include "validation/moment_method.hpp"
+
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "hts/error.hpp"
+
+using namespace hts::validation;
+
+namespace {
+
+MomentSettings small() {
+    MomentSettings settings;
+    settings.realisations = 20;
+    settings.length = 16;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("moment method: a flat plate mirrors everything") {
+    for (const MomentResult& result : moment_results({0, 1}, {0, 40}, small())) {
+        INFO(result.of.theta_i_deg << " " << name(result.of.polarisation));
+        CHECK(result.energy == Approx(1).epsilon(2e-3));
+        CHECK(result.mirror == Approx(result.energy).epsilon(1e-9));
+        CHECK(result.kirchhoff_energy == Approx(1).epsilon(2e-3));
+        for (const AngularBin& bin : result.bins) CHECK(std::fabs(bin.exact) < 1e-9);
+    }
+}
+
+TEST_CASE("moment method: a rough profile scatters all the light, gently sloped nearly as Kirchhoff has it") {
+    const auto results = moment_results({0.1, 2}, {0, 30}, small());
+    REQUIRE(results.size() == 6);
+    for (const MomentResult& result : results) {
+        INFO(result.of.theta_i_deg << " " << name(result.of.polarisation));
+        CHECK(result.energy == Approx(1).epsilon(5e-3));
+        CHECK(distance(result, ProfileModel::kirchhoff).rms < 0.3);
+        CHECK(chance(result) < 0.1);
+        double incoherent = 0;
+        for (const AngularBin& bin : result.bins)
+            incoherent += bin.exact * bin_width_deg * std::numbers::pi / 180;
+        CHECK(incoherent + result.mirror == Approx(result.energy).epsilon(1e-9));
+    }
+    // unpolarised is half of each
+    CHECK(results[2].of.polarisation == Polarisation::unpolarised);
+    CHECK(results[2].bins[20].exact == Approx((results[0].bins[20].exact + results[1].bins[20].exact) / 2));
+}
+
+TEST_CASE("moment method: more points per wavelength change nothing that matters") {
+    MomentSettings coarse = small(), fine = small();
+    coarse.realisations = fine.realisations = 20;
+    coarse.length = fine.length = 10;
+    fine.points_per_wavelength = 20;
+    const RoughnessStatistics surface{0.2, 1};
+    // the same seeds draw other surfaces at another step, so energy is compared, and lobes within chance
+    const auto a = moment_results(surface, {20}, coarse), b = moment_results(surface, {20}, fine);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(a[i].energy == Approx(b[i].energy).epsilon(0.01));
+        CHECK(std::fabs(distance(a[i], ProfileModel::kirchhoff).bias -
+                        distance(b[i], ProfileModel::kirchhoff).bias) <
+              4 * std::hypot(chance(a[i]), chance(b[i])));
+    }
+}
+
+TEST_CASE("moment method: the same bits on one thread and on more") {
+    MomentSettings settings = small();
+    settings.length = 6;
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const auto one = moment_results({0.2, 1}, {10}, settings);
+    omp_set_num_threads(3);
+    const auto three = moment_results({0.2, 1}, {10}, settings);
+    omp_set_num_threads(threads);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        CHECK(one[i].energy == three[i].energy);
+        for (std::size_t bin = 0; bin < one[i].bins.size(); ++bin)
+            CHECK(one[i].bins[bin].exact == three[i].bins[bin].exact);
+    }
+}
+
+TEST_CASE("moment method: too few realisations for a standard error are refused") {
+    MomentSettings settings = small();
+    settings.realisations = 19;
+    CHECK_THROWS_WITH(moment_results({0.2, 1}, {10}, settings), "realisations 19: must be at least 20");
+}
