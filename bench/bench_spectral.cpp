@@ -38,6 +38,18 @@ void evaluate_batch(benchmark::State& state, const Model& model) {
     report_items(state, bench_block);
 }
 
+void specular(benchmark::State& state, const spectral::SpectralReflectance& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<double> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.specular_reflectance(pairs[cycle.next()].in, result);
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
 void mueller(benchmark::State& state, const spectral::SpectralReflectance& model) {
     const auto& pairs = bench_pairs();
     std::vector<Mueller> result(model.size());
@@ -66,6 +78,7 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate(s, bench_conductor<LaneConductor>(w)); });
         add("eval_batch/ggx_lanes", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor<LaneConductor>(w)); });
+        add("specular/he", n, [](benchmark::State& s, int w) { specular(s, bench_he_torrance(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
     }
     add("eval/walter", 4,

@@ -79,11 +79,15 @@ class Timing {
     [[nodiscard]] double mirror(const spectral::Rung& rung) const {
         if (!rung.specular) return 0;
         const PlannedReflectance evaluator{scene_, material_, rung};
+        std::vector<double> spectrum(evaluator.size());
         double sum = 0;  // so that nothing is optimised away
         return nanoseconds([&] {
                    for (const DirectionPair& pair : pairs_) {
-                       sum += scene_.polarised ? evaluator.specular_mueller(pair.in)[0](0, 0)
-                                               : evaluator.specular_reflectance(pair.in)[0].value();
+                       if (scene_.polarised)
+                           spectrum[0] = evaluator.specular_mueller(pair.in)[0](0, 0);
+                       else
+                           evaluator.specular_reflectance(pair.in, spectrum);
+                       sum += spectrum[0];
                    }
                }) +
                0 * sum;

@@ -113,6 +113,11 @@ void PreparedReflectance::brdf(std::span<const DirectionPair> pairs,
     }
 }
 
+void PreparedReflectance::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+    if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
+    exact_specular_reflectance(in, result);
+}
+
 void PreparedReflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
@@ -127,6 +132,14 @@ void PreparedReflectance::exact_brdf(const DirectionPair& pair, std::span<double
         const SpectralSample& sample = samples_[i];
         result[i] += directional_diffuse(shared, sample.wavelength, sample.index, lobe_).brdf;
     }
+}
+
+void PreparedReflectance::exact_specular_reflectance(const Direction& in,
+                                                     std::span<double> result) const noexcept {
+    const View seen = view(surface_, in);
+    std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
+        return hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index).value();
+    });
 }
 
 void PreparedReflectance::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {

@@ -1,4 +1,4 @@
-/// The diffuse terms of one surface at several wavelengths, prepared once for many fast evaluations.
+/// The three terms of one surface at several wavelengths, prepared once for many fast evaluations.
 ///
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
@@ -43,7 +43,7 @@ struct SpectralSample {
 /// any batch and at any place in it.
 class PreparedReflectance {
   public:
-    ///   tolerance   of the lobe's arithmetic; what a limit neglects comes on top
+    ///   tolerance   of the arithmetic; what a limit neglects comes on top
     PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance,
                         DiffuseLobe lobe = DiffuseLobe::full);
     ~PreparedReflectance();
@@ -65,6 +65,10 @@ class PreparedReflectance {
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     ///   result   pairs.size() * samples().size() values
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
+    /// Reflectance into the mirror direction, the specular delta [1], one value per sample.
+    ///   result   samples().size() values
+    ///   error    relative, at most the tolerance, above 1e-280; accuracy::specular_reflectance where that is more
+    void specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     /// Mueller matrix of both terms [1/sr], one per sample.
     ///   result   samples().size() matrices
     ///   error    of each element relative to element 00, as of brdf
@@ -73,6 +77,7 @@ class PreparedReflectance {
   private:
     struct Lanes;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
 
     Surface surface_;

@@ -176,6 +176,32 @@ HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller*
     return true;
 }
 
+/// |F|^2 exp(-g) S of a direction and its mirror direction: a pair's terms without the lobe.
+template <std::size_t most_lanes>
+HWY_INLINE void specular_of_one(const Prepared& p, const Direction& in, double* result) {
+    using Items = Spectrum<most_lanes>;
+    constexpr typename Items::Lanes o{};
+    const auto terms = terms_of_one(o, p.surface, {in, in.mirror()});
+    // at theta_r = theta_i the lobe's factor is tau^2/(4 pi) S
+    const auto shadowing = terms.lobe * o.real(4 / p.surface.tau_squared_over_pi);
+    for (std::size_t i = 0; i < p.count; i += Items::lanes) {
+        const Items items{p, terms, i};
+        const auto scale =
+            shadowing * items.load(Prepared::weight, 0) * items.load(Prepared::inverse_wave_squared, 0);
+        store_some(scaled_exp_of_minus(o, items.g(0), unpolarised(scale, items.fresnel(0))), Items::d,
+                   p.count - i, result + i);
+    }
+}
+
+HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double* result) {
+    if (HWY_UNLIKELY(!is_ordinary(in))) return false;
+    if (p.count <= Spectrum<4>::lanes)
+        specular_of_one<4>(p, in, result);
+    else
+        specular_of_one<8>(p, in, result);
+    return true;
+}
+
 /// Items of one wavelength: a lane is a pair.
 struct Pairs {
     static constexpr auto d = PairBlock::d;
@@ -255,7 +281,7 @@ struct RoughLimit {
 
 template <class Lobe>
 Forms forms_of() {
-    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>};
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, specular_one};
 }
 FormTable form_table() {
     return {forms_of<Full<phi_detail::Low> >(), forms_of<Full<phi_detail::Medium> >(), forms_of<FirstOrder>(),

@@ -43,13 +43,17 @@ struct Prepared {
 /// lambert_octaves.
 inline constexpr double lowest_cosine = 1.1e-5;
 
+[[nodiscard]] inline bool is_ordinary(const Direction& direction) noexcept {
+    return direction.cos_theta() >= lowest_cosine;
+}
 [[nodiscard]] inline bool is_ordinary(const DirectionPair& pair) noexcept {
-    return pair.in.cos_theta() >= lowest_cosine && pair.out.cos_theta() >= lowest_cosine;
+    return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
 /// False, and the result untouched, where the pair is not ordinary.
 using BrdfOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, double* result);
 using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, Mueller* result);
+using SpecularOne = bool (*)(const Prepared& prepared, const Direction& in, double* result);
 /// Whether every pair is ordinary; the others get an arbitrary result.
 using BrdfMany = bool (*)(const Prepared& prepared, std::span<const DirectionPair> pairs, double* result);
 
@@ -57,6 +61,7 @@ struct Forms {
     BrdfOne brdf_one;  ///< null on a processor without vectors
     BrdfMany brdf_many;
     MuellerOne mueller_one;
+    SpecularOne specular_one;
 };
 
 /// What one instruction set has: Phi at 1e-3 and at 1e-6, and its limits.

@@ -3,23 +3,25 @@
 /// The three terms of he_torrance.hpp are lobes to choose from: the specular delta, the directional-diffuse lobe and
 /// the uniform-diffuse one, each with a probability near its share of the albedo. The directional-diffuse term is drawn
 /// from a mixture of simple densities, all normalised in closed form, so that the density returned is that of the draw
-/// itself, to rounding, and costs one or two exponentials. In the frame where the light is (s, 0, c), with q the slopes of the
-/// facet that mirrors the light into the drawn direction, q = v_xy/v_z, and x = |q|^2/alpha^2:
+/// itself, to rounding. In the frame where the light is (s, 0, c), with q the slopes of the facet that mirrors the light
+/// into the drawn direction, q = v_xy/v_z, and x = |q|^2/alpha^2:
 ///
-///   visible facets   exp(-x)/(pi alpha^2) (1 + q_x tan theta_i)   Beckmann's slopes [Walter07 (25)], weighted by their
-///                                            area as the light sees it; a facet that would face away has q_x reversed
-///   raised facets    exp(-x)/(pi alpha^2) (1 + q_x (1 + s)/c)     those that mirror to above the horizon, likewise
-///   grazing facets   2 q_x/alpha^2 exp(-(x - cot^2/alpha^2))/(sqrt(pi) alpha), q_x > cot theta_i: the visible ones at grazing
+///   lowered facets   exp(-x)/(pi alpha^2) (1 - q_x (1 - s)/c)     Beckmann's slopes [Walter07 (25)], as many towards the
+///                                            view as Fresnel's rise at grazing wants
+///   raised facets    exp(-x)/(pi alpha^2) (1 + q_x (1 + s)/c)     towards the light; half of each makes 1 + q_x tan theta_i,
+///                                            the slopes weighted by their area as the light sees it
+///   grazing facets   2 q_x exp(-x)/(sqrt(pi) alpha^3), q_x > 0     these weighted slopes at grazing light
 ///   beam             v_xy normal, variance 2 m/tau^2 per axis     one term of Phi's Poisson sum [He91 (78)]
 ///   cosine           c_r/pi (1 + s sin theta_r cos phi)           light scattered back by very short correlation
 ///   uniform          1/(2 pi)                                     the defence that bounds every weight
 ///
-/// In (1 + q_x a) values outside 0 ... 2 are moved to the nearer end: p(q) + p(-q) stays 2, so every such density is
-/// normalised, whatever a. Facets come in three widths each, alpha^2 doubled or fourfold, all from one exponential; alpha
-/// follows the mean m of Phi's Poisson sum. Drawing Phi's own terms instead would put a Phi, some 20 ns, into every density.
+/// In (1 + q_x a) values outside 0 ... 2 are moved to the nearer end, and where the facet of -q_x mirrors to below the
+/// horizon the bracket is 2: p(q) + p(-q) stays 2, so every such density is normalised, whatever a, and few draws are
+/// lost; likewise the beam's across its centre. Facets come in three widths each, alpha^2 halved or doubled; alpha follows
+/// the mean m of Phi's Poisson sum. Drawing Phi's own terms instead would put a Phi, some 20 ns, into every density.
 ///
-/// The shares of the mixture are found at construction, at 33 nodes in cos theta_i, as those of the least variance of
-/// brdf cos/pdf; between nodes they are interpolated, which leaves the density exact.
+/// Shares, alpha and skews are constant in each of 66 intervals of cos theta_i, eighths of octaves, so that a density reads
+/// one row of numbers; the shares are found at construction as those of the least variance of brdf cos/pdf.
 #pragma once
 
 #include <array>

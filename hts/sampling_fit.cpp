@@ -14,7 +14,7 @@ namespace hts::sampling_detail {
 namespace {
 
 constexpr std::size_t trials = 1200;  // per node: a hundred of each component
-constexpr int rounds = 30;
+constexpr int rounds = 12;
 constexpr double least_share = 0.002;          // less is dropped
 constexpr double least_uniform_share = 0.004;  // bounds every weight
 
@@ -44,11 +44,11 @@ Mixture scales(const Surface& surface, const View& in, double wave_number) {
     const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
     Mixture m;
     m.alpha = std::clamp(2 / (k_tau * vertical) * std::sqrt(mean), 1e-12, 8.0);
-    m.beam_radius = std::clamp(std::sqrt(8 * mean) / k_tau, 1e-12, 30.0);
-    m.visible_skew = s / c;
+    m.beam_radius = std::clamp(2 * std::sqrt(mean) / k_tau, 1e-12, 30.0);
+    m.lowered_skew = (s - 1) / c;
     m.raised_skew = (1 + s) / c;
-    for (std::size_t i = 0; i < beam; ++i) m.rate[lane[i]] = -std::numbers::log2e / (width[i] * square(m.alpha));
-    m.rate[lane[beam]] = -std::numbers::log2e / square(m.beam_radius);
+    m.rate[0] = -std::numbers::log2e / square(m.beam_radius);
+    for (std::size_t i = 0; i < 3; ++i) m.rate[i + 1] = -std::numbers::log2e / (widths[i] * square(m.alpha));
     return m;
 }
 
@@ -56,17 +56,18 @@ Mixture scales(const Surface& surface, const View& in, double wave_number) {
 void set_factor(Mixture& m, std::size_t part, double share) {
     using std::numbers::inv_pi;
     constexpr double inv_sqrtpi = std::numbers::inv_sqrtpi;
-    const double alpha = part < beam ? root_of_width[part] * m.alpha : 0;
+    const std::size_t lane = part < beam ? part % 3 + 1 : 0;
+    const double alpha = roots_of_widths[part % 3] * m.alpha;
     // of a facet lobe exp(-x) d^2q = ... |v|^2/(2 v_z^3) d omega
     const double of_facets = share * inv_pi / 2 / square(alpha);
     if (part < raised_half)
-        m.visible[lane[part]] = of_facets;
-    else if (part < grazing_1)
-        m.raised[lane[part]] = of_facets;
+        m.lowered[lane] = of_facets;
+    else if (part < grazing_half)
+        m.raised[lane] = of_facets;
     else if (part < beam)
-        m.grazing[lane[part]] = share * inv_sqrtpi / (square(alpha) * alpha);
+        m.grazing[lane] = share * inv_sqrtpi / (square(alpha) * alpha);
     else if (part == beam)
-        m.grazing[lane[beam]] = share * inv_pi / square(m.beam_radius);
+        m.grazing[lane] = share * inv_pi / square(m.beam_radius);
     else if (part == cosine)
         m.cosine = share * inv_pi;
     else if (part == uniform)
@@ -82,14 +83,12 @@ double golden_fraction(std::size_t i, std::size_t dimension) {
     return x - std::floor(x);
 }
 
-/// Density of each component in solid angle [1/sr].
-Components densities(const Light& light, const Mixture& scales, Vector3 out) {
-    Components result;
-    Mixture alone = scales;
+/// Mixtures of one component each, all of its share.
+std::array<Mixture, components> alone(const Mixture& scales) {
+    std::array<Mixture, components> result;
     for (std::size_t i = 0; i < components; ++i) {
-        set_factor(alone, i, 1);
-        result[i] = forms().density(alone, light, out);
-        set_factor(alone, i, 0);
+        result[i] = scales;
+        set_factor(result[i], i, 1);
     }
     return result;
 }
@@ -109,13 +108,17 @@ struct Trials {
 ///   lobe   the directional-diffuse term alone
 Trials tried(const PreparedReflectance& lobe, const Direction& in, const Mixture& scales) {
     const Light light{in.cos_theta(), in.sin_theta()};
+    const std::array<Mixture, components> each = alone(scales);
     Trials result{{}, 0};
+    result.each.reserve(trials);
     for (std::size_t i = 0; i < trials; ++i) {
         const Vector3 out =
             forms().drawn_from(scales, light, i % components,
                                {golden_fraction(i, 0), golden_fraction(i, 1), golden_fraction(i, 2)});
         if (!(out.z > 0)) continue;
-        Trial trial{0, densities(light, scales, out)};
+        Trial trial{};
+        for (std::size_t k = 0; k < components; ++k)
+            trial.densities[k] = forms().density(each[k], light, out);
         const double mean =
             std::accumulate(trial.densities.begin(), trial.densities.end(), 0.0) / std::size_t{components};
         lobe.brdf({in, Direction::from_vector(out)}, {&trial.reflected, 1});
@@ -130,9 +133,9 @@ Trials tried(const PreparedReflectance& lobe, const Direction& in, const Mixture
 
 /// Shares of the least second moment of reflected/density: there every component in use has the same
 /// integral of reflected^2 density_i/density^2, so a share grows by the root of its own.
-Components shares_of_least_variance(const Trials& trials_of_node) {
-    Components shares;
-    shares.fill(1.0 / std::size_t{components});
+///   shares   to start from: those of the angle before, each at least a little
+Components shares_of_least_variance(const Trials& trials_of_node, Components shares) {
+    for (double& share : shares) share += 0.02;
     for (int round = 0; round < rounds; ++round) {
         Components gain{};
         for (const Trial& trial : trials_of_node.each) {
@@ -160,8 +163,10 @@ void set_shares(Mixture& mixture, const std::array<double, parts>& shares) {
 }
 
 /// The mixture at one angle; all shares 0 where nothing is reflected.
-///   lobe   the directional-diffuse term alone
-Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, double cosine_in) {
+///   lobe     the directional-diffuse term alone
+///   of_lobe  shares of its components, in place of those of an angle near by
+Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, double cosine_in,
+               Components& of_lobe) {
     const SpectralSample& sample = lobe.samples().front();
     const Direction in = Direction::from_vector({std::sqrt((1 - cosine_in) * (1 + cosine_in)), 0, cosine_in});
     const View seen = view(lobe.surface(), in);
@@ -175,7 +180,7 @@ Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, d
         shares[uniform_diffuse] = uniform_diffuse_albedo / total;
     }
     if (results.albedo > 0) {
-        const Components of_lobe = shares_of_least_variance(results);
+        of_lobe = shares_of_least_variance(results, of_lobe);
         for (std::size_t i = 0; i < components; ++i) shares[i] = of_lobe[i] * results.albedo / total;
     }
     set_shares(mixture, shares);
@@ -189,8 +194,9 @@ std::vector<Mixture> fitted_mixtures(const Surface& surface, const SpectralSampl
     const PreparedReflectance lobe{surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
     std::vector<Mixture> result;
     result.reserve(mixture_count);
+    Components shares{};
     for (std::size_t i = 0; i < mixture_count; ++i)
-        result.push_back(fitted(lobe, sample.uniform_diffuse * std::numbers::pi, cosine_of(i)));
+        result.push_back(fitted(lobe, sample.uniform_diffuse * std::numbers::pi, cosine_of(i), shares));
     return result;
 }
 

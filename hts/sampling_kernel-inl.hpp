@@ -23,10 +23,6 @@ namespace hl = lanes::HWY_NAMESPACE;
 
 constexpr hl::Plain o{};
 
-HWY_INLINE double square(double x) {
-    return x * x;
-}
-
 // --- elementary functions --------------------------------------------------------------------------------
 
 /// 1/(2i + 1): of atanh(z)/z in powers of z^2
@@ -39,12 +35,11 @@ constexpr std::array<double, 10> atanh_coefficients = [] {
 /// -log(x) for normal x <= 1.
 ///   error   relative, 1e-15
 HWY_INLINE double minus_log(double x) {
-    constexpr std::int64_t root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
+    constexpr std::int64_t root_half = 0x3fe6a09e667f3bcd;
     const std::int64_t above = o.bits(x) - root_half;
     const std::int64_t exponent = above >> 52;
     const double m = o.from_bits(o.bits(x) - (exponent << 52));  // sqrt(1/2) ... sqrt(2)
     const double z = (1 - m) / (1 + m);
-    static_assert(one > root_half);
     return o.mul_add(2 * z, hl::polynomial(o, atanh_coefficients, z * z),
                      static_cast<double>(-exponent) * std::numbers::ln2);
 }
@@ -91,19 +86,25 @@ HWY_INLINE Vector3 in_frame_of(const Direction& in, const Direction& out) {
 }
 
 struct Skews {
-    double visible, raised;
+    double lowered, raised;
 };
 
-/// factor (1 + q_x a), the bracket moved into 0 ... 2 without a jump, for both skews a.
-HWY_INLINE Skews skewed(const Mixture& m, double q_x, double factor) {
+/// factor (1 + q_x a), the bracket moved into 0 ... 2, for both skews a; 2 in its place where the facet of -q_x mirrors
+/// the light to below the horizon. No jumps, since none could be foreseen.
+HWY_INLINE Skews skewed(const Mixture& m, const Light& light, double q_x, double q_squared, double factor) {
+    const double partner = o.neg_mul_add(2 * light.sine, q_x, light.cosine * (1 - q_squared));  // > 0: above
 #if HWY_TARGET == HWY_SCALAR
-    const auto one = [&](double a) { return factor * o.min(o.max(o.mul_add(a, q_x, 1.0), 0.0), 2.0); };
-    return {one(m.visible_skew), one(m.raised_skew)};
+    const auto one = [&](double a) {
+        return factor * (partner > 0 ? o.min(o.max(o.mul_add(a, q_x, 1.0), 0.0), 2.0) : 2.0);
+    };
+    return {one(m.lowered_skew), one(m.raised_skew)};
 #else
     constexpr hn::CappedTag<double, 2> two;
-    const auto bracket = hn::MulAdd(hn::Load(two, &m.visible_skew), hn::Set(two, q_x), hn::Set(two, 1.0));
-    const auto inside = hn::Min(hn::Max(bracket, hn::Zero(two)), hn::Set(two, 2.0));
-    const auto both = hn::Mul(inside, hn::Set(two, factor));
+    const auto most = hn::Set(two, 2.0);
+    const auto bracket = hn::MulAdd(hn::Load(two, &m.lowered_skew), hn::Set(two, q_x), hn::Set(two, 1.0));
+    const auto inside = hn::Min(hn::Max(bracket, hn::Zero(two)), most);
+    const auto either = hn::IfThenElse(hn::Gt(hn::Set(two, partner), hn::Zero(two)), inside, most);
+    const auto both = hn::Mul(either, hn::Set(two, factor));
     return {hn::GetLane(both), hn::GetLane(hn::Reverse2(two, both))};
 #endif
 }
@@ -119,21 +120,25 @@ HWY_INLINE double density(const Mixture& m, const Light& light, Vector3 out) {
     const double q_x = v_x * inverse_v_z;
     const double q_squared = horizontal * (inverse_v_z * inverse_v_z);
     const double per_slopes = o.mul_add(q_squared, inverse_v_z, inverse_v_z);  // |v|^2 / v_z^3
-    const Skews skews = skewed(m, q_x, per_slopes);
-    const auto visible = hn::Set(d, skews.visible);
+    const Skews skews = skewed(m, light, q_x, q_squared, per_slopes);
+    const auto lowered = hn::Set(d, skews.lowered);
     const auto raised = hn::Set(d, skews.raised);
     const auto facets = hn::Set(d, q_squared);
     const auto grazing = hn::Mul(hn::Max(hn::Set(d, q_x), hn::Zero(d)), hn::Set(d, per_slopes));
+    // the beam's, doubled where the point across its centre lies outside the circle of directions
+    const double across = o.neg_mul_add(2 * light.sine, v_x, light.cosine * light.cosine) - horizontal;
+    const auto z = hn::Set(d, out.z);
+    const auto projected = hn::IfThenElse(hn::Gt(hn::Set(d, across), hn::Zero(d)), z, hn::Add(z, z));
     const auto first = hn::FirstN(d, 1);
     auto sum = hn::Zero(d);
     HTS_UNROLL
-    for (std::size_t i = 0; i < 6; i += hn::MaxLanes(d)) {
+    for (std::size_t i = 0; i < lanes; i += hn::MaxLanes(d)) {
         const auto at = [&](const Mixture::Lanes& values) HWY_ATTR { return hn::Load(d, values.data() + i); };
         const auto variable = i == 0 ? hn::IfThenElse(first, hn::Set(d, horizontal), facets) : facets;
-        const auto beside = i == 0 ? hn::IfThenElse(first, hn::Set(d, out.z), grazing) : grazing;
+        const auto beside = i == 0 ? hn::IfThenElse(first, projected, grazing) : grazing;
         const auto exponent = hn::Max(hn::Mul(at(m.rate), variable), hn::Set(d, -1021.0));
         auto factor = hn::Mul(at(m.grazing), beside);
-        factor = hn::MulAdd(at(m.visible), visible, factor);
+        factor = hn::MulAdd(at(m.lowered), lowered, factor);
         factor = hn::MulAdd(at(m.raised), raised, factor);
         sum = hn::MulAdd(hl::exp2<10>(wide, exponent), factor, sum);
     }
@@ -145,7 +150,7 @@ HWY_INLINE double density(const Mixture& m, const Light& light, Vector3 out) {
 
 /// The part that a uniform number chooses, `parts` or more for none.
 HWY_INLINE std::size_t chosen(const Mixture& m, double u) {
-    constexpr hn::CappedTag<double, 8> d;
+    constexpr hn::CappedTag<double, 4> d;
     std::size_t part = 0;
     HTS_UNROLL
     for (std::size_t i = 0; i < m.sums.size(); i += hn::MaxLanes(d))
@@ -165,13 +170,15 @@ HWY_INLINE Vector3 mirrored(const Light& light, PlanePoint q) {
     return {o.mul_add(k, q.x, -light.sine), k * q.y, k - light.cosine};
 }
 
-HWY_INLINE PlanePoint facet(const Mixture& m, std::size_t part, PlanePoint turn, const Uniforms& u) {
-    const double alpha = root_of_width[part] * m.alpha;
+HWY_INLINE PlanePoint facet(const Mixture& m, const Light& light, std::size_t part, PlanePoint turn,
+                            const Uniforms& u) {
+    const double alpha = roots_of_widths[part % 3] * m.alpha;
     const double radius = alpha * std::sqrt(minus_log(1 - u[1]));
-    if (part >= grazing_1) return {radius, alpha * std::sqrt(minus_log(1 - u[0])) * turn.y};
-    const double x = radius * turn.x;
-    const Skews skews = skewed(m, x, 1);
-    return {reversed(x, part < raised_half ? skews.visible : skews.raised, u[0]), radius * turn.y};
+    if (part >= grazing_half) return {radius, alpha * std::sqrt(minus_log(1 - u[0])) * turn.y};
+    // the more raised of the pair first: if one is above the horizon, it is
+    const double x = o.max(radius * turn.x, -radius * turn.x);
+    const Skews skews = skewed(m, light, x, radius * radius, 1);
+    return {reversed(x, part < raised_half ? skews.lowered : skews.raised, u[0]), radius * turn.y};
 }
 
 HWY_INLINE Vector3 hemisphere_point(double z, PlanePoint turn) {
@@ -179,12 +186,19 @@ HWY_INLINE Vector3 hemisphere_point(double z, PlanePoint turn) {
     return {radius * turn.x, radius * turn.y, z};
 }
 
+/// v_x of the beam, or -v_x: either if both lie inside the circle of directions, else the one that does.
+HWY_INLINE double drawn_across(const Light& light, double v_x, double horizontal, double u) {
+    const double x = std::abs(v_x);
+    const double across = light.cosine * light.cosine - 2 * light.sine * x - horizontal;
+    return reversed(x, across > 0 ? 1 : 2, u);
+}
+
 HWY_INLINE Vector3 drawn_from(const Mixture& m, const Light& light, std::size_t part, const Uniforms& u) {
     const PlanePoint turn = on_circle(u[2]);
-    if (part < beam) return mirrored(light, facet(m, part, turn, u));
+    if (part < beam) return mirrored(light, facet(m, light, part, turn, u));
     if (part == beam) {
         const double radius = m.beam_radius * std::sqrt(minus_log(1 - u[1]));
-        const double x = radius * turn.x - light.sine;
+        const double x = drawn_across(light, radius * turn.x, radius * radius, u[0]) - light.sine;
         const double y = radius * turn.y;
         return {x, y, std::sqrt(o.max(1 - x * x - y * y, 0.0))};
     }

@@ -14,15 +14,15 @@ namespace hts::sampling_detail {
 
 /// The densities of sampling.hpp, each facet lobe once per width, then the other lobes.
 enum Part : std::size_t {
-    visible_half,
-    visible_1,
-    visible_2,
+    lowered_half,
+    lowered_1,
+    lowered_2,
     raised_half,
     raised_1,
     raised_2,
+    grazing_half,
     grazing_1,
-    grazing_4,
-    grazing_16,
+    grazing_2,
     beam,
     cosine,
     uniform,
@@ -34,22 +34,20 @@ enum Part : std::size_t {
 };
 
 /// alpha^2 of a facet lobe over that of the mixture, and its root.
-inline constexpr std::array<double, beam> width{0.5, 1, 2, 0.5, 1, 2, 1, 4, 16};
-inline constexpr std::array<double, beam> root_of_width{std::numbers::sqrt2 / 2, 1, std::numbers::sqrt2,
-                                                        std::numbers::sqrt2 / 2, 1, std::numbers::sqrt2, 1, 2, 4};
-/// Where a part's exponential is computed; facets of the same width share one.
-inline constexpr std::array<std::size_t, beam + 1> lane{1, 2, 3, 1, 2, 3, 2, 4, 5, 0};
-inline constexpr std::size_t lanes = 8;
+inline constexpr std::array<double, 3> widths{0.5, 1, 2};
+inline constexpr std::array<double, 3> roots_of_widths{std::numbers::sqrt2 / 2, 1, std::numbers::sqrt2};
+/// Lane 0 has the exponential of the beam, the others those of the widths.
+inline constexpr std::size_t lanes = 4;
 
 /// One angle of incidence, ready for the kernel: each part's factor is its share times its density's constants.
 struct alignas(64) Mixture {
     using Lanes = std::array<double, lanes>;
 
-    Lanes rate{};      ///< exponents of 2: times |v_xy|^2 in lane 0, |q|^2 in the others
-    Lanes visible{};   ///< factors of the visible facets
-    Lanes raised{};    ///< of the raised ones
-    Lanes grazing{};   ///< of the grazing ones, and in lane 0 of the beam
-    double visible_skew = 0, raised_skew = 0;
+    Lanes rate{};     ///< exponents of 2: times |v_xy|^2 in lane 0, |q|^2 in the others
+    Lanes lowered{};  ///< factors of the lowered facets
+    Lanes raised{};   ///< of the raised ones
+    Lanes grazing{};  ///< of the grazing ones, and in lane 0 of the beam
+    double lowered_skew = 0, raised_skew = 0;
     double cosine = 0, uniform_diffuse = 0, uniform = 0;
     double alpha = 0, beam_radius = 0;
     std::array<double, 16> sums{};  ///< of the shares up to each part's own; 2 beyond

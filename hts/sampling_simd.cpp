@@ -25,7 +25,8 @@ HWY_ATTR Drawn draw_of(const Mixture& mixture, const Light& light, const Uniform
     return draw(mixture, light, u);
 }
 
-HWY_ATTR Vector3 draw_from_part(const Mixture& mixture, const Light& light, std::size_t part, const Uniforms& u) {
+HWY_ATTR Vector3 draw_from_part(const Mixture& mixture, const Light& light, std::size_t part,
+                                const Uniforms& u) {
     return drawn_from(mixture, light, part, u);
 }
 

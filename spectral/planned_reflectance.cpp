@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::size_t block = 64;  // pairs whose node values are held at a time
 
+void require_size(const char* call, std::size_t size, const char* rule, std::size_t expected) {
+    if (size == expected) return;
+    throw out_of_range(std::string{call}.append(": number of results"), static_cast<double>(size), "",
+                       std::string{rule}.append(" = ") + std::to_string(expected));
+}
+
 std::vector<Xyz> node_weights(const Scene& scene, const SpectrumInterpolation& interpolation) {
     if (!scene.illuminant) return {};
     return interpolation.folded(
@@ -54,10 +60,7 @@ void PlannedReflectance::brdf(const DirectionPair& pair, std::span<double> resul
 
 void PlannedReflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     if (interpolation_.is_identity()) return nodes_.brdf(pairs, result);
-    if (result.size() != pairs.size() * size()) {
-        throw out_of_range("brdf: number of results", static_cast<double>(result.size()), "",
-                           "pairs x wavelengths = " + std::to_string(pairs.size() * size()));
-    }
+    require_size("brdf", result.size(), "pairs x wavelengths", pairs.size() * size());
     const auto blocks = static_cast<std::ptrdiff_t>((pairs.size() + block - 1) / block);
 #pragma omp parallel for schedule(dynamic, 4) if (blocks > 1)
     for (std::ptrdiff_t j = 0; j < blocks; ++j) {
@@ -73,15 +76,17 @@ void PlannedReflectance::brdf(std::span<const DirectionPair> pairs, std::span<do
 }
 
 std::vector<SpecularReflectance> PlannedReflectance::specular_reflectance(const Direction& in) const {
-    std::vector<double> spectrum = specular_at_nodes(in);
-    if (!interpolation_.is_identity()) {
-        const std::vector<double> at_nodes = std::exchange(spectrum, std::vector<double>(size()));
-        interpolation_(at_nodes, spectrum);
-    }
-    std::vector<SpecularReflectance> result;
-    result.reserve(spectrum.size());
-    for (const double value : spectrum) result.emplace_back(value);
-    return result;
+    std::vector<double> values(size());
+    specular_reflectance(in, values);
+    return {values.begin(), values.end()};
+}
+
+void PlannedReflectance::specular_reflectance(const Direction& in, std::span<double> result) const {
+    require_size("specular_reflectance", result.size(), "wavelengths", size());
+    if (interpolation_.is_identity()) return specular_at_nodes(in, result);
+    std::array<double, most_nodes> values;  // NOLINT(*-member-init): written before it is read
+    specular_at_nodes(in, std::span{values}.first(nodes()));
+    interpolation_(std::span{values}.first(nodes()), result);
 }
 
 std::vector<Mueller> PlannedReflectance::mueller(const DirectionPair& pair) const {
@@ -102,7 +107,9 @@ Xyz PlannedReflectance::colour(const DirectionPair& pair, std::span<double> scra
 }
 
 Xyz PlannedReflectance::specular_colour(const Direction& in) const {
-    return weighted(specular_at_nodes(in));
+    std::vector<double> values(nodes());
+    specular_at_nodes(in, values);
+    return weighted(values);
 }
 
 void PlannedReflectance::require_mueller() const {
@@ -116,14 +123,11 @@ Xyz PlannedReflectance::weighted(std::span<const double> at_nodes) const {
     return sum;
 }
 
-std::vector<double> PlannedReflectance::specular_at_nodes(const Direction& in) const {
-    std::vector<double> result;
-    if (!rung_.specular) result.resize(nodes());
-    if (rung_.specular) {
-        for (const SpecularReflectance& value : nodes_.specular_reflectance(in))
-            result.push_back(value.value());
-    }
-    return result;
+void PlannedReflectance::specular_at_nodes(const Direction& in, std::span<double> result) const {
+    if (rung_.specular)
+        nodes_.specular_reflectance(in, result);
+    else
+        std::fill(result.begin(), result.end(), 0.0);
 }
 
 }  // namespace hts::spectral

@@ -58,6 +58,8 @@ class PlannedReflectance {
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Reflectance into the mirror direction, one per wavelength; zeros if the rung drops it.
     [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
+    /// The same [1] into `result` of size() values, else hts::Error; allocates nothing.
+    void specular_reflectance(const Direction& in, std::span<double> result) const;
 
     /// Mueller matrices of both diffuse terms [1/sr] and of the mirror term [1], one per wavelength; hts::Error unless the
     /// scene is polarised.
@@ -74,7 +76,7 @@ class PlannedReflectance {
   private:
     void require_mueller() const;
     [[nodiscard]] Xyz weighted(std::span<const double> at_nodes) const;
-    [[nodiscard]] std::vector<double> specular_at_nodes(const Direction& in) const;
+    void specular_at_nodes(const Direction& in, std::span<double> result) const;
 
     std::string name_;
     Rung rung_;

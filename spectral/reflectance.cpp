@@ -73,14 +73,14 @@ std::vector<double> SpectralReflectance::uniform_diffuse() const {
 }
 
 std::vector<SpecularReflectance> SpectralReflectance::specular_reflectance(const Direction& in) const {
-    const View seen = view(prepared_.surface(), in);
-    std::vector<SpecularReflectance> result;
-    result.reserve(size());
-    for (const SpectralSample& sample : prepared_.samples()) {
-        result.push_back(
-            hts::specular_reflectance(prepared_.surface(), seen, sample.wavelength, sample.index));
-    }
-    return result;
+    std::vector<double> values(size());
+    prepared_.specular_reflectance(in, values);
+    return {values.begin(), values.end()};
+}
+
+void SpectralReflectance::specular_reflectance(const Direction& in, std::span<double> result) const {
+    require_size("specular_reflectance", result.size(), "wavelengths", size());
+    prepared_.specular_reflectance(in, result);
 }
 
 std::vector<Mueller> SpectralReflectance::mueller(const DirectionPair& pair) const {

@@ -29,12 +29,12 @@ using hts::DirectionPair;
 ///     std::vector<double> spectrum(reflectance.size());
 ///     reflectance.brdf({in, out}, spectrum);  // allocates nothing
 ///
-/// The tolerance concerns brdf and mueller; the other terms keep the accuracy of he_torrance.hpp.
+/// The tolerance concerns brdf, mueller and specular_reflectance; the other terms keep the accuracy of he_torrance.hpp.
 class SpectralReflectance {
   public:
     /// Throws hts::Error if the grid leaves the range of the optical constants or albedo and `policy` is
     /// error.
-    ///   tolerance   relative error of brdf and mueller; from 1e-6 on vector lanes take over
+    ///   tolerance   relative error of brdf, mueller and specular_reflectance; from 1e-6 on vector lanes take over
     ///   lobe        of brdf, mueller and directional_diffuse: a limit where the surface needs no more
     SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
                         OutsideRange policy = OutsideRange::error,
@@ -64,6 +64,8 @@ class SpectralReflectance {
     [[nodiscard]] std::vector<double> uniform_diffuse() const;
     /// Reflectance into the mirror direction, one per wavelength.
     [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
+    /// The same [1] into `result` of size() values, else hts::Error; allocates nothing.
+    void specular_reflectance(const Direction& in, std::span<double> result) const;
 
     /// Mueller matrix of both diffuse terms [1/sr], one per wavelength.
     [[nodiscard]] std::vector<Mueller> mueller(const DirectionPair& pair) const;

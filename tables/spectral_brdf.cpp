@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "hts/he_torrance.hpp"
 #include "spectral/random_directions.hpp"
 #include "spectral/reflectance.hpp"
 
@@ -24,13 +23,7 @@ class HeTorranceBrdf final : public SpectralBrdf {
         reflectance_.prepared().brdf(pair, values);
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
-        const PreparedReflectance& prepared = reflectance_.prepared();
-        const View seen = view(prepared.surface(), in);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const SpectralSample& sample = prepared.samples()[i];
-            values[i] =
-                hts::specular_reflectance(prepared.surface(), seen, sample.wavelength, sample.index).value();
-        }
+        reflectance_.prepared().specular_reflectance(in, values);
     }
     [[nodiscard]] bool polarised() const noexcept override { return true; }
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {

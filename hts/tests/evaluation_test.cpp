@@ -142,6 +142,34 @@ TEST_CASE("lanes keep the tolerance of the lobe's limits") {
     compare(1e-6, DiffuseLobe::none);
 }
 
+TEST_CASE("lanes keep the tolerance of the mirror term") {
+    for (const double tolerance : {1e-6, 1e-3}) {
+        WorstCase worst{"specular reflectance at " + std::to_string(tolerance), tolerance};
+        Random random{20261123};
+        const std::size_t points = hts::testing::exhaustive() ? 10'000'000 : 1'000'000;
+        while (worst.count() < points) {
+            const Surface ground = surface(random);
+            const auto spectrum = samples(random, 1 + worst.count() % 20);
+            const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}};
+            std::vector<double> values(spectrum.size() + 1, -1);
+            for (int i = 0; i < 200; ++i) {
+                const Direction in = direction(random);
+                const hts::View seen = view(ground, in);
+                fast.specular_reflectance(in, {values.data(), spectrum.size()});
+                for (std::size_t j = 0; j < spectrum.size(); ++j) {
+                    const double expected =
+                        specular_reflectance(ground, seen, spectrum[j].wavelength, spectrum[j].index).value();
+                    const auto where = [&] { return describe({in, in.mirror()}, ground, spectrum[j]); };
+                    if (!(std::isfinite(values[j]) && values[j] >= 0)) FAIL(values[j] << " at " << where());
+                    worst.note(expected < 1e-280 ? 0 : relative_error(values[j], expected), where);
+                }
+            }
+            CHECK(values.back() == -1);
+        }
+        worst.check();
+    }
+}
+
 TEST_CASE("the limits of the lobe are those of Phi") {
     const DirectionPair p{Direction::from_degrees(30, 0), Direction::from_degrees(35, 170)};
     const auto brdf = [&](double roughness, double tolerance, DiffuseLobe lobe) {
