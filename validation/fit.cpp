@@ -9,6 +9,7 @@
 #include "hts/error.hpp"
 #include "validation/fit_problem.hpp"
 #include "validation/fit_uncertainty.hpp"
+#include "validation/statistics.hpp"
 
 namespace hts::validation {
 namespace {
@@ -67,34 +68,26 @@ std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request
 
 // ---- what came out
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 FitStatistics statistics(const FitData& data, const std::vector<double>& predicted, std::size_t free,
                          double cost) {
-    FitStatistics result{};
-    std::vector<double> logs;
-    double squares = 0, with_cosine = 0, chi_squared = 0;
+    std::vector<double> logs, differences, with_cosine, normalised;
     for (std::size_t i = 0; i < predicted.size(); ++i) {
         const double difference = predicted[i] - data.values[i];
-        squares += difference * difference;
-        with_cosine += std::pow(difference * data.cosines[i], 2);
-        if (!data.uncertainties.empty()) chi_squared += std::pow(difference / data.uncertainties[i], 2);
+        differences.push_back(difference);
+        with_cosine.push_back(difference * data.cosines[i]);
+        if (!data.uncertainties.empty()) normalised.push_back(difference / data.uncertainties[i]);
         if (predicted[i] > 0 && data.values[i] > 0)
             logs.push_back(std::abs(std::log(predicted[i] / data.values[i])));
     }
     const auto n = static_cast<double>(predicted.size()), k = static_cast<double>(free);
+    FitStatistics result{};
     result.data = predicted.size();
     result.free_parameters = free;
-    result.rms_log = std::sqrt(sum_of_squares(logs) / std::max(1.0, static_cast<double>(logs.size())));
+    result.rms_log = root_mean_square(logs);
     result.median_abs_log = median(logs);
-    result.rms = std::sqrt(squares / n);
-    result.l2 = std::sqrt(with_cosine / n);
-    if (!data.uncertainties.empty()) result.reduced_chi_squared = chi_squared / (n - k);
+    result.rms = root_mean_square(differences);
+    result.l2 = root_mean_square(with_cosine);
+    if (!normalised.empty()) result.reduced_chi_squared = sum_of_squares(normalised) / (n - k);
     result.cost = cost;
     const double likelihood = n * std::log(std::max(cost / n, std::numeric_limits<double>::min()));
     result.aic = likelihood + 2 * (k + 1);
@@ -112,12 +105,13 @@ bool at_bound(double coordinate, const Bounds& bounds) {
 std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector<double>& values) {
     std::vector<FittedParameter> result;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto& [parameter, role, fixed, tied] = problem.places()[i];
-        const Outcome outcome = role == Role::fixed  ? Outcome::fixed
-                                : role == Role::tied ? Outcome::tied
-                                                     : Outcome::fitted;
-        result.push_back({parameter.name, parameter.range.unit, values[i], 0, parameter.range.lowest,
-                          parameter.range.highest, outcome});
+        const Place& place = problem.places()[i];
+        const ParameterRange& range = place.parameter.range;
+        const Outcome outcome = place.role == Role::fixed  ? Outcome::fixed
+                                : place.role == Role::tied ? Outcome::tied
+                                                           : Outcome::fitted;
+        result.push_back(
+            {place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest, outcome});
     }
     return result;
 }

@@ -85,8 +85,8 @@ struct FitStatistics {
     std::optional<double> reduced_chi_squared;  ///< where uncertainties are known
     double cost;                                ///< sum of rho over all data
     double
-        aic;  ///< n ln(cost/n) + 2 k, Akaike; comparable between fits of one residual and loss to the same data
-    double bic;  ///< n ln(cost/n) + k ln n
+        aic;  ///< n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of one residual and loss to the same data
+    double bic;  ///< n ln(cost/n) + k ln n, Schwarz
 };
 
 /// What happened to one start.

@@ -18,7 +18,7 @@ const std::string material = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
 
 TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
-    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "figures", "sample", "plan", "albedo",
+    for (const std::string verb : {"eval", "phi", "spectrum", "polar", "figures", "fit", "sample", "plan", "albedo",
                                    "furnace", "materials", "info", "chart", "stability"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
