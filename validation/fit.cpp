@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "hts/error.hpp"
@@ -50,8 +51,64 @@ std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std
     return result;
 }
 
-std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request) {
-    const auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data);
+
+const Minimum& best_of(const std::vector<Minimum>& followed) {
+    return *std::ranges::min_element(followed, {}, &Minimum::cost);
+}
+
+/// Where a parameter stands in a material file, and for which channel.
+std::string address(const FitParameter& parameter) {
+    const auto channel = parameter.name.find('@');
+    return parameter.pointer + (channel == std::string::npos ? "" : parameter.name.substr(channel));
+}
+
+/// The request for one lobe less; what it says of single lobes is left out.
+FitRequest with_a_lobe_less(FitRequest request) {
+    const auto of_one_lobe = [&](const std::string& name) {
+        const auto& families = fit_families();
+        const auto family = std::ranges::find(families, request.model, &FitFamily::name);
+        const auto is_it = [&](const ParameterRange& range) {
+            return name == range.key || name == range.symbol;
+        };
+        return name != "scale" && std::ranges::none_of(family->parameters, is_it) &&
+               std::ranges::none_of(family->lobe, is_it);
+    };
+    std::erase_if(request.fixed, [&](const auto& entry) { return of_one_lobe(entry.first); });
+    std::erase_if(request.starts, [&](const auto& entry) { return of_one_lobe(entry.first); });
+    std::erase_if(request.freed, of_one_lobe);
+    --request.lobes;
+    request.progress = {};
+    return request;
+}
+
+/// For several lobes: the best fit with one less and another lobe of hardly any weight, from where it only gets better.
+std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const FitRequest& request,
+                                               const FitData& data) {
+    if (request.lobes < 2) return {};
+    const FitRequest fewer = with_a_lobe_less(request);
+    const FitProblem smaller{fewer, data};
+    const auto found = smaller.values(smaller.completed(best_of(minima(smaller, fewer, data)).x));
+    std::map<std::string, double> known;
+    for (std::size_t i = 0; i < found.size(); ++i) known[address(smaller.places()[i].parameter)] = found[i];
+    std::vector<std::vector<double>> result;
+    for (const std::size_t variant : {1, 3}) {
+        auto values = problem.values({});
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const FitParameter& parameter = problem.places()[i].parameter;
+            const auto& starts = parameter.range.starts;
+            const auto at = known.find(address(parameter));
+            const bool weight = parameter.range.motion == Motion::linear;
+            values[i] = at != known.end() ? at->second : weight ? 1e-4 : starts[variant % starts.size()];
+        }
+        result.push_back(problem.searched(values));
+    }
+    return result;
+}
+
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data) {
+    auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
+    for (auto& start : nested_starts(problem, request, data)) starts.push_back(std::move(start));
     const Residuals residuals = [&](std::span<const double> x) { return problem.projected_residuals(x); };
     const std::vector<Bounds> bounds{
         problem.bounds().begin(),
@@ -203,9 +260,9 @@ spectral::AnyReflector fitted_reflector(const Fit& fit) {
 Fit fitted(const FitRequest& request, const FitData& data) {
     const FitData good = checked(data);
     const FitProblem problem{request, good};
-    const auto followed = minima(problem, request);
-    const auto best = std::ranges::min_element(followed, {}, &Minimum::cost);
-    const auto coordinates = problem.completed(best->x);
+    const auto followed = minima(problem, request, good);
+    const Minimum& best = best_of(followed);
+    const auto coordinates = problem.completed(best.x);
     const auto values = problem.values(coordinates);
 
     Fit fit{request.model,
@@ -220,10 +277,10 @@ Fit fitted(const FitRequest& request, const FitData& data) {
             0,
             {},
             {}};
-    fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best->cost);
+    fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best.cost);
     for (const Minimum& minimum : followed) {
         fit.starts.push_back({2 * minimum.cost, minimum.iterations, minimum.converged});
-        if (minimum.cost <= best->cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
+        if (minimum.cost <= best.cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
     }
     add_uncertainty(fit, problem, coordinates);
     fit.material = problem.model().material_text(std::span{values}.first(values.size() - 1),

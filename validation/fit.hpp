@@ -5,7 +5,8 @@
 ///     fit.parameters[0].value;   // sigma0 [um]
 ///     fit.statements;            // "sigma0 and tau apart: only sigma0/tau = 0.158 +- 0.002"
 ///
-/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp). The most promising ones are followed
+/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp), for several lobes also the best fit with one
+/// lobe less. The most promising ones are followed
 /// to their minimum by Levenberg and Marquardt's method within bounds (Ceres Solver), lengths and widths by their
 /// logarithms. Parameters on which predictions depend affinely (albedos, weights of lobes) are separated where the
 /// residuals allow it: for each trial of the others their best values follow from linear least squares within bounds (variable

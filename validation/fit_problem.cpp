@@ -184,6 +184,10 @@ std::vector<double> FitProblem::start(std::size_t combination) const {
     set_tied(values);
     if (!linear.empty()) values = best_linear(values, linear);
     for (const std::size_t i : linear) values[i] = std::max(values[i], least_linear_start);
+    return searched(values);
+}
+
+std::vector<double> FitProblem::searched(std::span<const double> values) const {
     std::vector<double> coordinates;
     for (std::size_t k = 0; k < searched_; ++k) {
         coordinates.push_back(coordinate(places_[free_[k]].parameter.range, values[free_[k]]));

@@ -40,6 +40,8 @@ class FitProblem {
 
     /// All combinations of starts, thinned to at most 512: coordinates of what is searched.
     [[nodiscard]] std::vector<std::vector<double>> starts() const;
+    /// What is searched, from values of all parameters.
+    [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
     /// Residuals as the solver sees them, of what is searched with the best of what is separated.

@@ -81,7 +81,7 @@ TEST_CASE("sandblasted aluminium: one roughness carries ten camera angles") {
 TEST_CASE("every model takes part in a comparison, and more lobes come closer") {
     const CurveSet set = built_in_curves("curet-ceramic-quarry-tile");
     const Residual residual = GENERATE(Residual::cosine, Residual::logarithmic);
-    const auto fits = fits_of(compared_models(), set, {residual, {80, 30, {3, 0}}, "", 3});
+    const auto fits = fits_of(compared_models(), set, {residual, {80, 24, {3, 0}}, "", 2});
     REQUIRE(fits.size() == compared_models().size());
     std::set<std::string> models;
     for (const Fit& fit : fits) {

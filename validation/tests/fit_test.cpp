@@ -307,7 +307,7 @@ TEST_CASE("what cannot be fitted is named") {
         fitted({.model = "he", .fixed = {{"gloss", 1}}}, good),
         Contains("parameter \"gloss\" of model \"he\" is not known: must be one of sigma0, tau, a"));
     CHECK_THROWS_WITH(fitted({.model = "he", .starts = {{"sigma0", 5000}}}, good),
-                      Contains("sigma0: start 5000 um: must be 0.0001 ... 1000"));
+                      Contains("sigma0: start 5000 um: must be 1e-04 ... 1000"));
     CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"a", -0.1}}}, good),
                       Contains("a: fixed at -0.1 1: must be 0 ... 1"));
     CHECK_THROWS_WITH(fitted({.model = "lambert", .lobes = 2}, good), Contains("has no lobes"));
