@@ -4,11 +4,13 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "hts/error.hpp"
 #include "validation/fit_problem.hpp"
 #include "validation/fit_uncertainty.hpp"
+#include "validation/statistics.hpp"
 
 namespace hts::validation {
 namespace {
@@ -49,8 +51,64 @@ std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std
     return result;
 }
 
-std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request) {
-    const auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data);
+
+const Minimum& best_of(const std::vector<Minimum>& followed) {
+    return *std::ranges::min_element(followed, {}, &Minimum::cost);
+}
+
+/// Where a parameter stands in a material file, and for which channel.
+std::string address(const FitParameter& parameter) {
+    const auto channel = parameter.name.find('@');
+    return parameter.pointer + (channel == std::string::npos ? "" : parameter.name.substr(channel));
+}
+
+/// The request for one lobe less; what it says of single lobes is left out.
+FitRequest with_a_lobe_less(FitRequest request) {
+    const auto of_one_lobe = [&](const std::string& name) {
+        const auto& families = fit_families();
+        const auto family = std::ranges::find(families, request.model, &FitFamily::name);
+        const auto is_it = [&](const ParameterRange& range) {
+            return name == range.key || name == range.symbol;
+        };
+        return name != "scale" && std::ranges::none_of(family->parameters, is_it) &&
+               std::ranges::none_of(family->lobe, is_it);
+    };
+    std::erase_if(request.fixed, [&](const auto& entry) { return of_one_lobe(entry.first); });
+    std::erase_if(request.starts, [&](const auto& entry) { return of_one_lobe(entry.first); });
+    std::erase_if(request.freed, of_one_lobe);
+    --request.lobes;
+    request.progress = {};
+    return request;
+}
+
+/// For several lobes: the best fit with one less and another lobe of hardly any weight, from where it only gets better.
+std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const FitRequest& request,
+                                               const FitData& data) {
+    if (request.lobes < 2) return {};
+    const FitRequest fewer = with_a_lobe_less(request);
+    const FitProblem smaller{fewer, data};
+    const auto found = smaller.values(smaller.completed(best_of(minima(smaller, fewer, data)).x));
+    std::map<std::string, double> known;
+    for (std::size_t i = 0; i < found.size(); ++i) known[address(smaller.places()[i].parameter)] = found[i];
+    std::vector<std::vector<double>> result;
+    for (const std::size_t variant : {1, 3}) {
+        auto values = problem.values({});
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const FitParameter& parameter = problem.places()[i].parameter;
+            const auto& starts = parameter.range.starts;
+            const auto at = known.find(address(parameter));
+            const bool weight = parameter.range.motion == Motion::linear;
+            values[i] = at != known.end() ? at->second : weight ? 1e-4 : starts[variant % starts.size()];
+        }
+        result.push_back(problem.searched(values));
+    }
+    return result;
+}
+
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data) {
+    auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
+    for (auto& start : nested_starts(problem, request, data)) starts.push_back(std::move(start));
     const Residuals residuals = [&](std::span<const double> x) { return problem.projected_residuals(x); };
     const std::vector<Bounds> bounds{
         problem.bounds().begin(),
@@ -67,34 +125,26 @@ std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request
 
 // ---- what came out
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 FitStatistics statistics(const FitData& data, const std::vector<double>& predicted, std::size_t free,
                          double cost) {
-    FitStatistics result{};
-    std::vector<double> logs;
-    double squares = 0, with_cosine = 0, chi_squared = 0;
+    std::vector<double> logs, differences, with_cosine, normalised;
     for (std::size_t i = 0; i < predicted.size(); ++i) {
         const double difference = predicted[i] - data.values[i];
-        squares += difference * difference;
-        with_cosine += std::pow(difference * data.cosines[i], 2);
-        if (!data.uncertainties.empty()) chi_squared += std::pow(difference / data.uncertainties[i], 2);
+        differences.push_back(difference);
+        with_cosine.push_back(difference * data.cosines[i]);
+        if (!data.uncertainties.empty()) normalised.push_back(difference / data.uncertainties[i]);
         if (predicted[i] > 0 && data.values[i] > 0)
             logs.push_back(std::abs(std::log(predicted[i] / data.values[i])));
     }
     const auto n = static_cast<double>(predicted.size()), k = static_cast<double>(free);
+    FitStatistics result{};
     result.data = predicted.size();
     result.free_parameters = free;
-    result.rms_log = std::sqrt(sum_of_squares(logs) / std::max(1.0, static_cast<double>(logs.size())));
+    result.rms_log = root_mean_square(logs);
     result.median_abs_log = median(logs);
-    result.rms = std::sqrt(squares / n);
-    result.l2 = std::sqrt(with_cosine / n);
-    if (!data.uncertainties.empty()) result.reduced_chi_squared = chi_squared / (n - k);
+    result.rms = root_mean_square(differences);
+    result.l2 = root_mean_square(with_cosine);
+    if (!normalised.empty()) result.reduced_chi_squared = sum_of_squares(normalised) / (n - k);
     result.cost = cost;
     const double likelihood = n * std::log(std::max(cost / n, std::numeric_limits<double>::min()));
     result.aic = likelihood + 2 * (k + 1);
@@ -112,12 +162,13 @@ bool at_bound(double coordinate, const Bounds& bounds) {
 std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector<double>& values) {
     std::vector<FittedParameter> result;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto& [parameter, role, fixed, tied] = problem.places()[i];
-        const Outcome outcome = role == Role::fixed  ? Outcome::fixed
-                                : role == Role::tied ? Outcome::tied
-                                                     : Outcome::fitted;
-        result.push_back({parameter.name, parameter.range.unit, values[i], 0, parameter.range.lowest,
-                          parameter.range.highest, outcome});
+        const Place& place = problem.places()[i];
+        const ParameterRange& range = place.parameter.range;
+        const Outcome outcome = place.role == Role::fixed  ? Outcome::fixed
+                                : place.role == Role::tied ? Outcome::tied
+                                                           : Outcome::fitted;
+        result.push_back(
+            {place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest, outcome});
     }
     return result;
 }
@@ -209,9 +260,9 @@ spectral::AnyReflector fitted_reflector(const Fit& fit) {
 Fit fitted(const FitRequest& request, const FitData& data) {
     const FitData good = checked(data);
     const FitProblem problem{request, good};
-    const auto followed = minima(problem, request);
-    const auto best = std::ranges::min_element(followed, {}, &Minimum::cost);
-    const auto coordinates = problem.completed(best->x);
+    const auto followed = minima(problem, request, good);
+    const Minimum& best = best_of(followed);
+    const auto coordinates = problem.completed(best.x);
     const auto values = problem.values(coordinates);
 
     Fit fit{request.model,
@@ -226,10 +277,10 @@ Fit fitted(const FitRequest& request, const FitData& data) {
             0,
             {},
             {}};
-    fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best->cost);
+    fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best.cost);
     for (const Minimum& minimum : followed) {
         fit.starts.push_back({2 * minimum.cost, minimum.iterations, minimum.converged});
-        if (minimum.cost <= best->cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
+        if (minimum.cost <= best.cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
     }
     add_uncertainty(fit, problem, coordinates);
     fit.material = problem.model().material_text(std::span{values}.first(values.size() - 1),

@@ -5,7 +5,8 @@
 ///     fit.parameters[0].value;   // sigma0 [um]
 ///     fit.statements;            // "sigma0 and tau apart: only sigma0/tau = 0.158 +- 0.002"
 ///
-/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp). The most promising ones are followed
+/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp), for several lobes also the best fit with one
+/// lobe less. The most promising ones are followed
 /// to their minimum by Levenberg and Marquardt's method within bounds (Ceres Solver), lengths and widths by their
 /// logarithms. Parameters on which predictions depend affinely (albedos, weights of lobes) are separated where the
 /// residuals allow it: for each trial of the others their best values follow from linear least squares within bounds (variable
@@ -85,8 +86,8 @@ struct FitStatistics {
     std::optional<double> reduced_chi_squared;  ///< where uncertainties are known
     double cost;                                ///< sum of rho over all data
     double
-        aic;  ///< n ln(cost/n) + 2 k, Akaike; comparable between fits of one residual and loss to the same data
-    double bic;  ///< n ln(cost/n) + k ln n
+        aic;  ///< n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of one residual and loss to the same data
+    double bic;  ///< n ln(cost/n) + k ln n, Schwarz
 };
 
 /// What happened to one start.

@@ -14,9 +14,8 @@ struct FitCase {
     std::string label;  ///< "aluminium, sandblasted; n and scale free"
     FitRequest request;
     FitSelection selection{};
-    std::size_t quick_points = 120;  ///< for Effort::quick
+    std::size_t quick_points = 120;  ///< at most so many for Effort::quick; 0: all
     bool judged = true;              ///< against the criteria that are asked of the set
-    std::string why{};               ///< what bounds it where it misses one
 };
 
 [[nodiscard]] std::vector<FitCase> fit_cases();

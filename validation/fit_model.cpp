@@ -23,6 +23,11 @@ ParameterRange linear(const char* key, const char* symbol, double highest) {
 ParameterRange width(const char* key, const char* tied_to = "") {
     return {key, key, "1", Motion::factors, 1e-3, 30, width_starts, StartUnit::own, tied_to};
 }
+/// Of Ashikhmin's Gaussian density of normals.
+ParameterRange slope(const std::string& name, const char* tied_to = "") {
+    return {"normals/" + name, name,           "1",    Motion::factors, 0.02, 30,
+            {0.1, 0.3, 0.8},   StartUnit::own, tied_to};
+}
 ParameterRange exponent(const char* key, const char* tied_to = "") {
     return {key, key, "1", Motion::factors, 0.1, 1e6, exponent_starts, StartUnit::own, tied_to};
 }
@@ -44,13 +49,9 @@ const ParameterRange alpha{"alpha", "alpha", "1", Motion::steps, 0, 1.99, {0.1, 
 const ParameterRange index_n{"n", "n", "1", Motion::factors, 0.05, 50, {1.5}};
 const ParameterRange index_k{"k", "k", "1", Motion::steps, 0, 100, {0}, StartUnit::own, "", true};
 
-FitFamily facets(const char* name, const char* distribution) {
-    return {name,
-            "walter",
-            {{"distribution", ordered_json(distribution).dump()}},
-            {width("alpha"), index_n, index_k},
-            {},
-            true};
+FitFamily facets(const char* name, const char* distribution, const ParameterRange& shape) {
+    return {name, "walter", {{"distribution", ordered_json(distribution).dump()}}, {shape, index_n, index_k},
+            {},   true};
 }
 
 // ---- JSON
@@ -98,8 +99,16 @@ const FitFamily& family_named(const std::string& name) {
 const std::vector<FitFamily>& fit_families() {
     static const std::vector<FitFamily> families{
         {"he", "he", {}, {rms_roughness, correlation_length, albedo, index_n, index_k}, {}, true},
-        facets("beckmann", "beckmann"),
-        facets("ggx", "ggx"),
+        facets("beckmann", "beckmann", width("alpha")),
+        facets("ggx", "ggx", width("alpha")),
+        facets("phong", "phong", exponent("exponent")),
+        {"ashikhmin",
+         "ashikhmin",
+         {{"normals", R"({"type": "gaussian"})"}},
+         {albedo, f0, slope("sigma_x"), slope("sigma_y", "sigma_x")},
+         {},
+         false,
+         true},
         {"kurt", "kurt", {}, {kd}, {ks, f0, width("mx"), width("my", "mx"), alpha}},
         {"ward", "ward", {}, {kd}, {ks, width("mx"), width("my", "mx")}},
         {"ward_duer", "ward_duer", {}, {kd}, {ks, width("mx"), width("my", "mx")}},

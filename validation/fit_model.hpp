@@ -28,7 +28,8 @@ enum class StartUnit { own, wavelength, previous };
 
 /// A number of a material file, as a fit moves it.
 struct ParameterRange {
-    std::string key;     ///< of the material file: "rms_roughness_um"; of a lobe's object for lobes
+    std::string
+        key;  ///< of the material file: "rms_roughness_um", "normals/sigma_x"; of a lobe's object for lobes
     std::string symbol;  ///< "sigma0"
     std::string unit;    ///< "um", "1", "deg"
     Motion motion;
@@ -49,6 +50,7 @@ struct FitFamily {
     std::vector<ParameterRange> parameters;
     std::vector<ParameterRange> lobe{};  ///< of each lobe, for models with a list of lobes
     bool has_index = false;  ///< parameters n and k stand for the key "index", unless that is given
+    bool costly = false;     ///< each trial takes long: left out where all models are compared
 };
 
 /// All that can be fitted: he, beckmann, ggx, kurt, ward, …

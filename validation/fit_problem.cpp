@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "hts/error.hpp"
 #include "spectral/text.hpp"
@@ -11,6 +10,8 @@ namespace hts::validation {
 namespace {
 
 constexpr std::size_t most_starts = 512;
+/// A weight of exactly 0 would hide what its lobe could do.
+constexpr double least_linear_start = 1e-4;
 
 const ParameterRange scale_range{"scale",        "scale", "1", Motion::factors, 1e-3, 1e3, {1},
                                  StartUnit::own, "",      true};
@@ -24,17 +25,11 @@ double value_at(const ParameterRange& range, double coordinate) {
     return std::clamp(value, range.lowest, range.highest);
 }
 
-std::string number(double value) {
-    std::string text(32, '\0');
-    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%g", value)));
-    return text;
-}
-
 void require_within(const FitParameter& parameter, const char* what, double value) {
     const ParameterRange& range = parameter.range;
     if (value >= range.lowest && value <= range.highest) return;
-    throw Error{parameter.name + ": " + what + " " + number(value) + " " + range.unit + ": must be " +
-                number(range.lowest) + " ... " + number(range.highest)};
+    throw Error{parameter.name + ": " + what + " " + shortest(value) + " " + range.unit + ": must be " +
+                shortest(range.lowest) + " ... " + shortest(range.highest)};
 }
 
 /// sign(r) s sqrt(rho((r/s)^2)), whose square is what r counts for.
@@ -58,10 +53,10 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
       data_{data},
       model_{request.model, layout(request, data)},
       separable_{data.affine && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
-    if (!(request.loss_scale > 0)) throw Error{"loss scale " + number(request.loss_scale) + ": must be > 0"};
-    for (const FitParameter& parameter : model_.parameters())
-        places_.push_back({parameter, Role::searched, 0, 0});
-    places_.push_back({{scale_range, "", "scale"}, Role::searched, 0, 0});
+    if (!(request.loss_scale > 0))
+        throw Error{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
+    for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
+    places_.push_back({{scale_range, "", "scale"}});
     assign_roles();
     for (const Role role : {Role::searched, Role::separated}) {
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -77,7 +72,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
         throw Error{data_.name + ": " + std::to_string(data_.values.size()) + " values for " +
                     std::to_string(free_.size()) + " free parameters: must be more"};
     }
-    prepare_weights();
+    for (std::size_t i = 0; i < data_.values.size(); ++i) weights_.push_back(weight(i));
 }
 
 std::vector<std::size_t> FitProblem::named(const std::string& name) const {
@@ -121,6 +116,7 @@ void FitProblem::assign_roles() {
             require_within(places_[i].parameter, "start", value);
             places_[i].parameter.range.starts = {value};
             places_[i].parameter.range.start_unit = StartUnit::own;
+            places_[i].start_given = true;
         }
     }
     for (Place& place : places_) {
@@ -129,29 +125,20 @@ void FitProblem::assign_roles() {
     }
 }
 
-void FitProblem::prepare_weights() {
-    weights_.resize(data_.values.size());
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
-        switch (request_.residual) {
-            case Residual::logarithmic:
-            case Residual::relative:
-                if (!(data_.values[i] > 0)) {
-                    throw Error{data_.name + ": value " + std::to_string(i + 1) + " is 0: must be > 0 for " +
-                                name(request_.residual) + " residuals"};
-                }
-                weights_[i] = 1 / data_.values[i];
-                break;
-            case Residual::weighted:
-                if (data_.uncertainties.empty()) {
-                    throw Error{data_.name + ": no uncertainties: must be there for weighted residuals"};
-                }
-                weights_[i] = 1 / data_.uncertainties[i];
-                break;
-            case Residual::cosine:
-                weights_[i] = data_.cosines[i];
-                break;
-        }
+double FitProblem::weight(std::size_t datum) const {
+    switch (request_.residual) {
+        case Residual::logarithmic:
+        case Residual::relative:
+            if (data_.values[datum] > 0) break;
+            throw Error{data_.name + ": value " + std::to_string(datum + 1) + " is 0: must be > 0 for " +
+                        name(request_.residual) + " residuals"};
+        case Residual::weighted:
+            if (!data_.uncertainties.empty()) return 1 / data_.uncertainties[datum];
+            throw Error{data_.name + ": no uncertainties: must be there for weighted residuals"};
+        case Residual::cosine:
+            return data_.cosines[datum];
     }
+    return 1 / data_.values[datum];
 }
 
 double FitProblem::start_unit(std::size_t place, const std::vector<double>& values) const {
@@ -167,42 +154,51 @@ double FitProblem::start_unit(std::size_t place, const std::vector<double>& valu
     return 1;
 }
 
+std::size_t FitProblem::choices(std::size_t place) const {
+    const ParameterRange& range = places_[place].parameter.range;
+    return range.motion == Motion::linear ? 1 : range.starts.size();
+}
+
 std::vector<std::vector<double>> FitProblem::starts() const {
     std::size_t all = 1;
-    const auto choices = [&](std::size_t i) {
-        const ParameterRange& range = places_[i].parameter.range;
-        return range.motion == Motion::linear ? 1 : range.starts.size();
-    };
     for (std::size_t k = 0; k < searched_; ++k) all *= choices(free_[k]);
-    std::vector<std::vector<double>> result;
     const std::size_t count = std::min(all, most_starts);
+    std::vector<std::vector<double>> result;
     for (std::size_t s = 0; s < count; ++s) {
-        std::size_t rest = all <= most_starts ? s : s * all / count + s % 7;
-        auto values = this->values(std::vector<double>(free_.size(), 0));
-        std::vector<std::size_t> linear;
-        for (std::size_t k = 0; k < searched_; ++k) {
-            const std::size_t i = free_[k];
-            const ParameterRange& range = places_[i].parameter.range;
-            values[i] = std::clamp(range.starts[rest % choices(i)] * start_unit(i, values), range.lowest,
-                                   range.highest);
-            rest /= choices(i);
-            const bool chosen =
-                request_.starts.contains(range.key) || request_.starts.contains(places_[i].parameter.name);
-            if (range.motion == Motion::linear && data_.affine && !chosen) linear.push_back(i);
-        }
-        for (const Place& place : places_) {
-            if (place.role == Role::tied)
-                values[static_cast<std::size_t>(&place - places_.data())] = values[place.tied];
-        }
-        if (!linear.empty()) values = best_linear(values, linear);
-        for (const std::size_t i : linear) values[i] = std::max(values[i], 1e-4);
-        std::vector<double> coordinates;
-        for (std::size_t k = 0; k < searched_; ++k) {
-            coordinates.push_back(coordinate(places_[free_[k]].parameter.range, values[free_[k]]));
-        }
-        result.push_back(std::move(coordinates));
+        result.push_back(start(all <= most_starts ? s : s * all / count + s % 7));
     }
     return result;
+}
+
+std::vector<double> FitProblem::start(std::size_t combination) const {
+    auto values = this->values(std::vector<double>(free_.size(), 0));
+    std::vector<std::size_t> linear;
+    for (std::size_t k = 0; k < searched_; ++k) {
+        const std::size_t i = free_[k];
+        const ParameterRange& range = places_[i].parameter.range;
+        const double start = range.starts[combination % choices(i)] * start_unit(i, values);
+        values[i] = std::clamp(start, range.lowest, range.highest);
+        combination /= choices(i);
+        if (range.motion == Motion::linear && data_.affine && !places_[i].start_given) linear.push_back(i);
+    }
+    set_tied(values);
+    if (!linear.empty()) values = best_linear(values, linear);
+    for (const std::size_t i : linear) values[i] = std::max(values[i], least_linear_start);
+    return searched(values);
+}
+
+std::vector<double> FitProblem::searched(std::span<const double> values) const {
+    std::vector<double> coordinates;
+    for (std::size_t k = 0; k < searched_; ++k) {
+        coordinates.push_back(coordinate(places_[free_[k]].parameter.range, values[free_[k]]));
+    }
+    return coordinates;
+}
+
+void FitProblem::set_tied(std::vector<double>& values) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i].role == Role::tied) values[i] = values[places_[i].tied];
+    }
 }
 
 std::vector<double> FitProblem::values(std::span<const double> coordinates) const {
@@ -211,9 +207,7 @@ std::vector<double> FitProblem::values(std::span<const double> coordinates) cons
     for (std::size_t k = 0; k < coordinates.size(); ++k) {
         result[free_[k]] = value_at(places_[free_[k]].parameter.range, coordinates[k]);
     }
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (places_[i].role == Role::tied) result[i] = result[places_[i].tied];
-    }
+    set_tied(result);
     return result;
 }
 

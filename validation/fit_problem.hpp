@@ -19,9 +19,10 @@ enum class Role {
 
 struct Place {
     FitParameter parameter;
-    Role role;
-    double value;      ///< where it is fixed
-    std::size_t tied;  ///< to which place
+    Role role = Role::searched;
+    double value = 0;      ///< where it is fixed
+    std::size_t tied = 0;  ///< to which place
+    bool start_given = false;
 };
 
 /// Immutable; calls may run on any thread.
@@ -39,6 +40,8 @@ class FitProblem {
 
     /// All combinations of starts, thinned to at most 512: coordinates of what is searched.
     [[nodiscard]] std::vector<std::vector<double>> starts() const;
+    /// What is searched, from values of all parameters.
+    [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
     /// Residuals as the solver sees them, of what is searched with the best of what is separated.
@@ -55,7 +58,10 @@ class FitProblem {
     void assign_roles();
     [[nodiscard]] std::vector<std::size_t> named(const std::string& name) const;
     [[nodiscard]] double start_unit(std::size_t place, const std::vector<double>& values) const;
-    void prepare_weights();
+    [[nodiscard]] double weight(std::size_t datum) const;
+    [[nodiscard]] std::size_t choices(std::size_t place) const;
+    [[nodiscard]] std::vector<double> start(std::size_t combination) const;
+    void set_tied(std::vector<double>& values) const;
     [[nodiscard]] std::vector<double> residuals_of(const std::vector<double>& prediction) const;
     [[nodiscard]] std::vector<double> best_linear(std::vector<double> values,
                                                   const std::vector<std::size_t>& linear) const;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <map>
 
+#include "spectral/text.hpp"
 #include "validation/built_in_curves.hpp"
 #include "validation/comparison.hpp"
 #include "validation/fit_cases.hpp"
@@ -14,9 +13,7 @@ namespace hts::validation {
 namespace {
 
 std::string brief(double value) {
-    std::string text(32, '\0');
-    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
-    return text;
+    return spectral::brief(value, 3);
 }
 
 std::string with_error(double value, double error) {
@@ -45,7 +42,7 @@ struct CaseResult {
 CaseResult result_of(const FitCase& asked, Effort effort) {
     CurveSet set = built_in_curves(asked.set);
     FitSelection selection = asked.selection;
-    if (effort == Effort::quick) selection.most_points = std::max<std::size_t>(asked.quick_points, 1);
+    if (effort == Effort::quick) selection.most_points = asked.quick_points;
     Fit fit = fitted(asked.request, fit_data(set, selection));
     auto predicted =
         Prediction{set, selection.nodes}.values(fitted_reflector(fit), spectral::OutsideRange::clamp);
@@ -138,10 +135,7 @@ Figure overlay(const CaseResult& result, const std::vector<double>& fixed_angles
 
 void add_checks(Section& section, const CaseResult& result) {
     if (!result.asked.judged) return;
-    for (Check& check : criteria(result.set, result.comparison)) {
-        if (!check.passed) check.remark += (check.remark.empty() ? "" : "; ") + result.asked.why;
-        section.checks.push_back(std::move(check));
-    }
+    for (Check& check : criteria(result.set, result.comparison)) section.checks.push_back(std::move(check));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ std::string ModelChoice::label() const {
 std::vector<ModelChoice> compared_models() {
     std::vector<ModelChoice> result;
     for (const FitFamily& family : fit_families()) {
+        if (family.costly) continue;
         result.push_back({family.name});
         if (family.name == "kurt") result.insert(result.end(), {{"kurt", 2}, {"kurt", 3}});
     }

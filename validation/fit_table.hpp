@@ -18,7 +18,7 @@ struct ModelChoice {
     [[nodiscard]] std::string label() const;
 };
 
-/// All of the library; Kurt's with 1, 2 and 3 lobes. Anisotropic ones with equal widths.
+/// All of the library but those whose trials take long; Kurt's with 1, 2 and 3 lobes. Anisotropic ones with equal widths.
 [[nodiscard]] std::vector<ModelChoice> compared_models();
 
 struct ComparisonRequest {

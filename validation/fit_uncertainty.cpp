@@ -3,8 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "spectral/text.hpp"
 
 namespace hts::validation {
 namespace {
@@ -19,9 +20,7 @@ std::size_t at(Index i) {
 }
 
 std::string brief(double value) {
-    std::string text(32, '\0');
-    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
-    return text;
+    return spectral::brief(value, 3);
 }
 
 /// What a change of 1 in the scaled coordinates means: a factor e, or the value itself.

@@ -20,7 +20,8 @@ TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
     for (const std::string verb :
          {"eval", "phi", "spectrum", "polar", "figures", "sample", "plan", "albedo", "furnace", "materials",
-          "info", "chart", "stability", "curves", "compare"}) {
+          "info", "chart", "stability", "curves", "compare",
+          "fit", "render", "truth"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);

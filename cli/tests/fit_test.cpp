@@ -1,0 +1,103 @@
+// hts fit: fits by the command, the files they leave, and what it refuses.
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "command.hpp"
+
+using hts::cli::testing::cells;
+using hts::cli::testing::Workplace;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("hts fit prints the fit and leaves a material that other verbs take") {
+    const Workplace place;
+    const auto result = place.hts(
+        "fit mwir-aluminium-sandblasted --index Al --most-points 60 --rings 0 --starts 2 "
+        "--output fitted.json --report report.json");
+    INFO(result.errors);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.errors.empty());
+    for (const std::string part :
+         {"sigma0", "tau", "median |ln(model/measured)|", "AIC", "starts reached the best"}) {
+        INFO(part);
+        CHECK(contains(result.output, part));
+    }
+    CHECK(place.hts("eval --material fitted.json --wavelength 3 --theta-i 30 --theta-r 40 --phi 180")
+              .exit_code == 0);
+
+    const auto report = nlohmann::json::parse(place.read("report.json"));
+    const auto material = nlohmann::json::parse(place.read("fitted.json"));
+    CHECK(report["material"] == material);
+    CHECK(report["parameters"][0]["value"] == material["rms_roughness_um"]);
+    CHECK(report["statistics"]["values"].get<int>() <= 60);
+    CHECK(report["correlation"].size() == report["correlated"].size());
+}
+
+TEST_CASE("hts fit holds, frees and starts parameters as told") {
+    const Workplace place;
+    const auto report = [&](const std::string& options) {
+        const auto result = place.hts("fit curet-sandpaper --starts 1 --json " + options);
+        INFO(options << ": " << result.errors);
+        REQUIRE(result.exit_code == 0);
+        std::map<std::string, nlohmann::json> parameters;
+        for (const auto& p : nlohmann::json::parse(result.output)["parameters"]) parameters[p["name"]] = p;
+        return parameters;
+    };
+    auto fitted = report("--model kurt --fix f0=0.3 --free my,scale --start mx=0.4");
+    CHECK(fitted["f0"]["outcome"] == "fixed");
+    CHECK(fitted["f0"]["value"] == 0.3);
+    CHECK(fitted["my"]["outcome"] != "tied");
+    CHECK(fitted["scale"]["outcome"] == "fitted");
+    CHECK(report("--model kurt")["my"]["outcome"] == "tied");
+    CHECK(report("--model kurt")["my"]["value"] == report("--model kurt")["mx"]["value"]);
+    CHECK_FALSE(report("--fix index=SiO2").contains("n"));
+    CHECK(report("--loss cauchy --loss-scale 0.2 --residual relative").contains("n"));
+}
+
+TEST_CASE("hts fit compares all models") {
+    const Workplace place;
+    const auto rows =
+        cells(place.hts("fit --all-models curet-sandpaper blue-acrylic --most-points 20 --rings 0 --starts 1")
+                  .output);
+    REQUIRE(rows.size() > 20);
+    CHECK(rows[0][0] == "data");
+    std::set<std::string> data, models;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        data.insert(rows[i][0]);
+        models.insert(rows[i][1]);
+    }
+    CHECK(data == std::set<std::string>{"blue-acrylic", "curet-sandpaper"});
+    for (const std::string model : {"he", "beckmann", "ggx", "kurt", "ward", "lambert"})
+        CHECK(models.contains(model));
+    CHECK((rows.size() - 1) == 2 * models.size());
+}
+
+TEST_CASE("hts fit refuses what cannot be fitted, and leaves no file") {
+    const Workplace place;
+    const auto refused = [&](const std::string& arguments, int code, const std::string& message) {
+        const auto result = place.hts("fit " + arguments + " --output fitted.json");
+        INFO(arguments << ": " << result.errors);
+        CHECK(result.exit_code == code);
+        CHECK(contains(result.errors, message));
+        CHECK(place.names().empty());
+    };
+    refused("nowhere.json", 1, "nowhere.json");
+    refused("curet-sandpaper --model gloss", 1, "must be one of he");
+    refused("curet-sandpaper --fix gloss=1", 1, "parameter \"gloss\"");
+    refused("curet-sandpaper --start sigma0=1e9", 1, "sigma0: start 1e+09 um: must be");
+    refused("curet-sandpaper --most-points 3", 1, "free parameters: must be more");
+    refused("curet-sandpaper --largest-theta 1", 1, "no point");
+    refused("curet-sandpaper --index Unobtainium", 1, "Unobtainium");
+    refused("curet-sandpaper --fix sigma0", 2, "name=value");
+    refused("curet-sandpaper --residual square", 2, "must be one of log");
+    refused("curet-sandpaper blue-acrylic", 2, "must be one set");
+}
