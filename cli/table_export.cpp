@@ -49,8 +49,10 @@ Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
     const auto reflector = material.read();
-    return spectral::located("--wavelengths",
-                             [&] { return tables::model_brdf(reflector, wavelengths, material.policy()); });
+    return spectral::located("--wavelengths", [&] {
+        // far finer than any of these files holds
+        return tables::model_brdf(reflector, wavelengths, material.policy(), Tolerance{1e-6});
+    });
 }
 
 Reflectance with_specular(const ExportOptions& options, const Reflectance& brdf) {
