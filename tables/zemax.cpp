@@ -116,10 +116,10 @@ Header take_header(Tokens& tokens) {
     tokens.take_word("Source");
     tokens.take();
     tokens.take_word("Symmetry");
-    const std::string_view symmetry = tokens.take();
-    header.grid.symmetric = symmetry == "PlaneSymmetrical";
-    if (!header.grid.symmetric && symmetry != "Asymmetrical" && symmetry != "ASymmetrical")
+    header.grid.symmetric = tokens.next() == "PlaneSymmetrical";
+    if (!header.grid.symmetric && tokens.next() != "Asymmetrical" && tokens.next() != "ASymmetrical")
         throw tokens.error("Symmetry: must be PlaneSymmetrical or Asymmetrical");
+    tokens.take();
     tokens.take_word("SpectralContent");
     header.tristimulus = tokens.next() == "XYZ";
     if (!header.tristimulus && tokens.next() != "Monochrome")
