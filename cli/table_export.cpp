@@ -36,7 +36,7 @@ compared with the model at random pairs of directions: the report goes to standa
 
 Examples:
   hts table export aluminium.json --format rgl --output aluminium.bsdf
-  hts table export gold.json --format pbsdf --wavelengths 0.45:0.65:5 --output gold.pbsdf)";
+  hts table export gold.json --format pbsdf --output gold.pbsdf)";
 }
 
 const TableFormat& format_named(const std::string& name) {

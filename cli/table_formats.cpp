@@ -5,7 +5,9 @@
 #include "tables/brdf_file.hpp"
 #include "tables/channels.hpp"
 #include "tables/merl.hpp"
+#include "tables/pbsdf.hpp"
 #include "tables/radiance_xml.hpp"
+#include "tables/rgl.hpp"
 #include "tables/scatter_points.hpp"
 #include "tables/zemax.hpp"
 
@@ -80,10 +82,22 @@ tables::Sidecar write_csv(const tables::SpectralBrdf& brdf, const std::string& p
     return sidecar("CSV, a row per pair of directions, a column per wavelength", {});
 }
 
+tables::Sidecar write_rgl(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return tables::write_rgl(brdf, path);
+}
+
+tables::Sidecar write_pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return tables::write_pbsdf(brdf, path);
+}
+
 }  // namespace
 
 const std::vector<TableFormat>& table_formats() {
     static const std::vector<TableFormat> formats{
+        {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.36:0.83:48",
+         write_rgl, tables::read_rgl},
+        {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
+         write_pbsdf, tables::read_pbsdf},
         {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31",
          write_merl, read_back, as_rgb},
         {"zemax", "OpticStudio tabular .bsdf; of several wavelengths an index .json and a file each", "0.55",

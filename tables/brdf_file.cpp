@@ -8,6 +8,7 @@
 #include "tables/channels.hpp"
 #include "tables/merl.hpp"
 #include "tables/radiance_xml.hpp"
+#include "tables/rgl.hpp"
 #include "tables/scatter_points.hpp"
 #include "tables/whole_file.hpp"
 #include "tables/zemax.hpp"
@@ -79,6 +80,14 @@ const std::vector<BrdfFormat>& readable_formats() {
                     path.extension() == ".binary";
          },
          read_merl},
+        {"rgl", "spectral tensor .bsdf of RGL, Mitsuba 3 and pbrt-v4",
+         [](std::string_view head, const Path& path) {
+             return head.starts_with(std::string_view{"tensor_file\0", 12}) && path.extension() != ".pbsdf";
+         },
+         [](const Path& path, const Wavelengths& wavelengths) {
+             if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
+             return BrdfFile{read_rgl(path), "rgl", {}};
+         }},
         {"radiance", "Radiance and LBNL WINDOW XML, tensor tree or Klems' patches",
          [](std::string_view head, const Path&) { return spectral::trimmed(head).starts_with('<'); },
          read_radiance},

@@ -2,7 +2,8 @@
 ///
 ///     const auto nickel = hts::tables::read_brdf("nickel.binary");
 ///
-/// A file is recognised by what it begins with: MERL (merl.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
+/// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
+/// (rgl.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
 /// of them, Radiance's and WINDOW's XML (radiance_xml.hpp), ASTM scatter files and CSV (scatter_points.hpp).
 #pragma once
 

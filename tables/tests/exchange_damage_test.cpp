@@ -304,8 +304,8 @@ TEST_CASE("a file is recognised by what it holds, or refused with the list of fo
         return complaint(folder, [&] { static_cast<void>(read_brdf(path)); });
     };
     CHECK(message("Lorem ipsum") ==
-          "unknown.dat: of no format that is known: merl, radiance, zemax, astm, csv");
-    CHECK(message("") == "unknown.dat: of no format that is known: merl, radiance, zemax, astm, csv");
+          "unknown.dat: of no format that is known: merl, rgl, radiance, zemax, astm, csv");
+    CHECK(message("") == "unknown.dat: of no format that is known: merl, rgl, radiance, zemax, astm, csv");
     CHECK_THROWS_WITH(read_brdf(folder.path() / "none.dat"), Catch::Contains("must be a file that exists"));
     CHECK_THROWS_WITH(read_brdf(folder.path()), Catch::Contains("must be a file that exists"));
 }
