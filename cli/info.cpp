@@ -7,6 +7,7 @@
 #include "cli/options.hpp"
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
+#include "tables/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -53,7 +54,7 @@ void run(const InfoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     require_angles("--theta", options.theta);
     const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
-    const auto reflector = spectral::read_any_reflector(options.material);
+    const auto reflector = spectral::read_any_reflector(options.material, tables::models_with_files());
     static_cast<void>(models_from_option("--wavelengths", reflector, grid, policy));
     if (const spectral::Reflector* he = reflector.he_torrance()) {
         report(options.output, MaterialInfo{*he, grid, options.theta, policy});

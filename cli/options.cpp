@@ -5,6 +5,7 @@
 #include "cli/csv_reader.hpp"
 #include "cli/usage.hpp"
 #include "spectral/text.hpp"
+#include "tables/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -66,7 +67,7 @@ CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
 }
 
 spectral::AnyReflector MaterialOptions::read() const {
-    auto reflector = spectral::read_any_reflector(path);
+    auto reflector = spectral::read_any_reflector(path, tables::models_with_files());
     for (const std::string& warning : reflector.warnings())
         std::cerr << "hts: " << path << ": " << warning << '\n';
     return reflector;

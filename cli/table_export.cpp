@@ -36,7 +36,7 @@ compared with the model at random pairs of directions: the report goes to standa
 
 Examples:
   hts table export aluminium.json --format rgl --output aluminium.bsdf
-  hts table export gold.json --format pbsdf --wavelengths 0.45:0.65:5 --output gold.pbsdf)";
+  hts table export gold.json --format pbsdf --output gold.pbsdf)";
 }
 
 const TableFormat& format_named(const std::string& name) {
@@ -49,8 +49,10 @@ Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
     const auto reflector = material.read();
-    return spectral::located("--wavelengths",
-                             [&] { return tables::model_brdf(reflector, wavelengths, material.policy()); });
+    return spectral::located("--wavelengths", [&] {
+        // far finer than any of these files holds
+        return tables::model_brdf(reflector, wavelengths, material.policy(), Tolerance{1e-6});
+    });
 }
 
 Reflectance with_specular(const ExportOptions& options, const Reflectance& brdf) {

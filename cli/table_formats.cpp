@@ -1,9 +1,113 @@
 #include "cli/table_formats.hpp"
 
+#include "spectral/output.hpp"
+#include "spectral/text.hpp"
+#include "tables/brdf_file.hpp"
+#include "tables/channels.hpp"
+#include "tables/merl.hpp"
+#include "tables/pbsdf.hpp"
+#include "tables/radiance_xml.hpp"
+#include "tables/rgl.hpp"
+#include "tables/scatter_points.hpp"
+#include "tables/zemax.hpp"
+
 namespace hts::cli {
+namespace {
+
+Reflectance read_back(const std::string& path) {
+    return tables::read_brdf(path).brdf;
+}
+
+// Three wavelengths as they are, others as linear sRGB.
+Reflectance as_rgb(const Reflectance& brdf) {
+    if (brdf->wavelengths().size() == 3) return tables::with_channels_named(brdf, tables::rgb_wavelengths());
+    return tables::linear_srgb_brdf(brdf, spectral::Illuminant::D65);
+}
+
+// One wavelength as it is, others as luminance.
+Reflectance as_luminance(const Reflectance& brdf) {
+    if (brdf->wavelengths().size() == 1)
+        return tables::with_channels_named(brdf, tables::luminance_wavelength());
+    return tables::luminance_brdf(brdf, spectral::Illuminant::D65);
+}
+
+tables::Sidecar sidecar(const char* format, std::vector<std::string> notes) {
+    tables::Sidecar result;
+    result.format = format;
+    result.value = "f, the BRDF without the cosine";
+    result.normalisation = "none";
+    result.notes = std::move(notes);
+    return result;
+}
+
+tables::Sidecar write_merl(const tables::SpectralBrdf& brdf, const std::string& path) {
+    spectral::write_file(path, tables::merl_bytes(brdf));
+    auto result = sidecar(
+        "MERL binary (.binary)",
+        {"three channels: the three wavelengths as blue, green, red, or of more wavelengths linear sRGB of "
+         "the radiance factor under D65, over pi; components below 0 are written as 0",
+         "negative numbers mark bins below the horizon"});
+    result.normalisation = "the reader multiplies red, green, blue by 1/1500, 1.15/1500, 1.66/1500";
+    return result;
+}
+
+constexpr const char* radiance_channel =
+    "one channel, Visible, in \"Reflection Back\", which is Radiance's front: the one wavelength, or of more "
+    "wavelengths the "
+    "luminance factor under D65, over pi";
+
+tables::Sidecar write_klems(const tables::SpectralBrdf& brdf, const std::string& path) {
+    const std::string text = tables::klems_xml(brdf);
+    spectral::write_file(path, text);
+    return sidecar("LBNL WINDOW XML, Klems full basis",
+                   {radiance_channel, "means over pairs of patches, weighted by projected solid angle",
+                    "Radiance loads no file that reflects more than 1.01 of the light of a patch"});
+}
+
+tables::Sidecar write_tensor_tree(const tables::SpectralBrdf& brdf, const std::string& path) {
+    spectral::write_file(path, tables::tensor_tree_xml(brdf));
+    return sidecar("Radiance XML, tensor tree",
+                   {radiance_channel, "constant in cells of 1/64 in direction cosines and larger"});
+}
+
+tables::Sidecar write_zemax(const tables::SpectralBrdf& brdf, const std::string& path) {
+    tables::write_zemax(brdf, path);
+    return sidecar("OpticStudio tabular BSDF (.bsdf), a file per wavelength",
+                   {"angles about the mirror direction; 0 below the horizon",
+                    "TIS: reflectance per angle of incidence"});
+}
+
+tables::Sidecar write_csv(const tables::SpectralBrdf& brdf, const std::string& path) {
+    spectral::write_file(path, tables::scatter_csv(brdf, tables::csv_grid(tables::is_isotropic(brdf))));
+    return sidecar("CSV, a row per pair of directions, a column per wavelength", {});
+}
+
+tables::Sidecar write_rgl(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return tables::write_rgl(brdf, path);
+}
+
+tables::Sidecar write_pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return tables::write_pbsdf(brdf, path);
+}
+
+}  // namespace
 
 const std::vector<TableFormat>& table_formats() {
-    static const std::vector<TableFormat> formats{};
+    static const std::vector<TableFormat> formats{
+        {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.36:0.83:48",
+         write_rgl, tables::read_rgl},
+        {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
+         write_pbsdf, tables::read_pbsdf},
+        {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31",
+         write_merl, read_back, as_rgb},
+        {"zemax", "OpticStudio tabular .bsdf; of several wavelengths an index .json and a file each", "0.55",
+         write_zemax, read_back},
+        {"radiance", "Radiance tensor tree XML; one wavelength, or luminance of more", "0.40:0.70:31",
+         write_tensor_tree, read_back, as_luminance},
+        {"klems", "LBNL WINDOW XML over Klems' full basis; as radiance", "0.40:0.70:31", write_klems,
+         read_back, as_luminance},
+        {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", write_csv, read_back},
+    };
     return formats;
 }
 

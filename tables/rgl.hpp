@@ -27,7 +27,7 @@ struct RglResolution {
     int theta_i = 72;      ///< angles of incidence, 2 ... 256
     int resolution = 72;   ///< of the warped square, along either side, 2 ... 1024
     int azimuths = 129;    ///< of the warp, rows, 2 ... 1024
-    int elevations = 256;  ///< of the warp, columns, 2 ... 4096
+    int elevations = 256;  ///< of the warp, columns, 8 ... 4096
 };
 
 /// What a reader of the file evaluates: BRDF and density, of directions on the front side.

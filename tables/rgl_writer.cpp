@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/output.hpp"
 #include "tables/lobe.hpp"
 #include "tables/rgl.hpp"
 #include "tables/rgl_square.hpp"
 #include "tables/tensor_file.hpp"
-#include "tables/whole_file.hpp"
 
 namespace hts::tables {
 namespace {
@@ -26,15 +26,16 @@ float coordinate(std::size_t i, std::size_t n) {
     return static_cast<float>(i) / static_cast<float>(n - 1);
 }
 
-void require(const char* what, int value, int most) {
-    if (value < 2 || value > most) throw out_of_range(what, value, "", "from 2 to " + std::to_string(most));
+void require(const char* what, int value, int least, int most) {
+    if (value < least || value > most)
+        throw out_of_range(what, value, "", "from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
 void require(const RglResolution& resolution) {
-    require("number of angles of incidence", resolution.theta_i, 256);
-    require("resolution of the warped square", resolution.resolution, 1024);
-    require("number of azimuths of the warp", resolution.azimuths, 1024);
-    require("number of elevations of the warp", resolution.elevations, 4096);
+    require("number of angles of incidence", resolution.theta_i, 2, 256);
+    require("resolution of the warped square", resolution.resolution, 2, 1024);
+    require("number of azimuths of the warp", resolution.azimuths, 2, 1024);
+    require("number of elevations of the warp", resolution.elevations, 8, 4096);
 }
 
 /// From 0 to just short of the horizon, in steps that shrink with the height above it.
@@ -124,7 +125,8 @@ class NodeDensity {
         }
         normalise(light, spread);
         std::vector<float> result;
-        const double floor = 1e-6 * light_ * *std::max_element(light.begin(), light.end());
+        const double brightest = light_ * *std::max_element(light.begin(), light.end());
+        const double floor = brightest > 0 ? 1e-6 * brightest : 1;
         for (std::size_t i = 0; i < light.size(); ++i)
             result.push_back(static_cast<float>(light_ * light[i] + spread_ * spread[i] + floor));
         return result;
@@ -150,7 +152,8 @@ class NodeDensity {
         constexpr double dark = 0.06;  // share of the nodes that does not follow the light
         const double light_sum = std::accumulate(light.begin(), light.end(), 0.0);
         light_ = light_sum > 0 ? (1 - dark) / light_sum : 0;
-        spread_ = dark / std::accumulate(spread.begin(), spread.end(), 0.0);
+        const double spread_sum = std::accumulate(spread.begin(), spread.end(), 0.0);
+        spread_ = spread_sum > 0 ? dark / spread_sum : 0;
     }
 
     const Lobes& lobes_;
@@ -249,7 +252,7 @@ Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
     file.add("jacobian", {1}, std::vector<std::uint8_t>{1});
     file.add("wavelengths", {wavelengths.size()}, wavelengths);
     RglTables{brdf, resolution}.add_to(file);
-    write_whole_file(path, file.bytes());
+    spectral::write_file(path.string(), file.bytes());
     return {.format = "RGL tensor file (.bsdf): Mitsuba 3 measured, pbrt-v4 measured, powitacq",
             .value = "f cos(theta_o), spectral, on a warped half-vector square",
             .normalisation = "readers multiply by ndf/(4 sigma), which the stored numbers allow for",

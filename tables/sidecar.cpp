@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tables/whole_file.hpp"
+#include "spectral/output.hpp"
 
 namespace hts::tables {
 namespace {
@@ -40,7 +40,7 @@ std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& 
 }
 
 void write_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, const Sidecar& sidecar) {
-    write_whole_file(file.string() + ".json", sidecar_json(file, brdf, sidecar));
+    spectral::write_file(file.string() + ".json", sidecar_json(file, brdf, sidecar));
 }
 
 }  // namespace hts::tables

@@ -237,7 +237,7 @@ const TensorShape& TensorFile::shape(std::string_view name) const {
 }
 
 template <class Number>
-std::vector<Number> TensorFile::numbers(std::string_view name, TensorType type) const {
+std::vector<Number> TensorFile::numbers(std::string_view name, TensorType type, NotFinite not_finite) const {
     const Field& found = field(name);
     if (found.type != type)
         throw error(name,
@@ -247,18 +247,19 @@ std::vector<Number> TensorFile::numbers(std::string_view name, TensorType type) 
     numbers.reserve(found.count);
     for (std::size_t i = 0; i < found.count; ++i) {
         numbers.push_back(from_little_endian<Number>(bytes.substr(found.offset + i * sizeof(Number))));
-        if (!is_finite(numbers.back())) throw error(name, "number " + std::to_string(i) + " is not finite");
+        if (not_finite == NotFinite::refused && !is_finite(numbers.back()))
+            throw error(name, "number " + std::to_string(i) + " is not finite");
     }
     return numbers;
 }
 
-FloatTensor TensorFile::floats(std::string_view name, std::size_t dimensions) const {
+FloatTensor TensorFile::floats(std::string_view name, std::size_t dimensions, NotFinite not_finite) const {
     const TensorShape& shape = field(name).shape;
     if (shape.size() != dimensions) {
         throw error(name,
                     std::to_string(shape.size()) + " dimensions: must be " + std::to_string(dimensions));
     }
-    return {shape, numbers<float>(name, TensorType::f32)};
+    return {shape, numbers<float>(name, TensorType::f32, not_finite)};
 }
 
 std::vector<std::uint16_t> TensorFile::words(std::string_view name) const {

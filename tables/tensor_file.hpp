@@ -34,6 +34,9 @@ struct FloatTensor {
     std::vector<float> numbers;
 };
 
+/// Whether NaN and infinities among the numbers are errors.
+enum class NotFinite { refused, kept };
+
 /// A file under construction.
 class TensorFileWriter {
   public:
@@ -76,7 +79,8 @@ class TensorFile {
     [[nodiscard]] const TensorShape& shape(std::string_view name) const;
 
     /// The numbers of a field; hts::Error if it is missing, of another type or number of dimensions, or a number is not finite.
-    [[nodiscard]] FloatTensor floats(std::string_view name, std::size_t dimensions) const;
+    [[nodiscard]] FloatTensor floats(std::string_view name, std::size_t dimensions,
+                                     NotFinite not_finite = NotFinite::refused) const;
     [[nodiscard]] std::vector<std::uint16_t> words(std::string_view name) const;
     [[nodiscard]] std::vector<std::uint8_t> octets(std::string_view name) const;
 
@@ -96,7 +100,8 @@ class TensorFile {
     TensorFile(std::string bytes, std::string path) : bytes_{std::move(bytes)}, path_{std::move(path)} {}
     [[nodiscard]] const Field& field(std::string_view name) const;
     template <class Number>
-    [[nodiscard]] std::vector<Number> numbers(std::string_view name, TensorType type) const;
+    [[nodiscard]] std::vector<Number> numbers(std::string_view name, TensorType type,
+                                              NotFinite not_finite = NotFinite::refused) const;
 
     std::string bytes_, path_;
     std::vector<Field> fields_;

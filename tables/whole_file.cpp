@@ -1,7 +1,5 @@
 #include "tables/whole_file.hpp"
 
-#include <unistd.h>
-
 #include <fstream>
 #include <system_error>
 
@@ -11,10 +9,6 @@ namespace hts::tables {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error cannot_be_written(const fs::path& path) {
-    return Error{path.string() + ": cannot be written: must be a file that can be written"};
-}
 
 std::uint64_t size_of(const fs::path& path) {
     std::error_code failed;
@@ -36,21 +30,6 @@ std::string read_whole_file(const fs::path& path, std::uint64_t most) {
     in.read(bytes.data(), static_cast<std::streamsize>(size));
     if (!in) throw Error{path.string() + ": cannot be read"};
     return bytes;
-}
-
-void write_whole_file(const fs::path& path, std::string_view bytes) {
-    if (std::error_code ignored; fs::is_directory(path, ignored)) throw cannot_be_written(path);
-    fs::path partial = path;
-    partial += ".partial-" + std::to_string(::getpid());
-    std::ofstream out{partial, std::ios::binary};
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    std::error_code failed;
-    if (out) fs::rename(partial, path, failed);
-    if (!out || failed) {
-        fs::remove(partial, failed);
-        throw cannot_be_written(path);
-    }
 }
 
 }  // namespace hts::tables

@@ -15,7 +15,7 @@ namespace {
 
 using namespace hts;
 using namespace hts::tables;
-using testing::brdf_of;
+using hts::tables::testing::brdf_of;
 
 const auto grid = spectral::WavelengthGrid::from_micrometres({0.45, 0.6});
 
