@@ -94,7 +94,7 @@ tables::Sidecar write_pbsdf(const tables::SpectralBrdf& brdf, const std::string&
 
 const std::vector<TableFormat>& table_formats() {
     static const std::vector<TableFormat> formats{
-        {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.36:0.83:48",
+        {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.38:0.78:21",
          write_rgl, tables::read_rgl},
         {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
          write_pbsdf, tables::read_pbsdf},

@@ -1,6 +1,5 @@
 #include "tables/lobe_quadrature.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -16,6 +16,7 @@
 #include "tables/half_angles.hpp"
 #include "tables/lobe.hpp"
 #include "tables/tensor_file.hpp"
+#include "tables/whole_file.hpp"
 
 namespace hts::tables {
 namespace {
@@ -263,8 +264,13 @@ Sidecar write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
                       "suggested_alpha is for the plugin's parameter alpha_sample"}};
 }
 
+std::unique_ptr<SpectralBrdf> parse_pbsdf(std::string bytes, const std::filesystem::path& path) {
+    return std::make_unique<PolarisedTable>(path.stem().string(),
+                                            PbsdfFile{TensorFile::parse(std::move(bytes), path.string())});
+}
+
 std::unique_ptr<SpectralBrdf> read_pbsdf(const std::filesystem::path& path) {
-    return std::make_unique<PolarisedTable>(path.stem().string(), PbsdfFile{TensorFile::read(path)});
+    return parse_pbsdf(read_whole_file(path), path);
 }
 
 }  // namespace hts::tables

@@ -1,4 +1,4 @@
-/// Mueller matrices as files of the KAIST polarised measurements (`.pbsdf`): Mitsuba 3 reads them (`measured_polarized`, in its
+/// Mueller matrices as files of the KAIST polarised measurements (`.pbsdf`, [Baek20]): Mitsuba 3 reads them (`measured_polarized`, in its
 /// `*_spectral_polarized` variants); five wavelengths, isotropic, front side only, no specular delta.
 ///
 /// A file holds the Mueller matrix of the BRDF [1/sr], without the cosine, over theta_h, theta_d, phi_d of the half vector,
@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "tables/sidecar.hpp"
 #include "tables/spectral_brdf.hpp"
@@ -32,5 +33,7 @@ Sidecar write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
 /// Reads a file as a polarised reflectance, in the frames of hts/polarisation.hpp; its specular reflectance is 0. Where the
 /// file has no number, as measurements do, it is black. hts::Error "path: field "M": …" for what Mitsuba would refuse.
 [[nodiscard]] std::unique_ptr<SpectralBrdf> read_pbsdf(const std::filesystem::path& path);
+/// The same from memory.    path   for messages and the name
+[[nodiscard]] std::unique_ptr<SpectralBrdf> parse_pbsdf(std::string bytes, const std::filesystem::path& path);
 
 }  // namespace hts::tables

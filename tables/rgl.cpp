@@ -9,6 +9,7 @@
 #include "hts/error.hpp"
 #include "tables/rgl_square.hpp"
 #include "tables/tensor_file.hpp"
+#include "tables/whole_file.hpp"
 
 namespace hts::tables {
 namespace {
@@ -191,8 +192,13 @@ class MeasuredBrdf final : public RglBrdf {
 
 }  // namespace
 
+std::unique_ptr<RglBrdf> parse_rgl(std::string bytes, const std::filesystem::path& path) {
+    return std::make_unique<MeasuredBrdf>(path.stem().string(),
+                                          RglFile{TensorFile::parse(std::move(bytes), path.string())});
+}
+
 std::unique_ptr<RglBrdf> read_rgl(const std::filesystem::path& path) {
-    return std::make_unique<MeasuredBrdf>(path.stem().string(), RglFile{TensorFile::read(path)});
+    return parse_rgl(read_whole_file(path), path);
 }
 
 }  // namespace hts::tables

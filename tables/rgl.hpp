@@ -15,6 +15,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "tables/round_trip.hpp"
 #include "tables/sidecar.hpp"
@@ -52,5 +53,7 @@ Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
 /// Reads a spectral file, isotropic or anisotropic over all azimuths; its specular reflectance is 0.
 /// hts::Error "path: field "vndf": …" for what Mitsuba and pbrt would refuse or what is no number.
 [[nodiscard]] std::unique_ptr<RglBrdf> read_rgl(const std::filesystem::path& path);
+/// The same from memory.    path   for messages and the name
+[[nodiscard]] std::unique_ptr<RglBrdf> parse_rgl(std::string bytes, const std::filesystem::path& path);
 
 }  // namespace hts::tables

@@ -12,7 +12,6 @@
 
 #include "comparison.hpp"
 #include "materials.hpp"
-#include "spectral/output.hpp"
 #include "tables/little_endian.hpp"
 #include "tables/pbsdf.hpp"
 #include "tables/rgl.hpp"
@@ -56,8 +55,7 @@ void refused(std::string bytes, const std::string& message) {
 }
 
 /// Reads it as every format does; errors are hts::Error, anything else fails the test.
-bool survives(const fs::path& path, const std::string& bytes) {
-    spectral::write_file(path.string(), bytes);
+bool survives(const std::string& bytes) {
     bool read = false;
     const auto attempt = [&](const auto& action) {
         try {
@@ -70,7 +68,7 @@ bool survives(const fs::path& path, const std::string& bytes) {
     const DirectionPair vertical{Direction::from_degrees(0, 0), Direction::from_degrees(0, 0)};
     std::vector<double> values(16);
     attempt([&] {
-        const auto brdf = read_rgl(path);
+        const auto brdf = parse_rgl(bytes, "x.bsdf");
         values.resize(brdf->wavelengths().size());
         for (const DirectionPair& each : {pair, vertical}) {
             brdf->brdf(each, values);
@@ -80,7 +78,7 @@ bool survives(const fs::path& path, const std::string& bytes) {
         }
     });
     attempt([&] {
-        const auto brdf = read_pbsdf(path);
+        const auto brdf = parse_pbsdf(bytes, "x.pbsdf");
         values.resize(5);
         std::vector<Mueller> matrices(5);
         for (const DirectionPair& each : {pair, vertical}) {
@@ -195,14 +193,14 @@ TEST_CASE("mutated files give an error or a reflectance, never anything else") {
     const std::string rgl = read_whole_file(path);
     write_pbsdf(*brdf, path, {2, 2, 2});
     const std::string pbsdf = read_whole_file(path);
-    REQUIRE(survives(path, rgl));
-    REQUIRE(survives(path, pbsdf));
+    REQUIRE(survives(rgl));
+    REQUIRE(survives(pbsdf));
     std::mt19937_64 random{11};
     const std::size_t files = exhaustive() ? 500'000 : 1500;
     std::size_t read = 0;
     for (std::size_t i = 0; i < files; ++i) {
-        if (survives(path, mutated(rgl, random))) ++read;
-        if (survives(path, mutated(pbsdf, random))) ++read;
+        if (survives(mutated(rgl, random))) ++read;
+        if (survives(mutated(pbsdf, random))) ++read;
     }
     fs::remove(path);
     WARN(2 * files << " mutated files, " << read << " still readable");

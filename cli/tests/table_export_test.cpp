@@ -1,0 +1,59 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+
+using hts::cli::testing::Workplace;
+
+namespace {
+
+const std::string aluminium = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
+
+}  // namespace
+
+TEST_CASE("hts table export writes a file, what stands in it, and how well it reads back") {
+    const Workplace place;
+    const auto rgl = place.hts("table export " + aluminium +
+                               " --format rgl --wavelengths 0.55 --pairs 2000 --json --output al.bsdf");
+    INFO(rgl.errors);
+    REQUIRE(rgl.exit_code == 0);
+    const auto report = nlohmann::json::parse(rgl.output);
+    CHECK(report["worst"]["error_of_peak"] < 0.02);
+    for (const auto& each : report["density"]) CHECK(each["integral"] == Approx(1).margin(0.02));
+    CHECK(place.names() == std::vector<std::string>{"al.bsdf", "al.bsdf.json"});
+    const auto beside = nlohmann::json::parse(place.read("al.bsdf.json"));
+    CHECK(beside["value"].get<std::string>().starts_with("f cos(theta_o)"));
+    CHECK(beside["specular"]["treatment"] == "left out of the file");
+    CHECK(beside["specular"]["reflectance"].size() == 37);
+
+    const auto pbsdf =
+        place.hts("table export " + aluminium + " --format pbsdf --pairs 2000 --output al.pbsdf");
+    CHECK(pbsdf.exit_code == 0);
+    CHECK(pbsdf.output.find("Mueller") != std::string::npos);
+    CHECK(nlohmann::json::parse(place.read("al.pbsdf.json"))["suggested_alpha"] > 0.1);
+}
+
+TEST_CASE("hts table export names what is wrong and leaves nothing behind") {
+    const Workplace place;
+    const auto wrong = [&](const std::string& arguments, int code, const std::string& message) {
+        const auto result = place.hts("table export " + arguments);
+        INFO(arguments << ": " << result.errors);
+        CHECK(result.exit_code == code);
+        CHECK(result.output.empty());
+        CHECK(result.errors.find(message) != std::string::npos);
+        CHECK(place.names().empty());
+    };
+    const std::string satin = HTS_SOURCE_DIR "/cli/data/purple-satin.json";
+    wrong(aluminium + " --format exr --output x", 2, "--format");
+    wrong(aluminium + " --format rgl", 2, "--output");
+    wrong(aluminium + " --format rgl --output x --wavelengths 0.5:0.4:3", 2, "--wavelengths");
+    wrong(aluminium + " --format rgl --output x --wavelengths 900", 1, "--wavelengths: ");
+    wrong(aluminium + " --format rgl --output x --specular box --solid-angle 7", 2,
+          "--solid-angle: solid angle");
+    wrong(aluminium + " --format pbsdf --output x --wavelengths 0.5,0.6", 1, "must be 5");
+    wrong(aluminium + " --format pbsdf --output x --specular box", 1, "has no Mueller matrix");
+    wrong(satin + " --format rgl --output x --wavelengths 0.5", 1, "is anisotropic");
+    wrong("missing.json --format rgl --output x", 1, "missing.json");
+}
