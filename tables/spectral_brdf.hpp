@@ -29,6 +29,10 @@ class SpectralBrdf {
 
     /// BRDF of all diffuse terms, unpolarised [1/sr], one value per wavelength, without the cosine.
     virtual void brdf(const DirectionPair& pair, std::span<double> values) const noexcept = 0;
+    /// Its part that is the same for all directions above the horizon [1/sr], one value per wavelength; 0 where not known.
+    virtual void uniform_diffuse(std::span<double> values) const noexcept;
+    /// The rest, the lobe [1/sr]: without cancellation also where it is far smaller.
+    virtual void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept;
     /// Reflectance into the mirror direction, the specular delta [1], one value per wavelength.
     virtual void specular_reflectance(const Direction& in, std::span<double> values) const noexcept = 0;
     /// Whether `mueller` may be called.
@@ -50,9 +54,11 @@ class SpectralBrdf {
 
 /// The model of a material file at every wavelength of a grid; polarised for He-Torrance surfaces.
 /// Throws hts::Error where the material is not known at one of them and `policy` is error.
+///   tolerance   of the diffuse terms of He-Torrance surfaces, as in spectral::SpectralReflectance
 [[nodiscard]] std::unique_ptr<SpectralBrdf> model_brdf(
     const spectral::AnyReflector& reflector, const spectral::WavelengthGrid& wavelengths,
-    spectral::OutsideRange policy = spectral::OutsideRange::error);
+    spectral::OutsideRange policy = spectral::OutsideRange::error,
+    Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance});
 
 /// Largest relative change of the BRDF, over random pairs and all wavelengths, when both directions turn together about
 /// the normal: 0 to rounding for isotropic surfaces.
@@ -60,5 +66,8 @@ class SpectralBrdf {
 
 /// Isotropic as far as `anisotropy` can tell (1e-6).
 [[nodiscard]] bool is_isotropic(const SpectralBrdf& brdf);
+
+/// Largest relative change of the BRDF, over random pairs and all wavelengths, when the directions change places.
+[[nodiscard]] double irreciprocity(const SpectralBrdf& brdf);
 
 }  // namespace hts::tables
