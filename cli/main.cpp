@@ -31,6 +31,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_figures(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
+    hts::cli::add_table(program);
 }
 
 /// The first argument must be an option of the program or a verb.

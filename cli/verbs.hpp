@@ -20,5 +20,6 @@ void add_polar(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
+void add_table(CLI::App& program);
 
 }  // namespace hts::cli

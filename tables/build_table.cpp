@@ -41,13 +41,21 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
     numbers.specular = std::move(specular.coefficients);
     numbers.albedo = std::move(albedo.coefficients);
     numbers.polarisation = std::move(polarisation.coefficients);
-    TableInfo info{source,       exact.wavelengths(), request.tolerance,     {}, plan.spacing, nodes,
-                   plan.basis.size() / width, needs_double(request), library_version()};
+    TableInfo info{source,
+                   exact.wavelengths(),
+                   request.tolerance,
+                   {},
+                   plan.spacing,
+                   nodes,
+                   plan.basis.size() / width,
+                   needs_double(request),
+                   library_version()};
     const Table unmeasured = Table::from_bytes(table_bytes(info, numbers), source.name);
     info.error = table_error(unmeasured, exact, measured_pairs, request.seed + 1);
     if (info.error.largest > request.tolerance) {
-        throw Error{source.name + ": measured error " + shortest(info.error.largest) + " of the finished table: must be at most the tolerance " +
-                    shortest(request.tolerance) + "; ask for a little less"};
+        throw Error{source.name + ": measured error " + shortest(info.error.largest) +
+                    " of the finished table: must be at most the tolerance " + shortest(request.tolerance) +
+                    "; ask for a little less"};
     }
     return table_bytes(info, numbers);
 }

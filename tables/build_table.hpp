@@ -50,8 +50,8 @@ using TableProgress = std::function<void(const std::string& step, double share)>
 /// half vector's slope spread over every scale from 0.003 to 3, which no lobe escapes. Where the table is polarised the
 /// elements of the Mueller matrix count, each by the same measure.
 ///   table, exact   of the same wavelengths, else hts::Error
-[[nodiscard]] TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std::uint64_t pairs,
-                                     std::uint64_t seed);
+[[nodiscard]] TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact,
+                                     std::uint64_t pairs, std::uint64_t seed);
 
 /// hts::Error where the surface is not isotropic or not reciprocal, has no polarisation that was asked for, or would take more than
 /// largest_bytes.
@@ -63,11 +63,11 @@ using TableProgress = std::function<void(const std::string& step, double share)>
                                               std::size_t slice);
 
 /// The bytes of the file, from all slices in order. hts::Error where the measured error is above the tolerance.
-[[nodiscard]] std::string finished_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
-                                         std::vector<std::vector<double>> slices);
+[[nodiscard]] std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
+                                         const TablePlan& plan, std::vector<std::vector<double>> slices);
 
 /// All of it.
-[[nodiscard]] Table build_table(const SpectralBrdf& exact, const TableSource& source, const TableRequest& request,
-                                const TableProgress& progress = {});
+[[nodiscard]] Table build_table(const SpectralBrdf& exact, const TableSource& source,
+                                const TableRequest& request, const TableProgress& progress = {});
 
 }  // namespace hts::tables

@@ -16,8 +16,9 @@ double place(std::size_t node, std::size_t nodes) {
 
 }  // namespace
 
-std::vector<double> slice_values(const SpectralBrdf& exact, const TableSpacing& spacing, const LobeNodes& nodes,
-                                 std::size_t slice, std::span<const double> floor, std::span<const double> basis) {
+std::vector<double> slice_values(const SpectralBrdf& exact, const TableSpacing& spacing,
+                                 const LobeNodes& nodes, std::size_t slice, std::span<const double> floor,
+                                 std::span<const double> basis) {
     const CoordinateMap map{spacing};
     std::vector<double> lobe(floor.size()), values;
     values.reserve(nodes[1] * nodes[2] * (basis.size() / floor.size()));
@@ -25,7 +26,8 @@ std::vector<double> slice_values(const SpectralBrdf& exact, const TableSpacing& 
         for (std::size_t k = 0; k < nodes[2]; ++k) {
             exact.directional_diffuse(
                 map.pair({place(slice, nodes[0]), place(j, nodes[1]), place(k, nodes[2])}), lobe);
-            for (std::size_t w = 0; w < floor.size(); ++w) lobe[w] = std::log(std::max(0.0, lobe[w]) + floor[w]);
+            for (std::size_t w = 0; w < floor.size(); ++w)
+                lobe[w] = std::log(std::max(0.0, lobe[w]) + floor[w]);
             for (std::size_t from = 0; from < basis.size(); from += floor.size()) {
                 values.push_back(std::inner_product(lobe.begin(), lobe.end(),
                                                     basis.begin() + static_cast<std::ptrdiff_t>(from), 0.0));
@@ -44,8 +46,8 @@ std::vector<double> lobe_coefficients(const std::vector<std::vector<double>>& sl
         const auto i = static_cast<std::size_t>(s);
         const std::span<double> own = std::span{block}.subspan((i + 1) * plane, plane);
         for (std::size_t j = 0; j < nodes[1]; ++j) {
-            std::copy_n(slices[i].begin() + static_cast<std::ptrdiff_t>(j * nodes[2] * width), nodes[2] * width,
-                        own.begin() + static_cast<std::ptrdiff_t>((j + 1) * row + width));
+            std::copy_n(slices[i].begin() + static_cast<std::ptrdiff_t>(j * nodes[2] * width),
+                        nodes[2] * width, own.begin() + static_cast<std::ptrdiff_t>((j + 1) * row + width));
         }
         to_spline_coefficients(own.subspan(row, nodes[1] * row), nodes[2], width, SplineStart::even);
         to_spline_coefficients(own, nodes[1], row, SplineStart::free);

@@ -33,7 +33,8 @@ using LobeNodes = std::array<std::size_t, 3>;
 /// more than `error`.
 ///   spectra, weights   wavelengths side by side; the error is weight times difference
 ///   wavelengths        their number
-[[nodiscard]] std::vector<double> spectral_basis(std::vector<double> spectra, const std::vector<double>& weights,
-                                                 std::size_t wavelengths, double error);
+[[nodiscard]] std::vector<double> spectral_basis(std::vector<double> spectra,
+                                                 const std::vector<double>& weights, std::size_t wavelengths,
+                                                 double error);
 
 }  // namespace hts::tables

@@ -35,7 +35,8 @@ class HeTorranceBrdf final : public SpectralBrdf {
         }
     }
     void uniform_diffuse(std::span<double> values) const noexcept override {
-        std::ranges::transform(reflectance_.prepared().samples(), values.begin(), &SpectralSample::uniform_diffuse);
+        std::ranges::transform(reflectance_.prepared().samples(), values.begin(),
+                               &SpectralSample::uniform_diffuse);
     }
     void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
         lobe_.brdf(pair, values);
@@ -153,8 +154,9 @@ bool is_isotropic(const SpectralBrdf& brdf) {
 }
 
 double irreciprocity(const SpectralBrdf& brdf) {
-    return largest_change(brdf,
-                          [](const DirectionPair& pair, double /*turn*/) { return DirectionPair{pair.out, pair.in}; });
+    return largest_change(brdf, [](const DirectionPair& pair, double /*turn*/) {
+        return DirectionPair{pair.out, pair.in};
+    });
 }
 
 }  // namespace hts::tables

@@ -32,8 +32,11 @@ void solve(const Line& c, std::size_t first, std::size_t last, bool even, std::v
         const double before = top ? 0 : 1;
         const double pivot = 1 / (4 - (top ? 0 : before * upper[i - 1]));
         upper[i] = (top && even ? 2 : 1) * pivot;
-        const double known = top && !even ? 1 : before;  // c[first-1] is known, but nothing stands there if even
-        c.each([&](std::size_t j) { c[i][j] = (6 * c[i][j] - known * (top && even ? 0 : c[i - 1][j])) * pivot; });
+        const double known =
+            top && !even ? 1 : before;  // c[first-1] is known, but nothing stands there if even
+        c.each([&](std::size_t j) {
+            c[i][j] = (6 * c[i][j] - known * (top && even ? 0 : c[i - 1][j])) * pivot;
+        });
     }
     for (std::size_t i = last + 1; i-- > first;) {
         c.each([&](std::size_t j) { c[i][j] -= upper[i] * c[i + 1][j]; });

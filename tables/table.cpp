@@ -30,7 +30,8 @@ float exponential(float y) {
     const float r = (y - whole * ln2_high) - whole * ln2_low;
     const float series =
         1 + r * (1 + r * (1.F / 2 + r * (1.F / 6 + r * (1.F / 24 + r * (1.F / 120 + r * (1.F / 720))))));
-    const auto power = std::bit_cast<float>(static_cast<std::int32_t>(static_cast<std::int32_t>(whole) + 127) << 23);
+    const auto power =
+        std::bit_cast<float>(static_cast<std::int32_t>(static_cast<std::int32_t>(whole) + 127) << 23);
     return series * power;
 }
 
@@ -49,32 +50,62 @@ void spline_values(std::span<const double> coefficients, std::size_t nodes, doub
     }
 }
 
-template <class Real, class Use>
-void visit_lobe(const TableContents& contents, std::span<const Real> numbers, const DirectionPair& pair,
-                Use&& use) noexcept {
-    const auto& nodes = contents.info.nodes;
-    const auto place = lobe_place<Real>(contents.map(pair), {nodes.grazing, nodes.ratio, nodes.turn});
-    const std::span<const double> floor = contents.numbers.floor;
-    const std::size_t components = contents.info.components;
-    const LobeSpline<Real> spline{numbers.data(), numbers.data() + components * floor.size(), components, floor.size()};
-    spline.visit(place, [&](std::size_t first, const Real* logarithms, std::size_t width) {
-        for (std::size_t i = 0; i < width; ++i) {
-            const auto value = static_cast<double>(exponential(logarithms[i]));
-            use(first + i, std::max(0.0, value - floor[first + i]));
-        }
-    });
+// Compiled for several instruction sets, of which the loader takes the best that the processor has.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define HTS_TABLES_CLONES \
+    __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512"), flatten))
+#else
+#define HTS_TABLES_CLONES
+#endif
+
+double lobe_value(auto logarithm, double floor) {
+    return std::max(0.0, static_cast<double>(exponential(logarithm)) - floor);
 }
 
-/// Calls use(wavelength, f) for every wavelength, for some twice.
-template <class Use>
-void visit_lobe(const TableContents& contents, const DirectionPair& pair, Use&& use) noexcept {
-    const auto& numbers = contents.numbers;
-    if (!(pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0)) {
-        for (std::size_t i = 0; i < numbers.floor.size(); ++i) use(i, 0.0);
+template <class Real>
+LobeSpline<Real> lobe_spline(const TableContents& contents, std::span<const Real> numbers) {
+    const std::size_t components = contents.info.components, wavelengths = contents.numbers.floor.size();
+    return {numbers.data(), numbers.data() + components * wavelengths, components, wavelengths};
+}
+
+template <class Real>
+LobePlace<Real> place_of(const TableContents& contents, const DirectionPair& pair) {
+    const auto& nodes = contents.info.nodes;
+    return lobe_place<Real>(contents.map(pair), {nodes.grazing, nodes.ratio, nodes.turn});
+}
+
+template <class Real>
+inline void write_lobe(const TableContents& contents, std::span<const Real> numbers,
+                       const LobePlace<Real>& place, std::span<double> values) noexcept {
+    const double* const floor = contents.numbers.floor.data();
+    lobe_spline(contents, numbers)
+        .visit(place, [&](std::size_t first, const Real* logarithms, std::size_t width) {
+            for (std::size_t i = 0; i < width; ++i)
+                values[first + i] = lobe_value(logarithms[i], floor[first + i]);
+        });
+}
+
+HTS_TABLES_CLONES void write_float_lobe(const TableContents& contents, const LobePlace<float>& place,
+                                        std::span<double> values) noexcept {
+    write_lobe(contents, contents.numbers.lobe, place, values);
+}
+
+HTS_TABLES_CLONES void write_double_lobe(const TableContents& contents, const LobePlace<double>& place,
+                                         std::span<double> values) noexcept {
+    write_lobe(contents, contents.numbers.fine_lobe, place, values);
+}
+
+bool above_horizon(const DirectionPair& pair) {
+    return pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
+}
+
+void write_lobe(const TableContents& contents, const DirectionPair& pair, std::span<double> values) noexcept {
+    if (!above_horizon(pair)) {
+        std::ranges::fill(values, 0.0);
     } else if (contents.info.double_precision) {
-        visit_lobe(contents, numbers.fine_lobe, pair, use);
+        write_double_lobe(contents, place_of<double>(contents, pair), values);
     } else {
-        visit_lobe(contents, numbers.lobe, pair, use);
+        write_float_lobe(contents, place_of<float>(contents, pair), values);
     }
 }
 
@@ -98,7 +129,9 @@ class Mapping {
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    [[nodiscard]] std::string_view bytes() const noexcept { return {static_cast<const char*>(memory_), size_}; }
+    [[nodiscard]] std::string_view bytes() const noexcept {
+        return {static_cast<const char*>(memory_), size_};
+    }
 
   private:
     [[noreturn]] static void fail(const std::filesystem::path& path) {
@@ -113,7 +146,8 @@ class Mapping {
 Table Table::open(const std::filesystem::path& path) {
     auto mapping = std::make_shared<const Mapping>(path);
     const std::string_view bytes = mapping->bytes();
-    return Table{std::make_shared<const TableContents>(contents_of(bytes, std::move(mapping), path.string()))};
+    return Table{
+        std::make_shared<const TableContents>(contents_of(bytes, std::move(mapping), path.string()))};
 }
 
 Table Table::from_bytes(std::string bytes, const std::string& name) {
@@ -139,12 +173,13 @@ bool Table::covers(const DirectionPair& pair) noexcept {
 }
 
 void Table::directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept {
-    visit_lobe(*contents_, pair, [&](std::size_t i, double lobe) { values[i] = lobe; });
+    write_lobe(*contents_, pair, values);
 }
 
 void Table::brdf(const DirectionPair& pair, std::span<double> values) const noexcept {
     const auto uniform = contents_->numbers.uniform_diffuse;
-    visit_lobe(*contents_, pair, [&](std::size_t i, double lobe) { values[i] = lobe + uniform[i]; });
+    write_lobe(*contents_, pair, values);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform[i];
 }
 
 void Table::brdf(std::span<const DirectionPair> pairs, std::span<double> values) const noexcept {
@@ -157,12 +192,14 @@ void Table::uniform_diffuse(std::span<double> values) const noexcept {
 }
 
 void Table::specular_reflectance(const Direction& in, std::span<double> values) const noexcept {
-    spline_values(contents_->numbers.specular, contents_->info.nodes.specular, contents_->map.grazing(in), values);
+    spline_values(contents_->numbers.specular, contents_->info.nodes.specular, contents_->map.grazing(in),
+                  values);
     for (double& value : values) value = std::max(0.0, value);
 }
 
 void Table::diffuse_albedo(const Direction& in, std::span<double> values) const noexcept {
-    spline_values(contents_->numbers.albedo, contents_->info.nodes.albedo, contents_->map.grazing(in), values);
+    spline_values(contents_->numbers.albedo, contents_->info.nodes.albedo, contents_->map.grazing(in),
+                  values);
     const auto uniform = contents_->numbers.uniform_diffuse;
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform[i] * std::numbers::pi;
 }
@@ -174,19 +211,31 @@ bool Table::polarised() const noexcept {
 void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept {
     if (!polarised()) return SpectralBrdf::mueller(pair, values);
     const std::size_t width = values.size();
-    const SplinePlace place = spline_place(wave_vector_change(pair.in, pair.out).cos_theta_d(),
-                                           contents_->info.nodes.polarisation);
+    const SplinePlace place =
+        spline_place(wave_vector_change(pair.in, pair.out).cos_theta_d(), contents_->info.nodes.polarisation);
     const double* const first = contents_->numbers.polarisation.data() + place.first * 2 * width;
     const auto uniform = contents_->numbers.uniform_diffuse;
-    visit_lobe(*contents_, pair, [&](std::size_t i, double lobe) {
-        std::complex<double> ratio;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double* const node = first + k * 2 * width;
-            ratio += place.weights[k] * std::complex<double>{node[i], node[width + i]};
-        }
-        const Mueller facet = Mueller::from_jones(facet_jones(pair.in, pair.out, {1, ratio}));
-        values[i] = (lobe / facet(0, 0)) * facet + Mueller::depolariser(uniform[i]);
-    });
+    const auto with_lobe = [&](const auto& spline, const auto& lobe_place) {
+        spline.visit(lobe_place, [&](std::size_t from, const auto* logarithms, std::size_t count) {
+            for (std::size_t i = from; i < from + count; ++i) {
+                std::complex<double> ratio;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const double* const node = first + k * 2 * width;
+                    ratio += place.weights[k] * std::complex<double>{node[i], node[width + i]};
+                }
+                const Mueller facet = Mueller::from_jones(facet_jones(pair.in, pair.out, {1, ratio}));
+                const double lobe = lobe_value(logarithms[i - from], contents_->numbers.floor[i]);
+                values[i] = (lobe / facet(0, 0)) * facet + Mueller::depolariser(uniform[i]);
+            }
+        });
+    };
+    if (!above_horizon(pair)) {
+        std::ranges::transform(uniform, values.begin(), &Mueller::depolariser);
+    } else if (contents_->info.double_precision) {
+        with_lobe(lobe_spline(*contents_, contents_->numbers.fine_lobe), place_of<double>(*contents_, pair));
+    } else {
+        with_lobe(lobe_spline(*contents_, contents_->numbers.lobe), place_of<float>(*contents_, pair));
+    }
 }
 
 }  // namespace hts::tables

@@ -52,9 +52,10 @@ struct TableError {
 
 /// Number of nodes along each axis.
 struct TableNodes {
-    std::size_t grazing = 0, ratio = 0, turn = 0;  ///< of the directional-diffuse term, as in table_coordinates.hpp
-    std::size_t specular = 0, albedo = 0;          ///< over grazing
-    std::size_t polarisation = 0;                  ///< over cos theta_d; 0 where the table is not polarised
+    std::size_t grazing = 0, ratio = 0,
+                turn = 0;                  ///< of the directional-diffuse term, as in table_coordinates.hpp
+    std::size_t specular = 0, albedo = 0;  ///< over grazing
+    std::size_t polarisation = 0;          ///< over cos theta_d; 0 where the table is not polarised
 
     friend bool operator==(const TableNodes&, const TableNodes&) = default;
 };

@@ -8,6 +8,7 @@
 
 #include "hts/error.hpp"
 #include "tables/crc64.hpp"
+#include "tables/little_endian.hpp"
 #include "tables/spline.hpp"
 
 namespace hts::tables {
@@ -15,32 +16,9 @@ namespace {
 
 constexpr std::string_view magic{"\x89HTST\r\n\x1a", 8};
 constexpr std::uint32_t format_version = 1;
-constexpr std::uint32_t byte_order = 0x01020304, other_byte_order = 0x04030201;
 constexpr std::size_t prelude_bytes = 64, alignment = 64, checksum_at = 32;
 constexpr std::size_t longest_header = std::size_t{4} << 20;
 constexpr bool is_little_endian = std::endian::native == std::endian::little;
-
-template <class Integer>
-void append_little(std::string& bytes, Integer value) {
-    for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
-}
-
-template <class Integer>
-Integer little_at(std::string_view bytes, std::size_t at) {
-    Integer value = 0;
-    for (std::size_t i = 0; i < sizeof value; ++i) {
-        value |= static_cast<Integer>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
-    }
-    return value;
-}
-
-template <class Real>
-using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-
-template <class Real>
-void append_numbers(std::string& bytes, std::span<const double> values) {
-    for (const double value : values) append_little(bytes, std::bit_cast<Bits<Real>>(static_cast<Real>(value)));
-}
 
 /// CRC of everything but the eight bytes of the CRC.
 std::uint64_t checksum(std::string_view bytes) {
@@ -85,14 +63,16 @@ template <class Real>
 std::span<const Real> host_numbers(std::string_view bytes, std::shared_ptr<const void>& storage) {
     const std::size_t count = bytes.size() / sizeof(Real);
     if constexpr (is_little_endian) {
-        return {reinterpret_cast<const Real*>(bytes.data()), count};  // NOLINT: the prelude keeps the alignment
+        return {reinterpret_cast<const Real*>(bytes.data()),
+                count};  // NOLINT: the prelude keeps the alignment
     } else {
         auto turned = std::make_shared<std::vector<Real>>(count);
         for (std::size_t i = 0; i < count; ++i) {
             (*turned)[i] = std::bit_cast<Real>(little_at<Bits<Real>>(bytes, i * sizeof(Real)));
         }
         const std::span<const Real> numbers{*turned};
-        storage = std::make_shared<std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>>(storage, turned);
+        storage = std::make_shared<std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>>(
+            storage, turned);
         return numbers;
     }
 }
@@ -156,7 +136,8 @@ std::string table_bytes(const TableInfo& info, const OwnedNumbers& numbers) {
     return bytes;
 }
 
-TableContents contents_of(std::string_view bytes, std::shared_ptr<const void> storage, const std::string& name) {
+TableContents contents_of(std::string_view bytes, std::shared_ptr<const void> storage,
+                          const std::string& name) {
     const Prelude prelude = prelude_of(bytes, name);
     TableInfo info = info_from_header(bytes.substr(prelude_bytes, prelude.header), name);
     if (bytes_needed(info) != static_cast<double>(prelude.numbers)) {

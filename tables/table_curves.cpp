@@ -18,7 +18,8 @@ using Function = std::function<Values(double)>;
 double curve_value(const Curve& curve, double x, std::size_t i, std::size_t width) {
     const SplinePlace place = spline_place(x, curve.nodes);
     double value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value += place.weights[k] * curve.coefficients[(place.first + k) * width + i];
+    for (std::size_t k = 0; k < 4; ++k)
+        value += place.weights[k] * curve.coefficients[(place.first + k) * width + i];
     return value;
 }
 
@@ -40,7 +41,8 @@ Curve fitted(const Function& f, SplineStart start, double tolerance, double scal
         const std::size_t width = at_nodes[0].size();
         Curve curve{nodes, Values((nodes + spline_ghosts) * width)};
         for (std::size_t i = 0; i < nodes; ++i) {
-            std::ranges::copy(at_nodes[i], curve.coefficients.begin() + static_cast<std::ptrdiff_t>((i + 1) * width));
+            std::ranges::copy(at_nodes[i],
+                              curve.coefficients.begin() + static_cast<std::ptrdiff_t>((i + 1) * width));
         }
         to_spline_coefficients(curve.coefficients, nodes, width, start);
         double worst = 0;
@@ -48,7 +50,8 @@ Curve fitted(const Function& f, SplineStart start, double tolerance, double scal
             const double x = (static_cast<double>(i) + 0.5) * step;
             for (std::size_t w = 0; w < width; ++w) {
                 const double exact = between[i][w];
-                worst = std::max(worst, std::abs(curve_value(curve, x, w, width) - exact) / (std::abs(exact) + scale));
+                worst = std::max(
+                    worst, std::abs(curve_value(curve, x, w, width) - exact) / (std::abs(exact) + scale));
             }
         }
         if (worst <= tolerance) return curve;
@@ -140,7 +143,8 @@ Curve albedo_curve(const SpectralBrdf& exact, const CoordinateMap& map, double t
             lobe_albedo(exact, map.direction(grazing), values);
             return values;
         },
-        SplineStart::even, std::max(share * tolerance, accuracy::lobe_albedo), 1, exact.name() + ": albedo of the lobe");
+        SplineStart::even, std::max(share * tolerance, accuracy::lobe_albedo), 1,
+        exact.name() + ": albedo of the lobe");
 }
 
 Curve polarisation_curve(const SpectralBrdf& exact, double tolerance) {
@@ -152,7 +156,8 @@ Curve polarisation_curve(const SpectralBrdf& exact, double tolerance) {
         [&](double cosine) {
             const double c = std::max(cosine, lowest), s = std::sqrt((1 - c) * (1 + c));
             std::vector<Mueller> matrices(width);
-            exact.mueller({Direction::from_unit_vector({s, 0, c}), Direction::from_unit_vector({-s, 0, c})}, matrices);
+            exact.mueller({Direction::from_unit_vector({s, 0, c}), Direction::from_unit_vector({-s, 0, c})},
+                          matrices);
             Values values(2 * width);
             for (std::size_t w = 0; w < width; ++w) {
                 const Mueller& m = matrices[w];

@@ -38,16 +38,16 @@ std::size_t nodes_from(const JsonValue& nodes, const char* axis) {
 TableNodes nodes_from(const JsonValue& nodes) {
     nodes.require_keys_among({"grazing", "ratio", "turn", "specular", "albedo", "polarisation"});
     const bool polarised = nodes["polarisation"].number() != 0;
-    return {nodes_from(nodes, "grazing"),  nodes_from(nodes, "ratio"),
-            nodes_from(nodes, "turn"),     nodes_from(nodes, "specular"),
-            nodes_from(nodes, "albedo"),   polarised ? nodes_from(nodes, "polarisation") : 0};
+    return {nodes_from(nodes, "grazing"), nodes_from(nodes, "ratio"),
+            nodes_from(nodes, "turn"),    nodes_from(nodes, "specular"),
+            nodes_from(nodes, "albedo"),  polarised ? nodes_from(nodes, "polarisation") : 0};
 }
 
 spectral::WavelengthGrid wavelengths_from(const JsonValue& key) {
     std::vector<double> micrometres;
     for (const JsonValue& item : key.items()) micrometres.push_back(item.number());
-    return spectral::located(key.place(),
-                             [&] { return spectral::WavelengthGrid::from_micrometres(std::move(micrometres)); });
+    return spectral::located(
+        key.place(), [&] { return spectral::WavelengthGrid::from_micrometres(std::move(micrometres)); });
 }
 
 TableError error_from(const JsonValue& error) {
@@ -80,7 +80,8 @@ std::string header_text(const TableInfo& info) {
     ordered_json header;
     header["name"] = info.source.name;
     header["library_version"] = info.library_version;
-    header["quantity"] = "ln(f + floor), f the directional-diffuse BRDF without cosine [1/sr]; components of its spectrum";
+    header["quantity"] =
+        "ln(f + floor), f the directional-diffuse BRDF without cosine [1/sr]; components of its spectrum";
     header["coordinates"] = "grazing, ratio, turn; up to 88 degrees";
     header["wavelengths_um"] = std::vector<double>(um.begin(), um.end());
     header["tolerance"] = info.tolerance;
@@ -90,9 +91,9 @@ std::string header_text(const TableInfo& info) {
                        {"pairs", info.error.pairs},
                        {"seed", info.error.seed}};
     header["spacing"] = {{"grazing", info.spacing.grazing}, {"turn", info.spacing.turn}};
-    header["nodes"] = {{"grazing", info.nodes.grazing},   {"ratio", info.nodes.ratio},
-                       {"turn", info.nodes.turn},         {"specular", info.nodes.specular},
-                       {"albedo", info.nodes.albedo},     {"polarisation", info.nodes.polarisation}};
+    header["nodes"] = {{"grazing", info.nodes.grazing}, {"ratio", info.nodes.ratio},
+                       {"turn", info.nodes.turn},       {"specular", info.nodes.specular},
+                       {"albedo", info.nodes.albedo},   {"polarisation", info.nodes.polarisation}};
     header["components"] = info.components;
     header["numbers"] = info.double_precision ? "double" : "float";
     header["outside_range"] = info.source.policy == spectral::OutsideRange::clamp ? "clamp" : "error";
@@ -103,22 +104,24 @@ std::string header_text(const TableInfo& info) {
 
 TableInfo info_from_header(std::string_view text, const std::string& name) {
     const JsonValue header = JsonValue::parse(std::string{text}, name);
-    header.require_keys_among({"name", "library_version", "quantity", "coordinates", "wavelengths_um", "tolerance",
-                               "error", "spacing", "nodes", "components", "numbers", "outside_range", "material_path", "material"});
+    header.require_keys_among({"name", "library_version", "quantity", "coordinates", "wavelengths_um",
+                               "tolerance", "error", "spacing", "nodes", "components", "numbers",
+                               "outside_range", "material_path", "material"});
     const JsonValue spacing = header["spacing"];
     spacing.require_keys_among({"grazing", "turn"});
     constexpr double least_spacing = 0.1, most_spacing = 100;
-    return {{header["name"].text(), header["material"].text(), header["material_path"].text(),
-             is_clamp(header["outside_range"]) ? spectral::OutsideRange::clamp : spectral::OutsideRange::error},
-            wavelengths_from(header["wavelengths_um"]),
-            number_within(header["tolerance"], hts::accuracy::finest_tolerance, 1),
-            error_from(header["error"]),
-            {number_within(spacing["grazing"], least_spacing, most_spacing),
-             number_within(spacing["turn"], least_spacing, most_spacing)},
-            nodes_from(header["nodes"]),
-            whole_within(header["components"], 1, most_components),
-            is_double(header["numbers"]),
-            header["library_version"].text()};
+    return {
+        {header["name"].text(), header["material"].text(), header["material_path"].text(),
+         is_clamp(header["outside_range"]) ? spectral::OutsideRange::clamp : spectral::OutsideRange::error},
+        wavelengths_from(header["wavelengths_um"]),
+        number_within(header["tolerance"], hts::accuracy::finest_tolerance, 1),
+        error_from(header["error"]),
+        {number_within(spacing["grazing"], least_spacing, most_spacing),
+         number_within(spacing["turn"], least_spacing, most_spacing)},
+        nodes_from(header["nodes"]),
+        whole_within(header["components"], 1, most_components),
+        is_double(header["numbers"]),
+        header["library_version"].text()};
 }
 
 }  // namespace hts::tables

@@ -18,15 +18,17 @@ struct LobePlace {
 };
 
 template <class Real>
-[[nodiscard]] LobePlace<Real> lobe_place(const Coordinates& at, const std::array<std::size_t, 3>& nodes) noexcept {
+[[nodiscard]] LobePlace<Real> lobe_place(const Coordinates& at,
+                                         const std::array<std::size_t, 3>& nodes) noexcept {
     const SplinePlace x = spline_place(at[0], nodes[0]), y = spline_place(at[1], nodes[1]),
                       z = spline_place(at[2], nodes[2]);
     LobePlace<Real> place;
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 4; ++j) {
             const std::size_t row = 4 * i + j;
-            place.rows[row] = ((x.first + i) * (nodes[1] + spline_ghosts) + y.first + j) * (nodes[2] + spline_ghosts) +
-                              z.first;
+            place.rows[row] =
+                ((x.first + i) * (nodes[1] + spline_ghosts) + y.first + j) * (nodes[2] + spline_ghosts) +
+                z.first;
             for (std::size_t k = 0; k < 4; ++k) {
                 place.weights[4 * row + k] = static_cast<Real>(x.weights[i] * y.weights[j] * z.weights[k]);
             }
@@ -42,8 +44,8 @@ inline constexpr std::size_t most_components = 256;
 
 /// Weighted sums of `width` neighbouring components from the given one on.
 template <std::size_t width, class Real>
-void component_sums(const Real* coefficients, std::size_t components, const LobePlace<Real>& place, std::size_t from,
-                    Real* sums) noexcept {
+void component_sums(const Real* coefficients, std::size_t components, const LobePlace<Real>& place,
+                    std::size_t from, Real* sums) noexcept {
     std::array<Real, width> sum{};
     for (std::size_t row = 0; row < place.rows.size(); ++row) {
         const Real* node = coefficients + place.rows[row] * components + from;
@@ -74,18 +76,21 @@ struct LobeSpline {
         for (; from + component_lanes <= components; from += component_lanes) {
             component_sums<component_lanes>(coefficients, components, place, from, sums.data());
         }
-        for (; from < components; ++from) component_sums<1>(coefficients, components, place, from, sums.data());
+        for (; from < components; ++from)
+            component_sums<1>(coefficients, components, place, from, sums.data());
         constexpr std::size_t width = 16;
         if (wavelengths < width) {
             for (std::size_t w = 0; w < wavelengths; ++w) spectrum<1>(sums, w, use);
         } else {
-            for (std::size_t w = 0; w < wavelengths; w += width) spectrum<width>(sums, std::min(w, wavelengths - width), use);
+            for (std::size_t w = 0; w < wavelengths; w += width)
+                spectrum<width>(sums, std::min(w, wavelengths - width), use);
         }
     }
 
   private:
     template <std::size_t width, class Use>
-    void spectrum(const std::array<Real, most_components>& sums, std::size_t first, Use&& use) const noexcept {
+    void spectrum(const std::array<Real, most_components>& sums, std::size_t first,
+                  Use&& use) const noexcept {
         std::array<Real, width> logarithms{};
         for (std::size_t k = 0; k < components; ++k) {
             const Real* const row = basis + k * wavelengths + first;

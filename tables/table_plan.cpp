@@ -32,7 +32,8 @@ std::vector<double> basis_of(const SpectralBrdf& exact, const TableRequest& requ
     constexpr double share = 0.1;
     constexpr std::size_t most_pairs = 16384, most_values = std::size_t{1} << 21;
     const std::size_t width = floor.size();
-    const auto pairs = RandomPairs{request.seed}.next(std::clamp(most_values / width, std::size_t{256}, most_pairs));
+    const auto pairs =
+        RandomPairs{request.seed}.next(std::clamp(most_values / width, std::size_t{256}, most_pairs));
     std::vector<double> spectra(pairs.size() * width), weights(spectra.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto values = std::span{spectra}.subspan(i * width, width);
@@ -122,7 +123,8 @@ class Trials {
   private:
     [[nodiscard]] double pair_error(const std::vector<double>& coefficients, const LobePlace<double>& place,
                                     const Probes& probes, std::size_t pair) const noexcept {
-        const LobeSpline<double> spline{chosen_basis_.data(), coefficients.data(), components(), chosen_.size()};
+        const LobeSpline<double> spline{chosen_basis_.data(), coefficients.data(), components(),
+                                        chosen_.size()};
         double worst = 0;
         spline.visit(place, [&](std::size_t first, const double* logarithms, std::size_t width) {
             for (std::size_t w = first; w < first + width; ++w) {
@@ -133,7 +135,9 @@ class Trials {
         });
         return worst;
     }
-    [[nodiscard]] std::size_t components() const noexcept { return basis_.size() / floor_.size(); }
+    [[nodiscard]] std::size_t components() const noexcept {
+        return basis_.size() / floor_.size();
+    }
 
     const SpectralBrdf& exact_;
     const LobePeaks& peaks_;
@@ -144,8 +148,9 @@ class Trials {
 };
 
 double size(const LobeNodes& nodes) {
-    return std::accumulate(nodes.begin(), nodes.end(), 1.0,
-                           [](double product, std::size_t n) { return product * static_cast<double>(n + spline_ghosts); });
+    return std::accumulate(nodes.begin(), nodes.end(), 1.0, [](double product, std::size_t n) {
+        return product * static_cast<double>(n + spline_ghosts);
+    });
 }
 
 /// A grid and what it gives.
@@ -161,8 +166,14 @@ class Search {
   public:
     Search(const Trials& trials, const TableRequest& request, double bytes_per_node, const std::string& name,
            const TableProgress& progress)
-        : trials_{trials}, request_{request}, bytes_per_node_{bytes_per_node}, name_{name}, progress_{progress},
-          random_{request.seed}, probes_{trials.probes(random_.next(first_pairs))}, now_{tried({8, 8, 8}, {})},
+        : trials_{trials},
+          request_{request},
+          bytes_per_node_{bytes_per_node},
+          name_{name},
+          progress_{progress},
+          random_{request.seed},
+          probes_{trials.probes(random_.next(first_pairs))},
+          now_{tried({8, 8, 8}, {})},
           first_error_{now_.error} {}
 
     [[nodiscard]] Tried found() {
@@ -180,7 +191,7 @@ class Search {
     static constexpr double target_share = 0.75;  // of the tolerance, on the probes
     static constexpr double worse_share = 0.85;   // on other directions
     static constexpr double kept_share = 0.5;     // a probe must be so much of the tolerance
-    static constexpr double coarse_factor = 10;  // the spacing is chosen at so many times the target
+    static constexpr double coarse_factor = 10;   // the spacing is chosen at so many times the target
     static constexpr double growth = 1.25, worth = 0.3;
 
     [[nodiscard]] Tried tried(const LobeNodes& nodes, const TableSpacing& spacing) const {
@@ -210,7 +221,8 @@ class Search {
             double best_gain = worth;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Tried next = tried(scaled(now_.nodes, axis, growth), now_.spacing);
-                const double gain = std::log(now_.error / next.error) / std::log(size(next.nodes) / size(now_.nodes));
+                const double gain =
+                    std::log(now_.error / next.error) / std::log(size(next.nodes) / size(now_.nodes));
                 if (gain > best_gain) {
                     best = next;
                     best_gain = gain;
@@ -290,8 +302,8 @@ void require_tabulable(const SpectralBrdf& exact, const TableRequest& request) {
         throw out_of_range("tolerance of a table", request.tolerance, "", "from 1e-9 to 0.5");
     }
     if (const double change = anisotropy(exact); change > 1e-6) {
-        throw Error{exact.name() + ": turned about the normal it changes by a factor of up to 1 + " + shortest(change) +
-                    ": a table must be of an isotropic surface"};
+        throw Error{exact.name() + ": turned about the normal it changes by a factor of up to 1 + " +
+                    shortest(change) + ": a table must be of an isotropic surface"};
     }
     if (const double change = irreciprocity(exact); change > 1e-6) {
         throw Error{exact.name() + ": with light and view exchanged it changes by a factor of up to 1 + " +
@@ -311,7 +323,8 @@ TablePlan plan_table(const SpectralBrdf& exact, const TableRequest& request, con
     TablePlan plan{request, {}, {}, floors(peaks, width), {}};
     plan.basis = basis_of(exact, request, peaks, plan.floor);
     const Trials trials{exact, peaks, plan.floor, plan.basis};
-    const double bytes_per_node = static_cast<double>(plan.basis.size() / width * (needs_double(request) ? sizeof(double) : sizeof(float)));
+    const double bytes_per_node = static_cast<double>(
+        plan.basis.size() / width * (needs_double(request) ? sizeof(double) : sizeof(float)));
     const Tried found = Search{trials, request, bytes_per_node, exact.name(), progress}.found();
     plan.spacing = found.spacing;
     plan.nodes.grazing = found.nodes[0];

@@ -52,7 +52,8 @@ LobePeaks::LobePeaks(const SpectralBrdf& exact)
         std::vector<double> values(wavelengths_);
         double* const peaks = peaks_.data() + static_cast<std::size_t>(i) * wavelengths_;
         for (int half = -2 * whole_degrees; half <= 2 * whole_degrees; ++half) {
-            exact.directional_diffuse({in, Direction::from_degrees(std::abs(half) / 2.0, half < 0 ? 0 : 180)}, values);
+            exact.directional_diffuse({in, Direction::from_degrees(std::abs(half) / 2.0, half < 0 ? 0 : 180)},
+                                      values);
             for (std::size_t w = 0; w < wavelengths_; ++w) peaks[w] = std::max(peaks[w], values[w]);
         }
     }
@@ -83,8 +84,13 @@ namespace {
 class PairErrors {
   public:
     PairErrors(const SpectralBrdf& table, const SpectralBrdf& exact, const LobePeaks& peaks)
-        : table_{table}, exact_{exact}, peaks_{peaks}, lobe_(exact.wavelengths().size()), tabulated_(lobe_.size()),
-          matrices_(table.polarised() ? lobe_.size() : 0), tabulated_matrices_(matrices_.size()) {}
+        : table_{table},
+          exact_{exact},
+          peaks_{peaks},
+          lobe_(exact.wavelengths().size()),
+          tabulated_(lobe_.size()),
+          matrices_(table.polarised() ? lobe_.size() : 0),
+          tabulated_matrices_(matrices_.size()) {}
 
     void write(const DirectionPair& pair, float* errors) {
         exact_.directional_diffuse(pair, lobe_);
@@ -119,7 +125,8 @@ class PairErrors {
 
 double nth(std::vector<float>& values, double share) {
     if (values.empty()) return 0;
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
     return static_cast<double>(*place);
 }
@@ -129,7 +136,8 @@ double nth(std::vector<float>& values, double share) {
 TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std::uint64_t pairs,
                        std::uint64_t seed) {
     const auto a = table.wavelengths().micrometres(), b = exact.wavelengths().micrometres();
-    if (!std::ranges::equal(a, b)) throw Error{"the table and the exact model must have the same wavelengths"};
+    if (!std::ranges::equal(a, b))
+        throw Error{"the table and the exact model must have the same wavelengths"};
     const LobePeaks peaks{exact};
     RandomPairs random{seed};
     const std::vector<DirectionPair> all = random.next(pairs);

@@ -1,0 +1,19 @@
+// hts table: lookup tables with a promised error.
+
+#include "cli/table.hpp"
+#include "cli/verbs.hpp"
+
+namespace hts::cli {
+
+void add_table(CLI::App& program) {
+    CLI::App* table = program.add_subcommand("table", "lookup tables with a promised error");
+    table->require_subcommand(1);
+    add_table_build(*table);
+    add_table_check(*table);
+    add_table_info(*table);
+    add_table_lookup(*table);
+    add_table_merge(*table);
+    table->footer("Each verb explains itself: hts table build --help");
+}
+
+}  // namespace hts::cli
