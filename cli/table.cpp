@@ -13,6 +13,7 @@ void add_table(CLI::App& program) {
     add_table_info(*table);
     add_table_lookup(*table);
     add_table_merge(*table);
+    add_table_chart(*table);
     table->footer("Each verb explains itself: hts table build --help");
 }
 

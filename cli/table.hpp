@@ -7,6 +7,7 @@ namespace hts::cli {
 
 /// Each adds its verb to `hts table`.
 void add_table_build(CLI::App& table);
+void add_table_chart(CLI::App& table);
 void add_table_check(CLI::App& table);
 void add_table_info(CLI::App& table);
 void add_table_lookup(CLI::App& table);

@@ -24,7 +24,8 @@ namespace {
 float exponential(float y) {
     constexpr float limit = 80, log2_e = 1.44269504F, ln2_high = 0.693359375F, ln2_low = -2.12194440e-4F;
     constexpr float to_integer = 0x1.8p23F;  // adding it rounds to a whole number
-    y = std::min(std::max(y, -limit), limit);
+    y = y > limit ? limit : y;
+    y = y < -limit ? -limit : y;
     const float shifted = y * log2_e + to_integer;
     const float whole = shifted - to_integer;
     const float r = (y - whole * ln2_high) - whole * ln2_low;
@@ -59,7 +60,8 @@ void spline_values(std::span<const double> coefficients, std::size_t nodes, doub
 #endif
 
 double lobe_value(auto logarithm, double floor) {
-    return std::max(0.0, static_cast<double>(exponential(logarithm)) - floor);
+    const double value = static_cast<double>(exponential(logarithm)) - floor;
+    return value > 0 ? value : 0;
 }
 
 template <class Real>
@@ -78,11 +80,10 @@ template <class Real>
 inline void write_lobe(const TableContents& contents, std::span<const Real> numbers,
                        const LobePlace<Real>& place, std::span<double> values) noexcept {
     const double* const floor = contents.numbers.floor.data();
-    lobe_spline(contents, numbers)
-        .visit(place, [&](std::size_t first, const Real* logarithms, std::size_t width) {
-            for (std::size_t i = 0; i < width; ++i)
-                values[first + i] = lobe_value(logarithms[i], floor[first + i]);
-        });
+    lobe_spline(contents, numbers).visit(place, [&](std::size_t first, const Real* logarithms, auto width) {
+        for (std::size_t i = 0; i < width; ++i)
+            values[first + i] = lobe_value(logarithms[i], floor[first + i]);
+    });
 }
 
 HTS_TABLES_CLONES void write_float_lobe(const TableContents& contents, const LobePlace<float>& place,

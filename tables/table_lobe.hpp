@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "tables/spline.hpp"
 #include "tables/table_coordinates.hpp"
@@ -46,15 +47,16 @@ inline constexpr std::size_t most_components = 256;
 template <std::size_t width, class Real>
 void component_sums(const Real* coefficients, std::size_t components, const LobePlace<Real>& place,
                     std::size_t from, Real* sums) noexcept {
-    std::array<Real, width> sum{};
+    std::array<std::array<Real, width>, 4> sum{};  // of every fourth node, so that additions need not wait
     for (std::size_t row = 0; row < place.rows.size(); ++row) {
-        const Real* node = coefficients + place.rows[row] * components + from;
-        for (std::size_t k = 0; k < 4; ++k, node += components) {
+        const Real* const nodes = coefficients + place.rows[row] * components + from;
+        for (std::size_t k = 0; k < 4; ++k) {
             const Real weight = place.weights[4 * row + k];
-            for (std::size_t i = 0; i < width; ++i) sum[i] += weight * node[i];
+            for (std::size_t i = 0; i < width; ++i) sum[k][i] += weight * nodes[k * components + i];
         }
     }
-    std::copy(sum.begin(), sum.end(), sums + from);
+    for (std::size_t i = 0; i < width; ++i)
+        sums[from + i] = (sum[0][i] + sum[1][i]) + (sum[2][i] + sum[3][i]);
 }
 
 /// Spectra as sums of components of a basis.
@@ -96,7 +98,7 @@ struct LobeSpline {
             const Real* const row = basis + k * wavelengths + first;
             for (std::size_t i = 0; i < width; ++i) logarithms[i] += sums[k] * row[i];
         }
-        use(first, logarithms.data(), width);
+        use(first, logarithms.data(), std::integral_constant<std::size_t, width>{});
     }
 };
 

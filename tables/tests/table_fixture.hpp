@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "hts/error.hpp"
 #include "tables/table_parts.hpp"
 
 namespace hts::tables::testing {
