@@ -21,6 +21,9 @@ void register_sampling();
 /// eval/<model>/4, sample/<model>/4 of the models of hts/microfacet/ at 4 wavelengths.
 void register_microfacet();
 
+/// lookup/he/n: one pair of directions at n wavelengths from a table of tolerance 1e-3, beside eval/he/n and eval_batch/he/n.
+void register_tables();
+
 /// eval/ashikhmin/4, sample/ashikhmin/4: microfacets with a coupled diffuse term, 4 wavelengths that differ in its albedo.
 void register_ashikhmin();
 

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     hts::bench::register_phi();
     hts::bench::register_spectral();
     hts::bench::register_microfacet();
+    hts::bench::register_tables();
     hts::bench::register_sampling();
     hts::bench::register_ashikhmin();
     benchmark::Initialize(&argc, argv);

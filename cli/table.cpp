@@ -1,17 +1,22 @@
-// hts table: a parent verb; what it can do stands in files of their own.
+// hts table: lookup tables with a promised error.
 
 #include "cli/table.hpp"
-
 #include "cli/verbs.hpp"
 
 namespace hts::cli {
 
 void add_table(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand("table", "lookup tables and the files of other programs");
-    verb->require_subcommand(1);
-    add_table_export(*verb);
-    add_table_import(*verb);
-    verb->footer("\nExample:\n  hts table export aluminium.json --format rgl --output aluminium.bsdf");
+    CLI::App* table = program.add_subcommand("table", "lookup tables with a promised error, and the files of other programs");
+    table->require_subcommand(1);
+    add_table_build(*table);
+    add_table_check(*table);
+    add_table_info(*table);
+    add_table_lookup(*table);
+    add_table_merge(*table);
+    add_table_chart(*table);
+    add_table_export(*table);
+    add_table_import(*table);
+    table->footer("Each verb explains itself: hts table build --help");
 }
 
 }  // namespace hts::cli

@@ -26,7 +26,12 @@ std::vector<AnyModel> AnyReflector::at(const WavelengthGrid& wavelengths, Outsid
 }
 
 AnyReflector read_any_reflector(const std::filesystem::path& path, const std::vector<ModelEntry>& models) {
-    const MaterialFile file{JsonValue::read(path), path.parent_path(), path.stem().string()};
+    return any_reflector_from_text(read_text_file(path), path, models);
+}
+
+AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,
+                                     const std::vector<ModelEntry>& models) {
+    const MaterialFile file{JsonValue::parse(text, path.string()), path.parent_path(), path.stem().string()};
     const JsonValue model = file.json["model"];
     const auto name = file.json.find("name");
     const auto named = [&](const ModelEntry& entry) { return entry.name == model.text(); };

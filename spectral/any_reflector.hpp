@@ -48,8 +48,8 @@ class AnyReflector {
                                            OutsideRange policy = OutsideRange::error) const;
 
   private:
-    friend AnyReflector read_any_reflector(const std::filesystem::path& path,
-                                           const std::vector<struct ModelEntry>& models);
+    friend AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,
+                                                const std::vector<struct ModelEntry>& models);
 
     AtWavelength at_;
     std::vector<std::string> warnings_;
@@ -74,5 +74,8 @@ struct ModelEntry {
 /// "path: key "lobes[1].mx": …" that names the key and the legal range.
 [[nodiscard]] AnyReflector read_any_reflector(const std::filesystem::path& path,
                                               const std::vector<ModelEntry>& models = built_in_models());
+/// The same from the text of a file that stood at `path`, where its relative paths begin.
+[[nodiscard]] AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,
+                                                   const std::vector<ModelEntry>& models = built_in_models());
 
 }  // namespace hts::spectral

@@ -1,0 +1,179 @@
+// Files that are no tables, or no longer: a named error each, no crash, no large allocation.
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "hts/tests/comparison.hpp"
+#include "table_fixture.hpp"
+#include "tables/crc64.hpp"
+#include "tables/little_endian.hpp"
+#include "tables/table_contents.hpp"
+
+namespace {
+
+using namespace hts;
+using namespace hts::tables;
+using namespace hts::tables::testing;
+
+constexpr std::size_t version_at = 8, order_at = 12, header_size_at = 16, numbers_size_at = 24,
+                      checksum_at = 32;
+constexpr std::size_t prelude_bytes = 64;
+
+template <class Integer>
+std::string with(std::string bytes, std::size_t at, Integer value) {
+    std::string little;
+    append_little_endian(little, value);
+    return bytes.replace(at, little.size(), little);
+}
+
+/// As if it had been written so.
+std::string signed_again(std::string bytes) {
+    const std::string_view all{bytes};
+    const std::uint64_t sum = crc64(all.substr(checksum_at + 8), crc64(all.substr(0, checksum_at)));
+    return with(std::move(bytes), checksum_at, sum);
+}
+
+/// The same table with a piece of its header replaced by one of the same length.
+std::string with_header(const std::string& from, std::string to) {
+    std::string bytes = small_bytes();
+    const auto at = bytes.find(from);
+    REQUIRE(at != std::string::npos);
+    REQUIRE(to.size() <= from.size());
+    to.append(from.size() - to.size(), ' ');
+    return signed_again(bytes.replace(at, from.size(), to));
+}
+
+std::string refusal(const std::string& bytes) {
+    return error_of([&] { return Table::from_bytes(bytes, "m.htst"); });
+}
+
+}  // namespace
+
+TEST_CASE("a table is read as it was written, from memory and from a file") {
+    const auto path = std::filesystem::temp_directory_path() / "hts_table_file_test.htst";
+    std::ofstream{path, std::ios::binary} << small_bytes();
+    const Table table = Table::open(path);
+    std::filesystem::remove(path);
+    const auto& info = table.info();
+    CHECK(table.bytes() == small_bytes().size());
+    CHECK(info.source == small_job().source);
+    CHECK(info.tolerance == 1e-2);
+    CHECK(info.error.largest <= 1e-2);
+    CHECK(info.wavelengths.size() == 3);
+    CHECK(header_text(info_from_header(header_text(info), "again")) == header_text(info));
+    CHECK_THAT(error_of([&] { return Table::open(path); }), Catch::Contains("cannot be read"));
+    CHECK_THAT(error_of([] { return Table::open(std::filesystem::temp_directory_path()); }),
+               Catch::Contains("must be a file"));
+}
+
+TEST_CASE("files that are no tables are refused by name") {
+    const std::string& good = small_bytes();
+    CHECK_THAT(refusal(""), Catch::Contains("m.htst: is no table"));
+    CHECK_THAT(refusal(std::string(1000, 'x')), Catch::Contains("is no table"));
+    CHECK_THAT(refusal(good.substr(0, 63)), Catch::Contains("is no table"));
+    CHECK_THAT(refusal(good.substr(0, 64)), Catch::Contains("cut short"));
+    CHECK_THAT(refusal(good.substr(0, good.size() - 1)), Catch::Contains("cut short"));
+    CHECK_THAT(refusal(good + "x"), Catch::Contains("must be the"));
+    CHECK_THAT(refusal(with(good, version_at, std::uint32_t{2})),
+               Catch::Contains("table format 2: must be format 1"));
+    CHECK_THAT(refusal(with(good, order_at, other_byte_order)), Catch::Contains("big-endian"));
+    std::string changed = good;
+    changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+    CHECK_THAT(refusal(changed), Catch::Contains("checksum"));
+}
+
+TEST_CASE("hostile headers are refused by name") {
+    const std::string& good = small_bytes();
+    const auto& nodes = small_table().info().nodes;
+    const std::string ratio = "\"ratio\": " + std::to_string(nodes.ratio);
+    constexpr std::uint64_t huge = ~std::uint64_t{0} - 63;
+    CHECK_THAT(refusal(signed_again(with(good, header_size_at, huge))), Catch::Contains("at most 4 MiB"));
+    CHECK_THAT(refusal(signed_again(with(good, header_size_at, std::uint64_t{0}))),
+               Catch::Contains("must be the"));
+    CHECK_THAT(refusal(signed_again(with(good, numbers_size_at, huge))), Catch::Contains("must be the"));
+    CHECK_THAT(refusal(with_header(ratio, "\"ratio\": 9")), Catch::Contains("for the nodes and wavelengths"));
+    CHECK_THAT(refusal(with_header(ratio, "\"ratio\": 0")), Catch::Contains("ratio"));
+    CHECK_THAT(refusal(with_header(ratio, "\"ratio\":1e9")), Catch::Contains("must be from 5 to 65536"));
+    CHECK_THAT(refusal(with_header(ratio, "\"ratio\":9.5")), Catch::Contains("must be a whole number"));
+    CHECK_THAT(refusal(with_header("\"components\": 3", "\"components\": 0")), Catch::Contains("components"));
+    CHECK_THAT(refusal(with_header("0.55", "0.45")), Catch::Contains("wavelength"));
+    CHECK_THAT(refusal(with_header("\"tolerance\": 0.01", "\"tolerance\": null")),
+               Catch::Contains("tolerance"));
+    CHECK_THAT(refusal(with_header("\"float\"", "\"flat\"")), Catch::Contains("must be float or double"));
+    CHECK_THAT(refusal(with_header("{", "[")), Catch::Contains("JSON"));
+    const auto not_a_number = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN());
+    CHECK_THAT(refusal(signed_again(with(good, good.size() - 4, not_a_number))),
+               Catch::Contains("not finite"));
+}
+
+TEST_CASE("mutated tables are refused or read, and never crash") {
+    const std::size_t files = hts::testing::exhaustive() ? 1'000'000 : 2'000;
+    hts::testing::Random random{17};
+    const auto below = [&](std::size_t end) {
+        return static_cast<std::size_t>(random.uniform(0, static_cast<double>(end)));
+    };
+    // A small file, so that most changes meet the header; the numbers follow the same code for any count.
+    const auto grid = spectral::WavelengthGrid::from_micrometres({0.5});
+    const TableInfo info{{"s", "{}", "s.json"}, grid, 0.1, {}, {}, {5, 5, 5, 5, 5, 5}, 1, false, "0"};
+    const TableCounts count = counts(info);
+    const OwnedNumbers numbers{{1e-9},
+                               {0.1},
+                               std::vector<double>(count.specular, 0.5),
+                               std::vector<double>(count.albedo, 0.5),
+                               std::vector<double>(count.polarisation, 0.5),
+                               {1.0},
+                               std::vector<double>(count.lobe - 1, 0.3)};
+    const std::string good = table_bytes(info, numbers);
+    REQUIRE(refusal(good).empty());
+    const auto header = from_little_endian<std::uint64_t>(good.substr(header_size_at));
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < files; ++i) {
+        std::string bytes = good;
+        for (std::size_t change = 1 + below(4); change-- > 0;) {
+            const bool in_head = random.uniform(0, 1) < 0.8;
+            const std::size_t at = below(in_head ? prelude_bytes + header : bytes.size());
+            const double kind = random.uniform(0, 1);
+            if (kind < 0.5) {
+                bytes[at] = static_cast<char>(below(256));
+            } else if (kind < 0.75) {
+                bytes[at] = "0123456789eE+-.,:[]{}\"n"[below(23)];
+            } else if (kind < 0.85) {
+                bytes.insert(at, std::string(below(9), "0 9{["[below(5)]));
+            } else if (kind < 0.95) {
+                bytes.erase(at, below(9));
+            } else {
+                bytes.resize(at);
+                bytes.resize(std::max(bytes.size(), std::size_t{1}));
+            }
+            if (bytes.size() < prelude_bytes) break;
+        }
+        if (bytes.size() >= prelude_bytes && i % 4 != 0) {
+            // Past sizes and checksum, to what is behind them.
+            if (i % 2 == 0)
+                bytes = with(std::move(bytes), numbers_size_at,
+                             std::uint64_t{bytes.size() - prelude_bytes -
+                                           std::min<std::size_t>(header, bytes.size() - prelude_bytes)});
+            bytes = signed_again(std::move(bytes));
+        }
+        try {
+            const Table table = Table::from_bytes(bytes, "mutated");
+            std::vector<double> values(table.wavelengths().size());
+            std::vector<Mueller> matrices(values.size());
+            table.brdf({Direction::from_degrees(30, 0), Direction::from_degrees(80, 100)}, values);
+            table.specular_reflectance(Direction::from_degrees(89, 0), values);
+            table.mueller({Direction::from_degrees(0, 0), Direction::from_degrees(0, 0)}, matrices);
+        } catch (const Error& error) {
+            ++refused;
+            REQUIRE(std::string{error.what()}.starts_with("mutated: "));
+        }
+    }
+    INFO(refused << " of " << files << " refused");
+    CHECK(refused > files / 2);
+    CHECK(refused < files);
+}

@@ -1,0 +1,36 @@
+#include "table_fixture.hpp"
+
+namespace hts::tables::testing {
+
+const TableJob& small_job() {
+    static const TableJob job{
+        {"rough aluminium",
+         R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al",
+             "diffuse_albedo": 0.1})",
+         "rough.json"},
+        {0.45, 0.55, 0.65},
+        {.tolerance = 1e-2, .polarised = true}};
+    return job;
+}
+
+const SpectralBrdf& small_exact() {
+    static const auto exact = exact_model(small_job());
+    return *exact;
+}
+
+const std::string& small_bytes() {
+    static const std::string bytes = [] {
+        const TablePlan plan = plan_table(small_exact(), small_job().request);
+        std::vector<std::vector<double>> slices;
+        for (std::size_t i = 0; i < plan.slices(); ++i) slices.push_back(table_slice(small_exact(), plan, i));
+        return finished_table(small_exact(), small_job().source, plan, std::move(slices));
+    }();
+    return bytes;
+}
+
+const Table& small_table() {
+    static const Table table = Table::from_bytes(small_bytes(), "small");
+    return table;
+}
+
+}  // namespace hts::tables::testing

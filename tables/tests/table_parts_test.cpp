@@ -1,0 +1,124 @@
+#include "tables/table_parts.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <catch2/catch.hpp>
+
+#include "table_fixture.hpp"
+
+namespace {
+
+using namespace hts;
+using namespace hts::tables;
+using namespace hts::tables::testing;
+namespace fs = std::filesystem;
+
+/// A folder of its own for one test.
+class Folder {
+  public:
+    Folder() : path_{fs::temp_directory_path() / ("hts_table_parts_" + std::to_string(::getpid()))} {
+        fs::create_directories(path_);
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator{path_}, {}));
+    }
+
+  private:
+    fs::path path_;
+};
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+void build(const fs::path& path, const TableShard& shard = {}, const TableJob& job = small_job()) {
+    build_table_file(small_exact(), job, path, shard, threads_worker(small_exact()));
+}
+
+/// A worker that gives up after some slices, as a process that is killed does.
+SliceWorker interrupted_after(std::size_t count) {
+    return [count](const TablePlan& plan, std::span<const std::size_t> slices, const auto& keep) {
+        for (std::size_t i = 0; i < count; ++i) keep(slices[i], table_slice(small_exact(), plan, slices[i]));
+        throw std::runtime_error{"interrupted"};
+    };
+}
+
+}  // namespace
+
+TEST_CASE("a build that was interrupted goes on, to the same bytes") {
+    const Folder folder;
+    const fs::path target = folder / "m.htst", slices = folder / "m.htst.slices";
+    const auto interrupt = [&] {
+        CHECK_THROWS(build_table_file(small_exact(), small_job(), target, {}, interrupted_after(3)));
+        CHECK_FALSE(fs::exists(target));
+        REQUIRE(fs::exists(slices));
+    };
+    std::size_t computed = 0;
+    const auto go_on = [&] {
+        build_table_file(small_exact(), small_job(), target, {},
+                         [&](const TablePlan& plan, std::span<const std::size_t> missing, const auto& keep) {
+                             computed = missing.size();
+                             threads_worker(small_exact())(plan, missing, keep);
+                         });
+        CHECK(bytes_of(target) == small_bytes());
+        CHECK(folder.files() == 1);
+        fs::remove(target);
+    };
+    const std::size_t all = small_table().info().nodes.grazing;
+    interrupt();
+    go_on();
+    CHECK(computed == all - 3);
+
+    interrupt();
+    fs::resize_file(slices, fs::file_size(slices) - 100);  // in the middle of a slice
+    go_on();
+    CHECK(computed == all - 2);
+
+    interrupt();
+    fs::resize_file(slices, 50);  // in the middle of the header
+    go_on();
+    CHECK(computed == all);
+}
+
+TEST_CASE("shards, merged in any order, are the table; what lacks or does not belong is named") {
+    const Folder folder;
+    build(folder / "1", {1, 3});
+    build(folder / "2", {2, 3});
+    build(folder / "3", {3, 3});
+    TableJob another = small_job();
+    another.request.seed = 9;
+    build(folder / "other", {2, 3}, another);
+    CHECK(folder.files() == 4);
+    const auto merge = [&](const std::vector<const char*>& names) {
+        std::vector<fs::path> parts;
+        for (const char* name : names) parts.push_back(folder / name);
+        return error_of([&] {
+            merge_table_file(parts, folder / "m.htst");
+            return 0;
+        });
+    };
+    CHECK(merge({"3", "1", "2"}).empty());
+    CHECK(bytes_of(folder / "m.htst") == small_bytes());
+    CHECK_THAT(merge({"1", "3"}), Catch::Contains("part 2/3 is missing"));
+    CHECK_THAT(merge({"2"}), Catch::Contains("part 1/3, 3/3 is missing"));
+    CHECK_THAT(merge({"1", "other", "3"}), Catch::Contains("other: is a part of another table than"));
+    CHECK_THAT(merge({"1", "m.htst"}), Catch::Contains("m.htst: is no part of a table"));
+    fs::resize_file(folder / "2", fs::file_size(folder / "2") - 1);
+    CHECK_THAT(merge({"1", "2", "3"}), Catch::Contains("part 2/3 is missing or not finished"));
+    fs::resize_file(folder / "2", 100);
+    CHECK_THAT(merge({"1", "2", "3"}), Catch::Contains("cut short"));
+    CHECK_THAT(error_of([&] {
+                   build(folder / "4", {4, 3});
+                   return 0;
+               }),
+               Catch::Contains("shard 4/3: must be k/N"));
+}
