@@ -71,7 +71,7 @@ struct WeightedDirection {
 /// For a spectrum draw at one wavelength, `draw`, and divide the BRDF of every wavelength, times cos theta_r, by that pdf
 /// (for a specular draw the specular reflectance of every wavelength).
 /// Every call is const, allocates nothing, takes bounded time and may run on any thread; the same numbers give the same
-/// direction. Construction takes some 20 ms.
+/// direction. Construction takes some 30 ms.
 class DirectionSampler {
   public:
     /// Three numbers in [0, 1), independent and uniform.
