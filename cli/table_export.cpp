@@ -13,6 +13,7 @@
 #include "spectral/text.hpp"
 #include "tables/round_trip.hpp"
 #include "tables/specular_box.hpp"
+#include "tables/table.hpp"
 
 namespace hts::cli {
 namespace {
@@ -29,7 +30,7 @@ std::string help() {
     std::string text = "\nFormats:\n";
     for (const TableFormat& format : table_formats()) text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
-The source is a material file. The file holds the diffuse terms; the specular delta is left
+The source is a material file or a table (.htst), which has its own wavelengths. The file holds the diffuse terms; the specular delta is left
 out and its reflectance written beside the file, as FILE.json, together with what the numbers
 mean. --specular box spreads it over --solid-angle instead. Then the file is read back and
 compared with the model at random pairs of directions: the report goes to standard output.
@@ -44,7 +45,14 @@ const TableFormat& format_named(const std::string& name) {
     return *std::find_if(formats.begin(), formats.end(), [&](const auto& each) { return each.name == name; });
 }
 
+/// A table has its own wavelengths.
+Reflectance table_of(const ExportOptions& options) {
+    if (!options.wavelengths.empty()) throw UsageError{"--wavelengths: must not come with a table"};
+    return std::make_shared<tables::Table>(tables::Table::open(options.source));
+}
+
 Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
+    if (options.source.ends_with(".htst")) return table_of(options);
     const MaterialOptions material{options.source, options.clamp};
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
@@ -82,7 +90,7 @@ void add_table_export(CLI::App& table) {
     auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> names;
     for (const TableFormat& format : table_formats()) names.push_back(format.name);
-    verb->add_option("source", options->source, "material file (JSON)")->required();
+    verb->add_option("source", options->source, "material file (JSON) or table (.htst)")->required();
     verb->add_option("--format,-f", options->format, "of the file")->required()->check(CLI::IsMember(names));
     verb->add_option("--output,-o", options->output, "file to write")->required();
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");

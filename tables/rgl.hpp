@@ -26,8 +26,8 @@ namespace hts::tables {
 /// How finely a file samples; its size is close to 4 theta_i wavelengths resolution^2 bytes.
 struct RglResolution {
     int theta_i = 72;      ///< angles of incidence, 2 ... 256
-    int resolution = 72;   ///< of the warped square, along either side, 2 ... 1024
-    int azimuths = 129;    ///< of the warp, rows, 2 ... 1024
+    int resolution = 80;   ///< of the warped square, along either side, 2 ... 1024
+    int azimuths = 193;    ///< of the warp, rows, 2 ... 1024
     int elevations = 256;  ///< of the warp, columns, 8 ... 4096
 };
 
