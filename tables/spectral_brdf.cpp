@@ -34,13 +34,6 @@ class HeTorranceBrdf final : public SpectralBrdf {
     void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
         lobe_.brdf(pair, values);
     }
-    void uniform_diffuse(std::span<double> values) const noexcept override {
-        std::ranges::transform(reflectance_.prepared().samples(), values.begin(),
-                               &SpectralSample::uniform_diffuse);
-    }
-    void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        lobe_.brdf(pair, values);
-    }
     [[nodiscard]] bool polarised() const noexcept override { return true; }
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
         reflectance_.prepared().mueller(pair, values);
