@@ -301,8 +301,7 @@ Figure residual_plot(const ComparisonPicture& picture) {
     const bool pairs = scattered(picture.set);
     std::ostringstream script;
     script << figure_style << files(picture)
-           << frame(picture, "points " + picture.by() +
-                                 ": above 0 where the model is too bright; beyond ±3 drawn at the edge")
+           << frame(picture, "above 0 where the model is too bright; beyond ±3 drawn at the edge")
            << "set tmargin at screen 0.88\nset bmargin at screen 0.2\nset lmargin at screen 0.09\nset "
               "rmargin at screen "
            << (pairs ? 0.97 : 0.86) << "\nset xlabel " << gnuplot_string(swept_label(picture.set))
