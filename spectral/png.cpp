@@ -84,8 +84,10 @@ ValueGrid read_png_luminance(const std::filesystem::path& path) {
                         std::to_string(image->height) + " pixels: must be at most 4096 by 4096"};
         }
         ValueGrid grid{image->height, image->width, {}};
-        for (const std::uint16_t value : image.read<std::uint16_t>(PNG_FORMAT_LINEAR_Y)) {
-            grid.values.push_back(value / 65535.0);
+        const auto rgb = image.read<std::uint16_t>(PNG_FORMAT_LINEAR_RGB);
+        grid.values.reserve(rgb.size() / 3);
+        for (std::size_t i = 0; i < rgb.size(); i += 3) {  // the luminances of sRGB's primaries
+            grid.values.push_back((0.2126 * rgb[i] + 0.7152 * rgb[i + 1] + 0.0722 * rgb[i + 2]) / 65535);
         }
         return grid;
     });
