@@ -68,7 +68,8 @@ ValueGrid grid_from(const JsonValue& rows) {
 NormalDensity tabulated_from(const JsonValue& normals) {
     normals.require_keys_among({"type", "rows"});
     const JsonValue rows = normals["rows"];
-    return located(rows.place(), [&] { return NormalDensity::tabulated(grid_from(rows)); });
+    const ValueGrid grid = grid_from(rows);
+    return located(rows.place(), [&] { return NormalDensity::tabulated(grid); });
 }
 
 /// A picture, bright where normals are many, over a Gaussian.

@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -39,6 +40,12 @@ class Image {
   private:
     png_image image_{};
 };
+
+/// Light of a component of sRGB, 0 ... 1 [IEC61966]; libpng itself takes a plain power of 2.2.
+double light(std::uint8_t component) {
+    const double value = component / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
 
 std::string read_bytes(const std::filesystem::path& path) {
     std::ifstream file{path, std::ios::binary};
@@ -84,8 +91,11 @@ ValueGrid read_png_luminance(const std::filesystem::path& path) {
                         std::to_string(image->height) + " pixels: must be at most 4096 by 4096"};
         }
         ValueGrid grid{image->height, image->width, {}};
-        for (const std::uint16_t value : image.read<std::uint16_t>(PNG_FORMAT_LINEAR_Y)) {
-            grid.values.push_back(value / 65535.0);
+        const auto rgb = image.read<std::uint8_t>(PNG_FORMAT_RGB);
+        grid.values.reserve(rgb.size() / 3);
+        for (std::size_t i = 0; i < rgb.size(); i += 3) {  // the luminances of sRGB's primaries
+            grid.values.push_back(0.2126 * light(rgb[i]) + 0.7152 * light(rgb[i + 1]) +
+                                  0.0722 * light(rgb[i + 2]));
         }
         return grid;
     });

@@ -48,6 +48,7 @@ double specular_share(const spectral::Reflector& reflector, double um, double de
 /// "a, b, c".
 std::string list(const std::vector<double>& values, int digits = 3) {
     std::vector<std::string> texts;
+    texts.reserve(values.size());
     for (const double value : values) texts.push_back(brief(value, digits));
     return spectral::joined(texts);
 }
@@ -221,6 +222,7 @@ Check albedo_from_hemisphere() {
 
 Check emergence(const std::string& claim, const std::vector<double>& shares) {
     std::vector<double> percent;
+    percent.reserve(shares.size());
     for (const double share : shares) percent.push_back(100 * share);
     return {claim, list(percent) + " %", rises(shares)};
 }

@@ -27,6 +27,7 @@ std::vector<Scene> scenes(const std::string& name) {
 
 std::string list(const std::vector<double>& values, int digits = 3) {
     std::vector<std::string> texts;
+    texts.reserve(values.size());
     for (const double value : values) texts.push_back(brief(value, digits));
     return spectral::joined(texts);
 }

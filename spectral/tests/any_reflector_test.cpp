@@ -288,7 +288,7 @@ TEST_CASE("normals may come from a picture or a table") {
     CHECK(problem(R"({"type": "image", "file": "white.png", "extent": 2, "sigma_x": 0.5, "sigma_y": 0.5})") ==
           R"(m.json: key "normals.extent": extent of the image of normals 2: must be > 0 and at most 1)");
     CHECK(problem(R"({"type": "tabulated", "rows": [[1, 2], [1]]})") ==
-          R"(m.json: key "normals.rows[1]": must be as long as the first row)");
+          R"(m.json: key "normals.rows[2]": must be as long as the first row)");
 }
 
 TEST_CASE("slanted velvet warns that its mean normal is tilted") {

@@ -54,7 +54,8 @@ LightSample sampled(const Rectangle& rectangle, Vector3 from, const std::array<d
 
 double AreaLight::distance(const Ray& ray) const noexcept {
     const auto met = std::visit([&](const auto& shape) { return shape.meeting(ray); }, shape_);
-    return met && dot(met->frame.z, ray.direction) < 0 ? met->distance : never;
+    if (!met || dot(met->frame.z, ray.direction) >= 0) return never;
+    return met->distance;
 }
 
 LightSample AreaLight::sample(Vector3 from, const std::array<double, 2>& u) const noexcept {
