@@ -145,7 +145,7 @@ Figure moment_map_figure(const FigureTable& map) {
             out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.205
                 << "\nset tmargin at screen " << top - 0.04 << "\nset bmargin at screen " << top - 0.225
                 << '\n'
-                << (a == 0 ? "set ytics " + tics(roughnesses) : "unset ytics") << "\nset ylabel '"
+                << "set ytics " << (a == 0 ? tics(roughnesses) : "('' 0)") << "\nset ylabel '"
                 << (a == 0 ? "σ_0/λ" : "") << "' offset 1,0\nset xtics " << tics(lengths) << " offset 0,0.4\n"
                 << "set title 'θ_i = " << angles[a] << "°' font ',13' offset 0,-0.8\n";
             write_panel(out, map, model_rows[m], angles[a]);
