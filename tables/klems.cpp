@@ -112,7 +112,7 @@ std::size_t KlemsBasis::patch(const Direction& direction) const noexcept {
     std::size_t first = 0, ring = 0;
     for (; ring + 1 < rings_.size() && theta >= rings_[ring].high; ++ring) first += rings_[ring].patches;
     const std::size_t count = rings_[ring].patches;
-    return first + static_cast<std::size_t>(turn * static_cast<double>(count) + 0.5) % count;
+    return first + static_cast<std::size_t>(std::lround(turn * static_cast<double>(count))) % count;
 }
 
 std::size_t KlemsBasis::ring_of(std::size_t patch, std::size_t& place) const {

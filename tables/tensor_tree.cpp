@@ -188,7 +188,7 @@ class TensorTree {
             std::size_t child = 0;
             for (std::size_t axis = 0; axis < static_cast<std::size_t>(rank_); ++axis) {
                 const bool upper = at[axis] >= 0.5;
-                child |= std::size_t{upper} << axis;
+                child |= (upper ? std::size_t{1} : 0) << axis;
                 at[axis] = 2 * at[axis] - (upper ? 1 : 0);
             }
             node = children_[nodes_[node].first + child];
