@@ -128,6 +128,7 @@ class TreeWriter {
         text += '}';
         return text;
     }
+    // NOLINTNEXTLINE(misc-no-recursion): the depth is bounded
     [[nodiscard]] Branch branch(int level, const Cell& cell) const {
         if (level == depth_) {
             std::size_t place = 0;
@@ -187,7 +188,7 @@ class TensorTree {
             std::size_t child = 0;
             for (std::size_t axis = 0; axis < static_cast<std::size_t>(rank_); ++axis) {
                 const bool upper = at[axis] >= 0.5;
-                child |= std::size_t{upper} << axis;
+                child |= (upper ? std::size_t{1} : 0) << axis;
                 at[axis] = 2 * at[axis] - (upper ? 1 : 0);
             }
             node = children_[nodes_[node].first + child];
@@ -207,6 +208,7 @@ class TensorTree {
         std::size_t first;  // of its values or children
     };
 
+    // NOLINTNEXTLINE(misc-no-recursion): the depth is bounded
     std::size_t take(Tokens& tokens, int depth) {
         if (depth > deepest)
             throw tokens.error(
@@ -217,6 +219,7 @@ class TensorTree {
         nodes_.push_back(node);
         return nodes_.size() - 1;
     }
+    // NOLINTNEXTLINE(misc-no-recursion): the depth is bounded
     Node take_children(Tokens& tokens, int depth) {
         std::vector<std::size_t> children;
         for (std::size_t i = 0; i < std::size_t{1} << rank_; ++i) children.push_back(take(tokens, depth + 1));

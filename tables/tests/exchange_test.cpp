@@ -232,9 +232,11 @@ TEST_CASE("Klems' patches: means survive within 5 % of the peak, and views and l
             double peak = 0;
             std::vector<double> means(basis.size()), held(basis.size());
             for (std::size_t view = 0; view < basis.size(); ++view) {
-                const int count = 4096;
+                const int count = exhaustive() ? 32768 : 4096;
                 for (int i = 1; i <= count; ++i) {
-                    const auto at = [&](std::size_t axis) { return std::fmod(0.5 + i * steps[axis], 1.0); };
+                    const auto at = [&](std::size_t axis) {
+                        return std::fmod(0.17 + i * steps[3 - axis], 1.0);
+                    };
                     double value = 0;
                     brdf->brdf({basis.point(light, at(0), at(1)).mirror(), basis.point(view, at(2), at(3))},
                                {&value, 1});
