@@ -20,7 +20,7 @@ const tables::Table& bench_table(int wavelengths) {
             tables::model_brdf(spectral::AnyReflector{bench_reflector()}, bench_wavelengths(wavelengths),
                                spectral::OutsideRange::error, bench_tolerance);
         table = std::make_unique<const tables::Table>(
-            tables::build_table(*model, {.name = model->name()}, {.tolerance = 1e-3}));
+            tables::build_table(*model, {model->name(), "", ""}, {.tolerance = 1e-3}));
     }
     return *table;
 }

@@ -206,14 +206,15 @@ std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_
                                    {"folded coordinates, ln f cubic", own_coordinates(), true}}};
     std::vector<TableSize> sizes;
     for (const Way& way : ways) {
-        for (const std::size_t n : {8, 12, 18, 27, 40, 60}) {
+        for (const int nodes : {8, 12, 18, 27, 40, 60}) {
+            const auto n = static_cast<std::size_t>(nodes);
             const double bytes = sizeof(float) * wavelengths * std::pow(static_cast<double>(n), 3);
             sizes.push_back({way.name, bytes, grid_error(exact, probes, way.chart, n, way.cubic)});
         }
     }
     for (const double tolerance : {0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4}) {
         const tables::Table table =
-            tables::build_table(exact, {.name = exact.name()}, {.tolerance = tolerance});
+            tables::build_table(exact, {exact.name(), "", ""}, {.tolerance = tolerance});
         const auto error = tables::table_error(table, exact, pairs, seed);
         sizes.push_back(
             {"the same, few spectra, nodes by need", static_cast<double>(table.bytes()), error.largest});

@@ -182,7 +182,7 @@ class Search {
         do {
             grow_to(target());
             shrink();
-        } while (take_in_worse());
+        } while (fails_elsewhere());
         return now_;
     }
 
@@ -198,6 +198,15 @@ class Search {
         return {nodes, spacing, std::ranges::max(trials_.errors(probes_, nodes, spacing))};
     }
     [[nodiscard]] double target() const { return target_share * request_.tolerance; }
+
+    /// Whether other directions, in several rounds, are worse than the probes.
+    bool fails_elsewhere() {
+        constexpr int rounds = 3;
+        for (int round = 0; round < rounds; ++round) {
+            if (take_in_worse()) return true;
+        }
+        return false;
+    }
 
     /// Measures the grid on other directions; whether it failed there. The worst become probes.
     bool take_in_worse() {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr auto material =
     R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al"})";
-constexpr auto build = "table build --material al.json --wavelengths 0.5,0.6 --tolerance 0.03 --output ";
+constexpr auto build = "table build --material al.json --wavelengths 0.5,0.6 --tolerance 0.1 --output ";
 
 /// Starts a build in the folder and kills it with SIGKILL once its slices are being written.
 void start_and_kill(const fs::path& folder) {
@@ -32,7 +32,7 @@ void start_and_kill(const fs::path& folder) {
         const int null = ::open("/dev/null", O_WRONLY);
         ::dup2(null, STDERR_FILENO);
         ::execl(HTS_COMMAND, "hts", "table", "build", "--material", "al.json", "--wavelengths", "0.5,0.6",
-                "--tolerance", "0.03", "--output", "killed.htst", nullptr);
+                "--tolerance", "0.1", "--output", "killed.htst", nullptr);
         ::_exit(3);
     }
     const auto slices = folder / "killed.htst.slices";
@@ -80,9 +80,9 @@ TEST_CASE("table: check, info and lookup of what was built") {
     CHECK(check.exit_code == 0);
     const auto checked = cells(check.output);
     REQUIRE(checked.size() == 2);
-    CHECK(std::stod(checked[1][6]) <= 0.03);
-    CHECK(std::stod(checked[1][6]) > 0.003);
-    CHECK_THAT(place.hts("table info m.htst").output, Catch::Contains("tolerance             0.03"));
+    CHECK(std::stod(checked[1][6]) <= 0.1);
+    CHECK(std::stod(checked[1][6]) > 0.01);
+    CHECK_THAT(place.hts("table info m.htst").output, Catch::Contains("tolerance             0.1"));
     CHECK_THAT(place.hts("table info m.htst --json").output, Catch::Contains("\"rms_roughness_um\": 0.28"));
 
     place.file(
@@ -92,7 +92,7 @@ TEST_CASE("table: check, info and lookup of what was built") {
     const auto exact = cells(place.hts("eval --material al.json --points points.csv").output);
     REQUIRE(found.size() == 3);
     for (std::size_t row = 1; row < found.size(); ++row) {
-        CHECK(std::stod(found[row][7]) == Approx(std::stod(exact[row][7])).epsilon(0.03));
+        CHECK(std::stod(found[row][7]) == Approx(std::stod(exact[row][7])).epsilon(0.1));
         CHECK(std::stod(found[row][9]) > 0.3);  // the metal's albedo
     }
     const auto refusal = [&](const std::string& row) {

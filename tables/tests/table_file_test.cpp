@@ -63,8 +63,8 @@ TEST_CASE("a table is read as it was written, from memory and from a file") {
     const auto& info = table.info();
     CHECK(table.bytes() == small_bytes().size());
     CHECK(info.source == small_job().source);
-    CHECK(info.tolerance == 1e-2);
-    CHECK(info.error.largest <= 1e-2);
+    CHECK(info.tolerance == 3e-2);
+    CHECK(info.error.largest <= 3e-2);
     CHECK(info.wavelengths.size() == 3);
     CHECK(header_text(info_from_header(header_text(info), "again")) == header_text(info));
     CHECK_THAT(error_of([&] { return Table::open(path); }), Catch::Contains("cannot be read"));
@@ -103,7 +103,7 @@ TEST_CASE("hostile headers are refused by name") {
     CHECK_THAT(refusal(with_header(ratio, "\"ratio\":9.5")), Catch::Contains("must be a whole number"));
     CHECK_THAT(refusal(with_header("\"components\": 3", "\"components\": 0")), Catch::Contains("components"));
     CHECK_THAT(refusal(with_header("0.55", "0.45")), Catch::Contains("wavelength"));
-    CHECK_THAT(refusal(with_header("\"tolerance\": 0.01", "\"tolerance\": null")),
+    CHECK_THAT(refusal(with_header("\"tolerance\": 0.03", "\"tolerance\": null")),
                Catch::Contains("tolerance"));
     CHECK_THAT(refusal(with_header("\"float\"", "\"flat\"")), Catch::Contains("must be float or double"));
     CHECK_THAT(refusal(with_header("{", "[")), Catch::Contains("JSON"));
@@ -137,7 +137,8 @@ TEST_CASE("mutated tables are refused or read, and never crash") {
         std::string bytes = good;
         for (std::size_t change = 1 + below(4); change-- > 0;) {
             const bool in_head = random.uniform(0, 1) < 0.8;
-            const std::size_t at = below(in_head ? prelude_bytes + header : bytes.size());
+            const std::size_t at =
+                below(in_head ? std::min(prelude_bytes + header, bytes.size()) : bytes.size());
             const double kind = random.uniform(0, 1);
             if (kind < 0.5) {
                 bytes[at] = static_cast<char>(below(256));
@@ -170,7 +171,7 @@ TEST_CASE("mutated tables are refused or read, and never crash") {
             table.mueller({Direction::from_degrees(0, 0), Direction::from_degrees(0, 0)}, matrices);
         } catch (const Error& error) {
             ++refused;
-            REQUIRE(std::string{error.what()}.starts_with("mutated: "));
+            REQUIRE(std::string{error.what()}.starts_with("mutated:"));
         }
     }
     INFO(refused << " of " << files << " refused");

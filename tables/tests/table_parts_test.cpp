@@ -17,6 +17,29 @@ using namespace hts::tables;
 using namespace hts::tables::testing;
 namespace fs = std::filesystem;
 
+/// The quickest of jobs.
+const TableJob& job() {
+    static const TableJob job{{"plaster", R"({"model": "lambert", "diffuse_albedo": 0.5})", "plaster.json"},
+                              {0.5},
+                              {.tolerance = 0.1}};
+    return job;
+}
+
+const SpectralBrdf& exact() {
+    static const auto exact = exact_model(job());
+    return *exact;
+}
+
+const std::string& whole() {
+    static const std::string bytes = [] {
+        const TablePlan plan = plan_table(exact(), job().request);
+        std::vector<std::vector<double>> slices;
+        for (std::size_t i = 0; i < plan.slices(); ++i) slices.push_back(table_slice(exact(), plan, i));
+        return finished_table(exact(), job().source, plan, std::move(slices));
+    }();
+    return bytes;
+}
+
 /// A folder of its own for one test.
 class Folder {
   public:
@@ -40,14 +63,14 @@ std::string bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-void build(const fs::path& path, const TableShard& shard = {}, const TableJob& job = small_job()) {
-    build_table_file(small_exact(), job, path, shard, threads_worker(small_exact()));
+void build(const fs::path& path, const TableShard& shard = {}, const TableJob& wanted = job()) {
+    build_table_file(exact(), wanted, path, shard, threads_worker(exact()));
 }
 
 /// A worker that gives up after some slices, as a process that is killed does.
 SliceWorker interrupted_after(std::size_t count) {
     return [count](const TablePlan& plan, std::span<const std::size_t> slices, const auto& keep) {
-        for (std::size_t i = 0; i < count; ++i) keep(slices[i], table_slice(small_exact(), plan, slices[i]));
+        for (std::size_t i = 0; i < count; ++i) keep(slices[i], table_slice(exact(), plan, slices[i]));
         throw std::runtime_error{"interrupted"};
     };
 }
@@ -58,22 +81,22 @@ TEST_CASE("a build that was interrupted goes on, to the same bytes") {
     const Folder folder;
     const fs::path target = folder / "m.htst", slices = folder / "m.htst.slices";
     const auto interrupt = [&] {
-        CHECK_THROWS(build_table_file(small_exact(), small_job(), target, {}, interrupted_after(3)));
+        CHECK_THROWS(build_table_file(exact(), job(), target, {}, interrupted_after(3)));
         CHECK_FALSE(fs::exists(target));
         REQUIRE(fs::exists(slices));
     };
     std::size_t computed = 0;
     const auto go_on = [&] {
-        build_table_file(small_exact(), small_job(), target, {},
+        build_table_file(exact(), job(), target, {},
                          [&](const TablePlan& plan, std::span<const std::size_t> missing, const auto& keep) {
                              computed = missing.size();
-                             threads_worker(small_exact())(plan, missing, keep);
+                             threads_worker(exact())(plan, missing, keep);
                          });
-        CHECK(bytes_of(target) == small_bytes());
+        CHECK(bytes_of(target) == whole());
         CHECK(folder.files() == 1);
         fs::remove(target);
     };
-    const std::size_t all = small_table().info().nodes.grazing;
+    const std::size_t all = Table::from_bytes(whole(), "whole").info().nodes.grazing;
     interrupt();
     go_on();
     CHECK(computed == all - 3);
@@ -94,7 +117,7 @@ TEST_CASE("shards, merged in any order, are the table; what lacks or does not be
     build(folder / "1", {1, 3});
     build(folder / "2", {2, 3});
     build(folder / "3", {3, 3});
-    TableJob another = small_job();
+    TableJob another = job();
     another.request.seed = 9;
     build(folder / "other", {2, 3}, another);
     CHECK(folder.files() == 4);
@@ -107,7 +130,7 @@ TEST_CASE("shards, merged in any order, are the table; what lacks or does not be
         });
     };
     CHECK(merge({"3", "1", "2"}).empty());
-    CHECK(bytes_of(folder / "m.htst") == small_bytes());
+    CHECK(bytes_of(folder / "m.htst") == whole());
     CHECK_THAT(merge({"1", "3"}), Catch::Contains("part 2/3 is missing"));
     CHECK_THAT(merge({"2"}), Catch::Contains("part 1/3, 3/3 is missing"));
     CHECK_THAT(merge({"1", "other", "3"}), Catch::Contains("other: is a part of another table than"));
