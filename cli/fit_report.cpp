@@ -69,7 +69,7 @@ std::string fit_text(const Fit& fit) {
     text += "  AIC " + brief(s.aic, 6) + ", BIC " + brief(s.bic, 6) + "; " +
             std::to_string(fit.starts_at_best) + " of " + std::to_string(fit.starts.size()) +
             " starts reached the best\n";
-    for (const std::string& statement : fit.statements) text += "  not determined: " + statement + "\n";
+    for (const std::string& statement : fit.statements) text += "  note: " + statement + "\n";
     return text;
 }
 
@@ -90,7 +90,7 @@ std::string fit_json(const Fit& fit) {
                               {"correlated", fit.correlated},
                               {"correlation", fit.correlation},
                               {"statistics", statistics_json(fit.statistics)},
-                              {"not_determined", fit.statements},
+                              {"statements", fit.statements},
                               {"starts", starts},
                               {"starts_at_best", fit.starts_at_best},
                               {"material", ordered_json::parse(fit.material)}};

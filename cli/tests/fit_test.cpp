@@ -1,6 +1,7 @@
 // hts fit: fits by the command, the files they leave, and what it refuses.
 
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -49,7 +50,8 @@ TEST_CASE("hts fit holds, frees and starts parameters as told") {
         INFO(options << ": " << result.errors);
         REQUIRE(result.exit_code == 0);
         std::map<std::string, nlohmann::json> parameters;
-        for (const auto& p : nlohmann::json::parse(result.output)["parameters"]) parameters[p["name"]] = p;
+        const auto found = nlohmann::json::parse(result.output);
+        for (const auto& p : found["parameters"]) parameters[p["name"]] = p;
         return parameters;
     };
     auto fitted = report("--model kurt --fix f0=0.3 --free my,scale --start mx=0.4");
@@ -66,19 +68,18 @@ TEST_CASE("hts fit holds, frees and starts parameters as told") {
 TEST_CASE("hts fit compares all models") {
     const Workplace place;
     const auto rows =
-        cells(place.hts("fit --all-models curet-sandpaper blue-acrylic --most-points 20 --rings 0 --starts 1")
-                  .output);
-    REQUIRE(rows.size() > 20);
+        cells(place.hts("fit --all-models curet-sandpaper --most-points 20 --rings 0 --starts 1").output);
+    REQUIRE(rows.size() > 10);
     CHECK(rows[0][0] == "data");
     std::set<std::string> data, models;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         data.insert(rows[i][0]);
         models.insert(rows[i][1]);
     }
-    CHECK(data == std::set<std::string>{"blue-acrylic", "curet-sandpaper"});
+    CHECK(data == std::set<std::string>{"curet-sandpaper"});
     for (const std::string model : {"he", "beckmann", "ggx", "kurt", "ward", "lambert"})
         CHECK(models.contains(model));
-    CHECK((rows.size() - 1) == 2 * models.size());
+    CHECK(rows.size() - 1 == models.size());
 }
 
 TEST_CASE("hts fit refuses what cannot be fitted, and leaves no file") {
