@@ -24,11 +24,12 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 std::string parameter_text(const FittedParameter& parameter) {
-    std::string text = "  " + padded(parameter.name, 12) + " " + padded(brief(parameter.value), 10);
+    std::string text{"  "};
+    text.append(padded(parameter.name, 12)).append(" ").append(padded(brief(parameter.value), 10));
     if (parameter.outcome == Outcome::fitted) {
-        text += " +- " + padded(brief(parameter.standard_error, 2), 9);
+        text.append(" +- ").append(padded(brief(parameter.standard_error, 2), 9));
     } else {
-        text += " " + padded(name(parameter.outcome), 12);
+        text.append(" ").append(padded(name(parameter.outcome), 12));
     }
     return text + (parameter.unit == "1" ? "" : " " + parameter.unit) + "\n";
 }

@@ -37,6 +37,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
     hts::cli::add_truth(program);
+    hts::cli::add_validate(program);
 }
 
 /// The first argument must be an option of the program or a verb.

@@ -26,5 +26,6 @@ void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_table(CLI::App& program);
 void add_truth(CLI::App& program);
+void add_validate(CLI::App& program);
 
 }  // namespace hts::cli

@@ -1,6 +1,7 @@
 #include "validation/comparison_section.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "spectral/material_files.hpp"
 #include "spectral/text.hpp"
@@ -111,9 +112,10 @@ std::string described(const spectral::AnyReflector& reflector) {
 
 Section comparison_section(const CurveSet& set, const spectral::AnyReflector& reflector, const Trial& trial) {
     const std::string stem = trial.stem.empty() ? set.stem : trial.stem;
-    const Comparison result =
-        comparison(set, Prediction{set, trial.nodes}.values(reflector, trial.policy), trial.free_parameters);
-    const auto lines = model_lines(set, reflector, trial.nodes, trial.policy, result.scale);
+    auto predicted = Prediction{set, trial.nodes}.values(reflector, trial.policy);
+    for (double& value : predicted) value *= trial.scale;
+    const Comparison result = comparison(set, std::move(predicted), trial.free_parameters);
+    const auto lines = model_lines(set, reflector, trial.nodes, trial.policy, result.scale * trial.scale);
     const ComparisonPicture picture{set, result, lines, trial.model, stem};
     Section section{.stem = stem,
                     .title = set.surface,

@@ -16,6 +16,7 @@ struct Trial {
     int free_parameters = 0;  ///< fitted to the set
     spectral::OutsideRange policy = spectral::OutsideRange::error;
     AveragingNodes nodes{};
+    double scale = 1;    ///< a factor on the model, where one was fitted
     std::string stem{};  ///< of all files; that of the set if empty
 };
 

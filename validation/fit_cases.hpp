@@ -15,7 +15,7 @@ struct FitCase {
     FitRequest request;
     FitSelection selection{};
     std::size_t quick_points = 120;  ///< at most so many for Effort::quick; 0: all
-    bool judged = true;              ///< against the criteria that are asked of the set
+    bool judged = true;  ///< has a section of its own, with the criteria that are asked of the set
 };
 
 [[nodiscard]] std::vector<FitCase> fit_cases();

@@ -5,7 +5,7 @@
 
 #include "spectral/text.hpp"
 #include "validation/built_in_curves.hpp"
-#include "validation/comparison.hpp"
+#include "validation/comparison_section.hpp"
 #include "validation/fit_cases.hpp"
 #include "validation/fit_curves.hpp"
 
@@ -36,7 +36,6 @@ struct CaseResult {
     FitCase asked;
     CurveSet set;
     Fit fit;
-    Comparison comparison;
 };
 
 CaseResult result_of(const FitCase& asked, Effort effort) {
@@ -44,12 +43,7 @@ CaseResult result_of(const FitCase& asked, Effort effort) {
     FitSelection selection = asked.selection;
     if (effort == Effort::quick) selection.most_points = asked.quick_points;
     Fit fit = fitted(asked.request, fit_data(set, selection));
-    auto predicted =
-        Prediction{set, selection.nodes}.values(fitted_reflector(fit), spectral::OutsideRange::clamp);
-    for (double& value : predicted) value *= fit.parameter("scale").value;
-    Comparison compared =
-        comparison(set, std::move(predicted), static_cast<int>(fit.statistics.free_parameters));
-    return {asked, std::move(set), std::move(fit), std::move(compared)};
+    return {asked, std::move(set), std::move(fit)};
 }
 
 // ---- tables
@@ -97,45 +91,19 @@ ReportTable statement_table(const std::vector<CaseResult>& results) {
     return table;
 }
 
-// ---- the picture
-
-Figure overlay(const CaseResult& result, const std::vector<double>& fixed_angles) {
-    Figure figure{"fit-" + result.set.stem,
-                  {},
-                  "",
-                  result.set.surface + ": points measured by " + result.set.by +
-                      ", lines the fitted He-Torrance model. Camera angles on the right."};
-    std::string plots;
-    std::size_t at = 0;
-    const char* const colours[] = {"#000000", "#0072b2", "#009e73", "#d55e00",
-                                   "#cc79a7", "#e69f00", "#56b4e9"};
-    for (const Curve& curve : result.set.curves) {
-        FigureTable table{
-            figure.stem + "-" + brief(curve.fixed_angle()), {"theta_i_deg", "measured", "fitted"}, {}};
-        for (const CurvePoint& point : curve.points) {
-            table.rows.push_back({curve.swept_angle(point), point.value, result.comparison.model[at++]});
-        }
-        if (std::ranges::find(fixed_angles, std::round(curve.fixed_angle())) == fixed_angles.end()) continue;
-        const std::string file = "'" + table.stem + ".csv' every ::1 using 1:";
-        const std::string colour = std::string{" lc rgb '"} + colours[figure.tables.size() % 7] + "'";
-        plots += (plots.empty() ? "plot " : ", \\\n     ") + file + "2 with points pt 7 ps 0.3" + colour +
-                 " notitle, \\\n     " + file + "3 with lines lw 1.8" + colour + " title '" +
-                 brief(curve.fixed_angle()) + "°'";
-        figure.tables.push_back(std::move(table));
-    }
-    figure.script =
-        std::string{figure_style} +
-        "set logscale y\nset format y '%g'\nset xrange [0:90]\nset xtics 15\nset key outside right top\n"
-        "set xlabel 'angle of incidence [°]'\nset ylabel 'BRDF [1/sr]'\n" +
-        plots + "\n";
-    return figure;
-}
-
-// ---- checks
-
-void add_checks(Section& section, const CaseResult& result) {
-    if (!result.asked.judged) return;
-    for (Check& check : criteria(result.set, result.comparison)) section.checks.push_back(std::move(check));
+/// The fitted model beside the whole set, fitted points and others.
+Section section_of(const CaseResult& result) {
+    const double scale = result.fit.parameter("scale").value;
+    std::string model = "fitted He-Torrance: σ₀ " + brief(result.fit.parameter("sigma0").value) + " µm, τ " +
+                        brief(result.fit.parameter("tau").value) + " µm";
+    if (!result.asked.request.index.empty()) model += ", index " + result.asked.request.index;
+    if (scale != 1) model += ", times " + brief(scale);
+    return comparison_section(result.set, fitted_reflector(result.fit),
+                              {.model = model,
+                               .free_parameters = static_cast<int>(result.fit.statistics.free_parameters),
+                               .policy = spectral::OutsideRange::clamp,
+                               .nodes = result.asked.selection.nodes,
+                               .scale = scale});
 }
 
 }  // namespace
@@ -153,18 +121,21 @@ Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower) 
             a.value / b.value * std::sqrt(std::max(0.0, sa * sa + sb * sb - 2 * r * sa * sb))};
 }
 
-Section fits_section(Effort effort) {
-    Section section{"fits", "The model fitted to measurements", fits_text(), {}, {}, {}, {}, {}};
+std::vector<Section> fits_sections(Effort effort) {
     std::vector<CaseResult> results;
     for (const FitCase& asked : fit_cases()) results.push_back(result_of(asked, effort));
+    std::vector<Section> sections{{.stem = "fits",
+                                   .title = "The model fitted to measurements",
+                                   .text = fits_text(),
+                                   .checks = {},
+                                   .figures = {},
+                                   .images = {},
+                                   .tables = {parameter_table(results), statement_table(results)},
+                                   .not_available = {}}};
     for (const CaseResult& result : results) {
-        add_checks(section, result);
-        if (result.asked.set == "mwir-aluminium-sandblasted" && result.asked.judged) {
-            section.figures.push_back(overlay(result, {15, 30, 45, 60, 70, 80, 85}));
-        }
+        if (result.asked.judged) sections.push_back(section_of(result));
     }
-    section.tables = {parameter_table(results), statement_table(results)};
-    return section;
+    return sections;
 }
 
 }  // namespace hts::validation

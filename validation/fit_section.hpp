@@ -1,14 +1,17 @@
 /// Fits as parts of a validation report.
 #pragma once
 
+#include <vector>
+
 #include "validation/fit.hpp"
 #include "validation/report.hpp"
 
 namespace hts::validation {
 
-/// The He-Torrance model fitted to every set of curves that comes with the program: parameters with their uncertainties, what
-/// each set leaves open, fitted beside measured roughness, and the criteria that are asked of some sets.
-[[nodiscard]] Section fits_section(Effort effort);
+/// The He-Torrance model fitted to every set of curves that comes with the program. First the parameters with their
+/// uncertainties, what each set leaves open, and fitted beside measured roughness; then, set by set, the fitted model beside
+/// the measurement with the criteria that are asked of it.
+[[nodiscard]] std::vector<Section> fits_sections(Effort effort);
 
 /// Every model fitted to every set: L2 errors like Table 3 of [Kurt10], and information criteria.
 [[nodiscard]] Section models_section(Effort effort);

@@ -1,0 +1,44 @@
+#include "cli/validation_parts.hpp"
+
+#include "validation/comparison_section.hpp"
+#include "validation/exact_scattering.hpp"
+#include "validation/fit_section.hpp"
+#include "validation/fourier_integral.hpp"
+#include "validation/he_figures.hpp"
+#include "validation/ray_report.hpp"
+#include "validation/renders_section.hpp"
+
+namespace hts::cli {
+namespace {
+
+using validation::Effort;
+using validation::Section;
+
+/// A part that is one section.
+template <Section (*make)(Effort)>
+std::vector<Section> alone(Effort effort, const std::filesystem::path& /*curves*/) {
+    return {make(effort)};
+}
+
+std::vector<Section> measurements(Effort effort, const std::filesystem::path& /*curves*/) {
+    return validation::fits_sections(effort);
+}
+
+std::vector<Section> paper_figures(Effort effort, const std::filesystem::path& curves) {
+    return {validation::paper_figures_section(effort), validation::slots_section(curves)};
+}
+
+}  // namespace
+
+const std::vector<ValidationPart>& validation_parts() {
+    static const std::vector<ValidationPart> parts{{"measurements", measurements},
+                                                   {"models", alone<validation::models_section>},
+                                                   {"moments", alone<validation::exact_scattering_section>},
+                                                   {"fourier", alone<validation::fourier_section>},
+                                                   {"rays", alone<validation::rays_section>},
+                                                   {"figures", paper_figures},
+                                                   {"pictures", alone<validation::renders_section>}};
+    return parts;
+}
+
+}  // namespace hts::cli
