@@ -58,6 +58,8 @@ std::vector<double> lobe_coefficients(const std::vector<std::vector<double>>& sl
 
 std::vector<double> spectral_basis(std::vector<double> spectra, const std::vector<double>& weights,
                                    std::size_t wavelengths, double error) {
+    constexpr double rounding = 1e-11;  // what is left of spectra that are sums of those taken
+    double longest = 0;
     std::vector<double> basis;
     // What is left of each spectrum once its components are taken out.
     const auto rest = [&](std::size_t i) { return std::span{spectra}.subspan(i * wavelengths, wavelengths); };
@@ -75,7 +77,8 @@ std::vector<double> spectral_basis(std::vector<double> spectra, const std::vecto
         if (!basis.empty() && whole_lanes && worst_error <= error) break;
         std::vector<double> next{rest(worst).begin(), rest(worst).end()};
         const double length = std::sqrt(std::inner_product(next.begin(), next.end(), next.begin(), 0.0));
-        if (!(length > 0)) break;
+        longest = std::max(longest, length);
+        if (!(length > rounding * longest)) break;
         for (double& value : next) value /= length;
         for (std::size_t i = 0; i < count; ++i) {
             const double component = std::inner_product(next.begin(), next.end(), rest(i).begin(), 0.0);

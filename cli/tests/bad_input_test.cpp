@@ -161,7 +161,8 @@ TEST_CASE("wrong usage") {
     place.file("m.json", material("0.28", "1.77", R"("index": "Al")"));
     const std::vector<std::pair<std::string, std::vector<std::string>>> bad{
         {"", {"verb", "eval"}},
-        {"render", {"render", "eval"}},
+        {"rendr", {"rendr", "eval"}},
+        {"render", {"scene is required"}},
         {"eval", {"--points"}},
         {"eval" + point, {"--material"}},
         {"eval --material m.json --wavelength 0.5 --theta-i 30 --phi 170", {"--theta-r"}},

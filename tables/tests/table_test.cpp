@@ -129,7 +129,7 @@ TEST_CASE("what cannot be tabulated is refused by name") {
                Catch::Contains("must be of an isotropic surface"));
     const std::string lambert = R"({"model": "lambert", "diffuse_albedo": 0.5})";
     CHECK_THAT(refusal(lambert, {.polarised = true}), Catch::Contains("must be of model he"));
-    CHECK_THAT(refusal(lambert, {.tolerance = 0}), Catch::Contains("from 1e-09 to 0.5"));
+    CHECK_THAT(refusal(lambert, {.tolerance = 0}), Catch::Contains("from 1e-9 to 0.5"));
     CHECK_THAT(refusal(lambert, {.tolerance = std::numeric_limits<double>::quiet_NaN()}),
                Catch::Contains("tolerance"));
     CHECK_THAT(refusal(small_job().source.material, {.tolerance = 1e-4, .largest_bytes = 100'000}),
