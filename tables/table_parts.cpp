@@ -188,8 +188,15 @@ void build_table_file(const SpectralBrdf& exact, const TableJob& job, const fs::
         return;
     }
     if (progress) progress("measuring", 0);
-    spectral::write_file(path.string(),
-                         finished_table(exact, job.source, part.header().plan, part.take_slices()));
+    const auto bytes = [&]() -> std::string {
+        try {
+            return finished_table(exact, job.source, part.header().plan, part.take_slices());
+        } catch (const Error&) {
+            fs::remove(slices);  // going on from there would meet the same
+            throw;
+        }
+    }();
+    spectral::write_file(path.string(), bytes);
     fs::remove(slices);
 }
 

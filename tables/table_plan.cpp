@@ -16,7 +16,7 @@ namespace hts::tables {
 namespace {
 
 constexpr double floor_below_peak = 1e-12, lowest_floor = 1e-30;
-constexpr std::size_t probe_wavelengths = 5;
+constexpr std::size_t probe_wavelengths = 64;
 
 std::vector<double> floors(const LobePeaks& peaks, std::size_t wavelengths) {
     std::vector<double> floor(wavelengths);

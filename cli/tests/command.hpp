@@ -27,7 +27,8 @@ class Workplace {
     /// Writes a file and returns its name.
     std::string file(const std::string& name, const std::string& text) const;
     [[nodiscard]] std::string read(const std::string& name) const;
-    [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
+    /// Where the commands run.
+    [[nodiscard]] std::filesystem::path folder() const { return folder_ / "work"; }
     /// Names of the files and folders in it, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
 
