@@ -6,7 +6,8 @@
 namespace hts::cli {
 
 void add_table(CLI::App& program) {
-    CLI::App* table = program.add_subcommand("table", "lookup tables with a promised error, and the files of other programs");
+    CLI::App* table = program.add_subcommand(
+        "table", "lookup tables with a promised error, and the files of other programs");
     table->require_subcommand(1);
     add_table_build(*table);
     add_table_check(*table);

@@ -45,8 +45,7 @@ TEST_CASE("a file that was exported is imported as a material") {
         CHECK(read.errors.find("isotropic") != std::string::npos);
         const auto table = cells(read.output);
         REQUIRE(table.size() == 2);
-        CHECK(std::stod(table[1][1]) ==
-              Approx(0.75).margin(0.05));  // gold at 0.55 um
+        CHECK(std::stod(table[1][1]) == Approx(0.75).margin(0.05));  // gold at 0.55 um
         CHECK(brdf_at_point(place, "measured.json") == Approx(exact).epsilon(format == "klems" ? 0.3 : 0.01));
     }
     CHECK(place.hts("polar --material measured.json --wavelength 0.55 --theta-i 30 --output polar.csv")

@@ -20,8 +20,7 @@ TEST_CASE("every verb explains itself with an example") {
     const Workplace place;
     for (const std::string verb :
          {"eval", "phi", "spectrum", "polar", "figures", "sample", "plan", "albedo", "furnace", "materials",
-          "info", "chart", "stability", "curves", "compare",
-          "fit", "render", "truth"}) {
+          "info", "chart", "stability", "curves", "compare", "fit", "render", "truth"}) {
         INFO(verb);
         const auto help = place.hts(verb + " --help");
         CHECK(help.exit_code == 0);
