@@ -29,10 +29,11 @@ Prints the parameters with standard errors, how close the model comes, and what 
 cannot tell. Parameters are those of the material file, or their symbols (sigma0, tau, a);
 a factor "scale" on all values is 1 unless freed. Where --index is not given, n is fitted
 and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--free my).
---output writes the material, ready for --material of other verbs; --report everything.
+--output writes the material, ready for --material of other verbs, without "scale", which
+no material has; --report writes everything.
 
 Examples:
-  hts fit mwir-aluminium_sandblasted --model he --index Al --output fitted.json
+  hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
   hts fit curves.json --model kurt --lobes 2 --residual cosine --largest-theta 80
   hts fit curves.json --model he --free scale,k --fix a=0 --start sigma0=0.3 --json
   hts fit --all-models curves-a.json curves-b.json --residual cosine)";
@@ -109,7 +110,13 @@ void fit_one(const FitOptions& options) {
     FitRequest asked = request(options);
     if (set.scale == validation::Scale::unknown) asked.freed.emplace_back("scale");
     const Fit fit = validation::fitted(asked, validation::fit_data(set, selection(options)));
-    if (!options.output.empty()) write_file(options.output, fit.material);
+    if (!options.output.empty()) {
+        write_file(options.output, fit.material);
+        if (const double scale = fit.parameter("scale").value; scale != 1) {
+            std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
+                      << ", which a material cannot hold\n";
+        }
+    }
     if (!options.report.empty()) write_file(options.report, fit_json(fit));
     std::cout << (options.json ? fit_json(fit) : fit_text(fit));
 }

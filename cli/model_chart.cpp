@@ -109,7 +109,7 @@ class Truth {
         const Vector3 off = spectral::random_direction(random).vector();
         const Vector3 out =
             in.mirror().vector() + 0.3 * spectral::uniform(random) * (off - Vector3{0, 0, 0.5});
-        if (out.z <= lowest) return {in, in.mirror()};
+        if (out.z <= lowest * std::sqrt(dot(out, out))) return {in, in.mirror()};
         return {in, Direction::from_vector(out)};
     }
 

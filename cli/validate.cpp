@@ -105,7 +105,9 @@ void run(const ValidateOptions& options) {
     write_file((folder / "report.json").string(), validation::report_json(sections, origin));
     const auto [passed, all] = validation::tally(sections);
     std::cout << passed << " of " << all << " criteria met: " << (folder / "report.html").string() << '\n';
-    if (passed < all) throw Error{"validate: " + std::to_string(all - passed) + " criteria missed (above)"};
+    if (passed < all)
+        throw Error{"validate: " + std::to_string(all - passed) +
+                    (all - passed == 1 ? " criterion missed (above)" : " criteria missed (above)")};
 }
 
 }  // namespace
@@ -121,8 +123,9 @@ void add_validate(CLI::App& program) {
         ->delimiter(',')
         ->check(CLI::IsMember(names));
     verb->add_option("--curves", options->curves,
-                     "folder that may hold he91-figure-7.json ... he91-figure-11.json, digitised");
-    verb->add_flag("--quick", options->quick, "under three minutes on two cores");
+                     "existing folder with any of he91-figure-7.json ... he91-figure-11.json, digitised")
+        ->check(CLI::ExistingDirectory);
+    verb->add_flag("--quick", options->quick, "smaller samples and pictures: a minute or two on two cores");
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

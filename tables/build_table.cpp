@@ -55,7 +55,7 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
     if (info.error.largest > request.tolerance) {
         throw Error{source.name + ": measured error " + shortest(info.error.largest) +
                     " of the finished table: must be at most the tolerance " + shortest(request.tolerance) +
-                    "; ask for a little less"};
+                    "; give a slightly smaller --tolerance"};
     }
     return table_bytes(info, numbers);
 }

@@ -7,7 +7,7 @@
 ///   plan     a basis of spectra grows until every random direction's spectrum is a sum of them; the number of nodes of each
 ///            axis until the error on random directions meets three quarters of the tolerance, and then shrinks as far as
 ///            it may: half as many nodes on any axis would fail
-///   slices   exact values at the nodes of one grazing angle, in any order, on any machine
+///   slices   exact values at the nodes of one grazing angle, in any order, on machines of one instruction set
 ///   finish   splines, the small curves, and the error measured anew on other directions
 #pragma once
 

@@ -50,6 +50,7 @@ std::vector<std::uint16_t> whole_nanometres(const SpectralBrdf& brdf) {
 template <class At>
 std::vector<float> nodes(int count, const At& at) {
     std::vector<float> result;
+    result.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         result.push_back(static_cast<float>(at(static_cast<double>(i) / (count - 1))));
     return result;
@@ -149,6 +150,7 @@ struct PbsdfFile {
 
 spectral::WavelengthGrid grid_of(const std::vector<std::uint16_t>& nanometres) {
     std::vector<double> um;
+    um.reserve(nanometres.size());
     for (const std::uint16_t nm : nanometres) um.push_back(nm / 1000.0);
     return spectral::WavelengthGrid::from_micrometres(std::move(um));
 }

@@ -113,6 +113,7 @@ RglFile::RglFile(const TensorFile& file) {
 
 spectral::WavelengthGrid grid_of(const std::vector<float>& nanometres) {
     std::vector<double> um;
+    um.reserve(nanometres.size());
     for (const float nm : nanometres) um.push_back(static_cast<double>(nm) / 1000);
     return spectral::WavelengthGrid::from_micrometres(std::move(um));
 }

@@ -130,7 +130,7 @@ class CsvPoints {
             columns.push_back(i);
         }
         if (columns.empty())
-            throw Error{table_.name() + ": column \"brdf\" or \"brdf_550nm\" or the like: missing"};
+            throw Error{table_.name() + R"(: column "brdf" or "brdf_550nm" or the like: missing)"};
         const ChannelColumns channels = channels_named(table_.name(), names, given);
         ScatterPoints points{channels.wavelengths, {}, {}};
         std::vector<double> row_values(columns.size());

@@ -161,8 +161,9 @@ Part read_part(const std::filesystem::path& path) {
               {},
               prelude_bytes + from_little_endian<std::uint64_t>(std::string_view{bytes}.substr(16))};
     const TablePlan& plan = part.header.plan;
+    const std::size_t components = plan.basis.size() / plan.floor.size();
     const double record = static_cast<double>(plan.nodes.ratio) * static_cast<double>(plan.nodes.turn) *
-                          static_cast<double>(plan.basis.size() / plan.floor.size()) * sizeof(double);
+                          static_cast<double>(components) * sizeof(double);
     const std::string_view all{bytes};
     while (static_cast<double>(bytes.size() - part.sound_bytes) >= record + record_head) {
         const auto record_bytes = static_cast<std::size_t>(record);

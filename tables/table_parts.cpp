@@ -25,13 +25,15 @@ fs::path slices_path(const fs::path& path) {
 /// What an earlier go at the same job left.
 std::optional<Part> left_behind(const fs::path& path, const TableJob& job, const TableShard& shard) {
     if (!fs::exists(path)) return std::nullopt;
+    std::optional<Part> part;
     try {
-        Part part = read_part(path);
-        if (part.header.job == job && part.header.shard == shard) return part;
+        part = read_part(path);
     } catch (const Error&) {
-        // Cut short before its header was whole, or another file: the job starts anew.
+        return std::nullopt;  // cut short before its header was whole, or no part: the job starts anew
     }
-    return std::nullopt;
+    if (part->header.job == job && part->header.shard == shard) return part;
+    throw Error{path.string() +
+                ": holds finished slices of another job: must be removed first, or that job finished"};
 }
 
 /// The part beside the target, open for more slices.
@@ -83,7 +85,7 @@ class OpenPart {
 OpenPart open_part(const SpectralBrdf& exact, const TableJob& job, const fs::path& path,
                    const TableShard& shard, const TableProgress& progress) {
     if (auto part = left_behind(path, job, shard)) return {path, std::move(*part)};
-    spectral::Output{path.string()};  // whether it can be written, before the work is done
+    const spectral::Output writable{path.string()};  // whether it can be written, before the work is done
     return {path, PartHeader{job, plan_table(exact, job.request, progress), shard}};
 }
 
@@ -201,6 +203,7 @@ void build_table_file(const SpectralBrdf& exact, const TableJob& job, const fs::
 }
 
 void merge_table_file(const std::vector<fs::path>& parts, const fs::path& path) {
+    if (parts.empty()) throw Error{"parts of a table: must be at least one"};
     Merger merger;
     for (const fs::path& part : parts) merger.add(part);
     auto slices = merger.slices();

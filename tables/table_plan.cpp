@@ -310,6 +310,9 @@ void require_tabulable(const SpectralBrdf& exact, const TableRequest& request) {
     if (!(request.tolerance >= 1e-9 && request.tolerance <= 0.5)) {
         throw out_of_range("tolerance of a table", request.tolerance, "", "from 1e-9 to 0.5");
     }
+    if (request.seed > std::uint64_t{1} << 52U) {
+        throw out_of_range("seed of a table", static_cast<double>(request.seed), "", "from 0 to 2^52");
+    }
     if (const double change = anisotropy(exact); change > 1e-6) {
         throw Error{exact.name() + ": turned about the normal it changes by a factor of up to 1 + " +
                     shortest(change) + ": a table must be of an isotropic surface"};
@@ -332,8 +335,9 @@ TablePlan plan_table(const SpectralBrdf& exact, const TableRequest& request, con
     TablePlan plan{request, {}, {}, floors(peaks, width), {}};
     plan.basis = basis_of(exact, request, peaks, plan.floor);
     const Trials trials{exact, peaks, plan.floor, plan.basis};
-    const double bytes_per_node = static_cast<double>(
-        plan.basis.size() / width * (needs_double(request) ? sizeof(double) : sizeof(float)));
+    const std::size_t bytes =
+        plan.basis.size() / width * (needs_double(request) ? sizeof(double) : sizeof(float));
+    const auto bytes_per_node = static_cast<double>(bytes);
     const Tried found = Search{trials, request, bytes_per_node, exact.name(), progress}.found();
     plan.spacing = found.spacing;
     plan.nodes.grazing = found.nodes[0];

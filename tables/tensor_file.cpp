@@ -196,6 +196,7 @@ class TensorFile::HeaderReader {
 
     void require_distinct_names(const std::vector<Field>& fields) const {
         std::vector<std::string_view> names;
+        names.reserve(fields.size());
         for (const Field& each : fields) names.push_back(each.name);
         std::sort(names.begin(), names.end());
         const auto twin = std::adjacent_find(names.begin(), names.end());

@@ -245,7 +245,8 @@ void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
                     std::to_string(wavelengths.size()) + " name an index that ends in .json"};
     }
     const std::vector<std::string> texts = zemax_texts(brdf);
-    if (texts.size() == 1) return spectral::write_file(path.string(), texts.front());
+    if (texts.size() == 1 && path.extension() != ".json")
+        return spectral::write_file(path.string(), texts.front());
     std::string index = "{\"zemax_files\": [";
     for (std::size_t k = 0; k < texts.size(); ++k) {
         std::string nanometres;
@@ -265,6 +266,7 @@ std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path
         return zemax_brdf(spectral::read_text_file(file), file.string(), channels);
     };
     if (path.extension() != ".json") return one(path, wavelengths);
+    if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
     const auto index = spectral::JsonValue::read(path);
     std::vector<std::shared_ptr<const SpectralBrdf>> parts;
     for (const auto& item : index["zemax_files"].items()) {

@@ -17,13 +17,13 @@
 
 namespace hts::tables {
 
-/// Angles that suit lobes of 5 degrees and wider: incidence every 5 degrees to 85, and 89; azimuth every 10; polar angle
+/// Angles that suit lobes of 5 degrees and wider: incidence every 2.5 degrees to 40, then every degree to 89; azimuth every 10; polar angle
 /// from 0.1 degrees on in growing steps, at most 5, to 170.
 [[nodiscard]] AngularGrid zemax_grid();
 
 /// A file's text for each wavelength, six digits.
 ///   brdf   isotropic, else hts::Error      grid   axis mirror, phi_i one value
-/// "TIS" is the reflectance of each angle of incidence, integrated on a grid four times finer.
+/// "TIS" is the reflectance of each angle of incidence, integrated on a grid four times finer along the polar angle, twice along the azimuth.
 [[nodiscard]] std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid = zemax_grid());
 
 /// The BRDF of a file; one with tristimulus values comes as linear sRGB (rgb_wavelengths).
@@ -35,7 +35,7 @@ namespace hts::tables {
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
 
-/// Writes files: at one wavelength `path` itself; at several `path` must end in .json and becomes an index,
+/// Writes files: at one wavelength `path` itself unless it ends in .json; at several `path` must end in .json and becomes an index,
 /// {"zemax_files": [{"wavelength_um": 0.633, "file": "NAME_633nm.bsdf"}, …]}, of files beside it. hts::Error if one cannot be written.
 void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path);
 

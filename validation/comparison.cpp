@@ -83,7 +83,8 @@ Check median_criterion(const CurveSet& set, const Comparison& result) {
     return {"median |ln(model / measured)| at most " + brief(bound) + " up to " + brief(largest) +
                 " deg incidence, all cameras",
             brief(figures.median_abs_log, 3) + " (" + std::to_string(figures.points) + " points)",
-            figures.median_abs_log <= bound};
+            figures.median_abs_log <= bound &&
+                std::ranges::all_of(result.model, [](double value) { return value > 0; })};
 }
 
 Check maxima_criterion(const Comparison& result) {

@@ -158,7 +158,7 @@ Section slots_section(const std::filesystem::path& folder) {
                 .not_available = {}};
     for (const MeasurementSlot& slot : measurement_slots()) {
         const auto file = folder / (slot.stem + ".json");
-        if (!std::filesystem::exists(file)) {
+        if (folder.empty() || !std::filesystem::exists(file)) {
             all.not_available.push_back(slot.stem + ", " + slot.what +
                                         ": measurement not available (would be read from " + slot.stem +
                                         ".json)");

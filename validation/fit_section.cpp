@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "spectral/text.hpp"
 #include "validation/built_in_curves.hpp"
@@ -96,7 +97,9 @@ Section section_of(const CaseResult& result) {
     const double scale = result.fit.parameter("scale").value;
     std::string model = "fitted He-Torrance: σ₀ " + brief(result.fit.parameter("sigma0").value) + " µm, τ " +
                         brief(result.fit.parameter("tau").value) + " µm";
-    if (!result.asked.request.index.empty()) model += ", index " + result.asked.request.index;
+    const std::string& index = result.asked.request.index;  // in quotation marks, or an object
+    if (!index.empty())
+        model += ", index " + (index.starts_with('"') ? index.substr(1, index.size() - 2) : index);
     if (scale != 1) model += ", times " + brief(scale);
     return comparison_section(result.set, fitted_reflector(result.fit),
                               {.model = model,
@@ -115,6 +118,8 @@ Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower) 
     };
     const std::size_t i = place(upper), j = place(lower);
     const double sa = a.standard_error / a.value, sb = b.standard_error / b.value;
+    if (!std::isfinite(sa) || !std::isfinite(sb))
+        return {a.value / b.value, std::numeric_limits<double>::infinity()};
     const bool both = i < fit.correlated.size() && j < fit.correlated.size();
     const double r = both ? fit.correlation[i][j] : 0;
     return {a.value / b.value,

@@ -161,7 +161,9 @@ Columns jacobian(const Residuals& residuals, std::span<const double> x, const st
     Columns columns;
     std::vector<double> moved{x.begin(), x.end()};
     for (std::size_t j = 0; j < x.size(); ++j) {
-        const double step = difference * std::max(1.0, std::abs(x[j]));
+        double step = difference * std::max(1.0, std::abs(x[j]));
+        if (bounds[j].lowest == 0 && x[j] > 0)
+            step = std::min(step, std::max(0.1 * x[j], 1e-6));  // no logarithm
         const double below = std::max(bounds[j].lowest, x[j] - step),
                      above = std::min(bounds[j].highest, x[j] + step);
         moved[j] = above;
