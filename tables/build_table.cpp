@@ -7,6 +7,7 @@
 #include "tables/lobe_nodes.hpp"
 #include "tables/table_contents.hpp"
 #include "tables/table_curves.hpp"
+#include "tables/table_probes.hpp"
 
 namespace hts::tables {
 namespace {
@@ -23,7 +24,6 @@ std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan
 
 std::string finished_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
                            std::vector<std::vector<double>> slices) {
-    constexpr std::uint64_t measured_pairs = 1 << 17;
     const TableRequest& request = plan.request;
     const CoordinateMap map{plan.spacing};
     const std::size_t width = plan.floor.size();
@@ -51,7 +51,7 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
                    needs_double(request),
                    library_version()};
     const Table unmeasured = Table::from_bytes(table_bytes(info, numbers), source.name);
-    info.error = table_error(unmeasured, exact, measured_pairs, request.seed + 1);
+    info.error = table_error(unmeasured, exact, measured_pairs, measured_seed(request.seed));
     if (info.error.largest > request.tolerance) {
         throw Error{source.name + ": measured error " + shortest(info.error.largest) +
                     " of the finished table: must be at most the tolerance " + shortest(request.tolerance) +

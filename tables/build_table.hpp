@@ -8,7 +8,8 @@
 ///            axis until the error on random directions meets three quarters of the tolerance, and then shrinks as far as
 ///            it may: half as many nodes on any axis would fail
 ///   slices   exact values at the nodes of one grazing angle, in any order, on machines of one instruction set
-///   finish   splines, the small curves, and the error measured anew on other directions
+///   finish   splines, the small curves, and the error measured on random directions, the last of several sets that the plan
+///            was tried on; `table_error` with another seed is independent
 #pragma once
 
 #include <cstdint>

@@ -199,18 +199,19 @@ class Search {
     }
     [[nodiscard]] double target() const { return target_share * request_.tolerance; }
 
-    /// Whether other directions, in several rounds, are worse than the probes.
+    /// Whether other directions, in several rounds, are worse than the probes; at last those that the finished table is
+    /// measured on.
     bool fails_elsewhere() {
-        constexpr int rounds = 3;
+        constexpr int rounds = 5;
         for (int round = 0; round < rounds; ++round) {
-            if (take_in_worse()) return true;
+            if (take_in_worse(random_.next(other_pairs))) return true;
         }
-        return false;
+        return take_in_worse(RandomPairs{measured_seed(request_.seed)}.next(measured_pairs));
     }
 
     /// Measures the grid on other directions; whether it failed there. The worst become probes.
-    bool take_in_worse() {
-        const Probes others = trials_.probes(random_.next(other_pairs));
+    bool take_in_worse(std::vector<DirectionPair> pairs_to_try) {
+        const Probes others = trials_.probes(std::move(pairs_to_try));
         const std::vector<double> errors = trials_.errors(others, now_.nodes, now_.spacing);
         if (std::ranges::max(errors) <= worse_share * request_.tolerance) return false;
         std::vector<DirectionPair> pairs = probes_.pairs;

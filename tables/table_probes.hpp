@@ -24,6 +24,12 @@ class RandomPairs {
     bool about_lobe_ = false;
 };
 
+/// On which a finished table is measured, for a request's seed.
+inline constexpr std::size_t measured_pairs = 1 << 17;
+[[nodiscard]] constexpr std::uint64_t measured_seed(std::uint64_t seed) noexcept {
+    return seed + 1;
+}
+
 /// The lobe's largest value [1/sr] for each theta_i: the largest of every half degree in the plane of incidence, linear
 /// between whole degrees of theta_i.
 class LobePeaks {
