@@ -85,7 +85,7 @@ class OpenPart {
 OpenPart open_part(const SpectralBrdf& exact, const TableJob& job, const fs::path& path,
                    const TableShard& shard, const TableProgress& progress) {
     if (auto part = left_behind(path, job, shard)) return {path, std::move(*part)};
-    const spectral::Output writable{path.string()};  // whether it can be written, before the work is done
+    { const spectral::Output writable{path.string()}; }  // whether it can be, before the work is done
     return {path, PartHeader{job, plan_table(exact, job.request, progress), shard}};
 }
 
