@@ -1,6 +1,5 @@
 // hts fit: the parameters with which a model comes closest to measured curves, and what those leave open.
 
-#include <unistd.h>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +7,7 @@
 
 #include "cli/fit_report.hpp"
 #include "cli/options.hpp"
+#include "cli/progress.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
@@ -97,11 +97,9 @@ FitRequest request(const FitOptions& options) {
             result.fixed.insert(assignment("--fix", text));
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
-    if (::isatty(STDERR_FILENO) != 0) {
-        result.progress = [](std::size_t done, std::size_t all) {
-            std::cerr << "\rhts: start " << done << " of " << all << (done == all ? "\n" : "") << std::flush;
-        };
-    }
+    result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
+        bar->show("fitting", static_cast<double>(done) / static_cast<double>(all));
+    };
     return result;
 }
 

@@ -152,14 +152,10 @@ double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs)
     return std::isnan(sum) ? 0 : times[passes / 2];
 }
 
-ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model, bool wave_optics,
+ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
                  const Evaluator& evaluator) {
     const std::vector<double> errors = truth.errors(evaluator);
-    return {surface,
-            model,
-            wave_optics,
-            errors[errors.size() / 2],
-            errors[errors.size() * 99 / 100],
+    return {surface, model, errors[errors.size() / 2], errors[errors.size() * 99 / 100],
             nanoseconds(evaluator, truth.judged_pairs())};
 }
 
@@ -177,19 +173,18 @@ constexpr std::array rungs{
 struct Rival {
     const char* family;
     const char* title;
-    int lobes;
 };
-constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann", 1},
-                            Rival{"ggx", "Walter, GGX", 1},
-                            Rival{"kurt", "Kurt", 1},
-                            Rival{"ward", "Ward", 1},
-                            Rival{"ward_duer", "Ward-Duer", 1},
-                            Rival{"cook_torrance", "Cook-Torrance", 1},
-                            Rival{"blinn_phong", "Blinn-Phong", 1},
-                            Rival{"ashikhmin_shirley", "Ashikhmin-Shirley", 1},
-                            Rival{"lafortune", "Lafortune", 1},
-                            Rival{"oren_nayar", "Oren-Nayar", 1},
-                            Rival{"lambert", "Lambert", 1}};
+constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann"},
+                            Rival{"ggx", "Walter, GGX"},
+                            Rival{"kurt", "Kurt"},
+                            Rival{"ward", "Ward"},
+                            Rival{"ward_duer", "Ward-Duer"},
+                            Rival{"cook_torrance", "Cook-Torrance"},
+                            Rival{"blinn_phong", "Blinn-Phong"},
+                            Rival{"ashikhmin_shirley", "Ashikhmin-Shirley"},
+                            Rival{"lafortune", "Lafortune"},
+                            Rival{"oren_nayar", "Oren-Nayar"},
+                            Rival{"lambert", "Lambert"}};
 
 Evaluator evaluator_of(std::shared_ptr<const tables::SpectralBrdf> brdf) {
     return [brdf = std::move(brdf)](const DirectionPair& pair, std::span<double> values) {
@@ -209,21 +204,11 @@ std::string index_of(const Rival& rival, const ChartSurface& chosen) {
 
 Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const validation::FitData& data,
                        bool quick) {
-    const std::string index = index_of(rival, chosen);
-    validation::FitRequest request{.model = rival.family, .lobes = rival.lobes, .index = index};
+    validation::FitRequest request{.model = rival.family, .index = index_of(rival, chosen)};
     request.residual = validation::Residual::weighted;
     request.followed_starts = quick ? 2 : 8;
     const validation::Fit fit = validation::fitted(request, data);
-    std::vector<double> values;
-    for (const validation::FittedParameter& parameter : fit.parameters) values.push_back(parameter.value);
-    const validation::FitModel model{
-        rival.family,
-        {.lobes = rival.lobes,
-         .wavelengths = {wavelengths().micrometres().begin(), wavelengths().micrometres().end()},
-         .channels = data.channels,
-         .index = index}};
-    values.resize(model.parameters().size());
-    return evaluator_of(tables::model_brdf(model.reflector(values), wavelengths()));
+    return evaluator_of(tables::model_brdf(validation::fitted_reflector(fit), wavelengths()));
 }
 
 }  // namespace
@@ -239,14 +224,14 @@ ModelChart measured_models(bool quick, std::uint64_t seed,
                                                                         spectral::OutsideRange::error,
                                                                         Tolerance{rung.tolerance}, rung.lobe);
             chart.points.push_back(point(
-                truth, chosen.title, rung.name, true,
+                truth, chosen.title, rung.name,
                 [brdf](const DirectionPair& pair, std::span<double> values) { brdf->brdf(pair, values); }));
         }
         const validation::FitData data = truth.fit_data();
         for (const Rival& rival : rivals) {
             progress(std::string{chosen.title} + ", " + rival.title);
             chart.points.push_back(
-                point(truth, chosen.title, rival.title, false, fitted_rival(rival, chosen, data, quick)));
+                point(truth, chosen.title, rival.title, fitted_rival(rival, chosen, data, quick)));
         }
     }
     return chart;

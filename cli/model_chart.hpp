@@ -13,7 +13,6 @@ namespace hts::cli {
 /// A model on a surface, at the wavelengths of the chart.
 struct ModelPoint {
     std::string surface, model;
-    bool wave_optics;     ///< He-Torrance itself or one of its limits
     double median, high;  ///< |f - f_he|/(f_he + peak/100), median and 99 % over random pairs
     double nanoseconds;   ///< of a pair of directions at all four wavelengths, one thread
 };

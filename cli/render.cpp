@@ -1,16 +1,14 @@
 // hts render: pictures of the papers' scenes, and of any material on a sphere, a cloth or a plate.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
 #include <numbers>
-#include <utility>
 
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
 #include "validation/scenes/gallery.hpp"
@@ -45,19 +43,6 @@ struct RenderOptions {
     double turn = 0, exposure = 1;
     bool path_trace = false;
 };
-
-/// A bar on standard error, if a person watches.
-validation::Progress progress_bar() {
-    if (::isatty(STDERR_FILENO) == 0) return {};
-    return [last = -1](double share) mutable {
-        constexpr int length = 40;
-        const int done = static_cast<int>(share * length);
-        if (std::exchange(last, done) == done) return;
-        std::cerr << '\r' << '[' << std::string(static_cast<std::size_t>(done), '#')
-                  << std::string(static_cast<std::size_t>(length - done), ' ') << ']'
-                  << (done == length ? "\r" + std::string(length + 2, ' ') + "\r" : "") << std::flush;
-    };
-}
 
 /// One panel with a material of the user's.
 struct ShapeScene {
@@ -99,7 +84,9 @@ void run(const RenderOptions& options) {
     settings.width = static_cast<std::size_t>(options.size);
     settings.samples = static_cast<std::uint32_t>(options.samples);
     settings.path_trace = options.path_trace;
-    auto picture = validation::picture_of(chosen(options), settings, progress_bar());
+    auto picture = validation::picture_of(
+        chosen(options), settings,
+        [bar = std::make_shared<Progress>()](double share) { bar->show("rendering", share); });
     for (auto& pixel : picture.pixels) pixel = options.exposure * pixel;
     write_file(options.output, validation::png(picture));
 }

@@ -1,8 +1,6 @@
 #include "tables/slice_file.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "tables/crc64.hpp"
 #include "tables/little_endian.hpp"
 #include "tables/table_contents.hpp"
+#include "tables/whole_file.hpp"
 
 namespace hts::tables {
 namespace {
@@ -102,12 +101,6 @@ PartHeader header_from(const std::string& text, const std::string& name) {
     return header;
 }
 
-std::string whole_file(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    if (!file || std::filesystem::is_directory(path)) throw Error{path.string() + ": cannot be read"};
-    return {std::istreambuf_iterator<char>{file}, {}};
-}
-
 std::uint64_t record_checksum(std::string_view number, std::string_view values) {
     return crc64(values, crc64(number));
 }
@@ -155,7 +148,7 @@ PartHeader header_from_bytes(std::string_view bytes, const std::string& name) {
 }
 
 Part read_part(const std::filesystem::path& path) {
-    const std::string bytes = whole_file(path);
+    const std::string bytes = read_whole_file(path);
     PartHeader header = header_from_bytes(bytes, path.string());
     Part part{std::move(header),
               {},
