@@ -74,7 +74,7 @@ AlbedoQuery query(const AlbedoOptions& options) {
     auto reflector = options.material.read();
     if (options.measured) static_cast<void>(MaterialOptions::he_torrance(reflector, "--measured"));
     if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(reflector, "--compensate-energy"));
-    static_cast<void>(models_from_option("--wavelengths", reflector, grid, options.material.policy()));
+    static_cast<void>(spectrum_from_option("--wavelengths", reflector, grid, options.material.policy()));
     return {std::move(reflector), options.material.policy(), grid, in,
             options.steepest * std::numbers::pi / 180};
 }

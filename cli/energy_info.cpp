@@ -32,14 +32,14 @@ std::string energy_text(const std::vector<Point>& points) {
 EnergyInfo::EnergyInfo(spectral::AnyReflector of, const spectral::WavelengthGrid& wavelengths,
                        const std::vector<double>& theta_deg, spectral::OutsideRange policy)
     : reflector{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
-    const auto models = reflector.at(wavelengths, policy);
+    const auto spectrum = reflector.spectrum(wavelengths, policy);
     parallel_for(
         points.size(),
         [&](std::size_t i) {
             const std::size_t at = i / theta_deg.size();
             const double theta = theta_deg[i % theta_deg.size()];
             points[i] = {wavelengths.micrometres()[at], theta,
-                         models[at].albedo(Direction::from_degrees(theta, 0))};
+                         spectrum.models()[at].albedo(Direction::from_degrees(theta, 0))};
         },
         1);
 }

@@ -93,11 +93,12 @@ std::optional<spectral::AnyReflector> reflector(const EvalOptions& options) {
 }
 
 /// The model at the wavelengths that the options give, none if the points bring theirs.
-std::vector<spectral::AnyModel> models(const EvalOptions& options, const spectral::AnyReflector& reflector) {
+std::optional<spectral::AnySpectrum> spectrum(const EvalOptions& options,
+                                              const spectral::AnyReflector& reflector) {
     const auto grid = wavelengths(options);
-    if (!grid) return {};
+    if (!grid) return std::nullopt;
     const char* option = options.wavelength ? "--wavelength" : "--wavelengths";
-    return models_from_option(option, reflector, *grid, options.material.policy());
+    return spectrum_from_option(option, reflector, *grid, options.material.policy());
 }
 
 bool has_own_constants(const CsvReader& points) {
@@ -124,7 +125,7 @@ void evaluate_points(const EvalOptions& options) {
     const bool own_wavelength = options.points.empty() && options.wavelength;
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
     const auto described = reflector(options);
-    if (described && !has_own_constants(points)) static_cast<void>(models(options, *described));
+    if (described && !has_own_constants(points)) static_cast<void>(spectrum(options, *described));
     const PointEvaluator evaluator{points, described, grid, options.material.policy()};
     warn_of_unused(points);
     const bool he = !described || described->he_torrance() != nullptr;
@@ -148,7 +149,7 @@ void evaluate_points(const EvalOptions& options) {
 }
 
 /// The library's batch call for the He-Torrance model, one pair after another for others.
-BrdfBatch batch_of(const spectral::AnyReflector& reflector, const std::vector<spectral::AnyModel>& models,
+BrdfBatch batch_of(const spectral::AnyReflector& reflector, const spectral::AnySpectrum& spectrum,
                    const EvalOptions& options, const spectral::WavelengthGrid& grid) {
     if (const spectral::Reflector* he = reflector.he_torrance()) {
         return [reflectance = spectral::SpectralReflectance{*he, grid, options.material.policy()}](
@@ -156,10 +157,9 @@ BrdfBatch batch_of(const spectral::AnyReflector& reflector, const std::vector<sp
             reflectance.brdf(pairs, result);
         };
     }
-    return [models](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
+    return [spectrum](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
         parallel_for(pairs.size(), [&](std::size_t i) {
-            for (std::size_t j = 0; j < models.size(); ++j)
-                result[i * models.size() + j] = models[j].brdf(pairs[i].in, pairs[i].out);
+            spectrum.brdf(pairs[i], result.subspan(i * spectrum.size(), spectrum.size()));
         });
     };
 }
@@ -170,12 +170,12 @@ void evaluate_random(const EvalOptions& options) {
     if (!grid || !described || *options.random_pairs == 0) {
         throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
     }
-    const auto prepared = models(options, *described);
+    const auto prepared = spectrum(options, *described);
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
     warning.note(*described, {normal, normal}, *grid, options.material.policy());
     const auto [summary, mean_brdf] = evaluate_random_pairs(
-        batch_of(*described, prepared, options, *grid), grid->size(), *options.random_pairs, options.seed);
+        batch_of(*described, *prepared, options, *grid), grid->size(), *options.random_pairs, options.seed);
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),

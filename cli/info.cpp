@@ -55,7 +55,7 @@ void run(const InfoOptions& options) {
     require_angles("--theta", options.theta);
     const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
     const auto reflector = spectral::read_any_reflector(options.material, tables::models_with_files());
-    static_cast<void>(models_from_option("--wavelengths", reflector, grid, policy));
+    static_cast<void>(spectrum_from_option("--wavelengths", reflector, grid, policy));
     if (const spectral::Reflector* he = reflector.he_torrance()) {
         report(options.output, MaterialInfo{*he, grid, options.theta, policy});
     } else {

@@ -93,11 +93,10 @@ void require_angles(const std::string& option, const std::vector<double>& degree
     }
 }
 
-std::vector<spectral::AnyModel> models_from_option(const std::string& option,
-                                                   const spectral::AnyReflector& reflector,
-                                                   const spectral::WavelengthGrid& wavelengths,
-                                                   spectral::OutsideRange policy) {
-    return spectral::located(option, [&] { return reflector.at(wavelengths, policy); });
+spectral::AnySpectrum spectrum_from_option(const std::string& option, const spectral::AnyReflector& reflector,
+                                           const spectral::WavelengthGrid& wavelengths,
+                                           spectral::OutsideRange policy) {
+    return spectral::located(option, [&] { return reflector.spectrum(wavelengths, policy); });
 }
 
 Wavelength wavelength_from_option(double um) {

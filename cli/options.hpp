@@ -59,10 +59,10 @@ struct MaterialOptions {
 void require_angles(const std::string& option, const std::vector<double>& degrees);
 
 /// The model at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
-[[nodiscard]] std::vector<spectral::AnyModel> models_from_option(const std::string& option,
-                                                                 const spectral::AnyReflector& reflector,
-                                                                 const spectral::WavelengthGrid& wavelengths,
-                                                                 spectral::OutsideRange policy);
+[[nodiscard]] spectral::AnySpectrum spectrum_from_option(const std::string& option,
+                                                         const spectral::AnyReflector& reflector,
+                                                         const spectral::WavelengthGrid& wavelengths,
+                                                         spectral::OutsideRange policy);
 
 /// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
 Wavelength wavelength_from_option(double um);

@@ -61,7 +61,7 @@ PointEvaluator::PointEvaluator(const CsvReader& points,
     if (reflector && !reflector->he_torrance()) {
         require_no_material_columns(points);
         other_ = reflector;
-        if (wavelengths_) models_ = other_->at(*wavelengths_, policy_);
+        if (wavelengths_) spectrum_ = other_->spectrum(*wavelengths_, policy_);
         return;
     }
     if (reflector) reflector_ = *reflector->he_torrance();
@@ -131,15 +131,18 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
 
 void PointEvaluator::evaluate_other(const CsvRow& row, const spectral::DirectionPair& pair,
                                     std::span<Evaluation> result) const {
+    const spectral::AnySpectrum model =
+        spectrum_ ? *spectrum_ : spectral::AnySpectrum{{other_->at(wavelength(row, 0), policy_)}};
+    std::vector<double> brdf(result.size()), specular(result.size());
+    model.brdf(pair, brdf);
+    model.specular_reflectance(pair.in, specular);
     for (std::size_t i = 0; i < result.size(); ++i) {
-        const Wavelength at = wavelength(row, i);
-        const spectral::AnyModel at_wavelength = model(at, i);
-        const spectral::BrdfTerms terms = at_wavelength.terms(pair.in, pair.out);
+        const double uniform = std::min(brdf[i], model.uniform_diffuse()[i]);
         result[i] = {};
-        result[i].wavelength = at.micrometres();
-        result[i].directional.brdf = terms.directional_diffuse;
-        result[i].uniform_diffuse = terms.uniform_diffuse;
-        result[i].specular_reflectance = at_wavelength.specular_reflectance(pair.in).value();
+        result[i].wavelength = wavelength(row, i).micrometres();
+        result[i].directional.brdf = brdf[i] - uniform;
+        result[i].uniform_diffuse = uniform;
+        result[i].specular_reflectance = specular[i];
     }
 }
 
@@ -160,7 +163,7 @@ void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluati
 }
 
 spectral::AnyModel PointEvaluator::model(const Wavelength& wavelength, std::size_t i) const {
-    return models_.empty() ? other_->at(wavelength, policy_) : models_[i];
+    return spectrum_ ? spectrum_->models()[i] : other_->at(wavelength, policy_);
 }
 
 Surface PointEvaluator::surface(const CsvRow& row) const {

@@ -87,8 +87,8 @@ class PointEvaluator {
     std::optional<spectral::AnyReflector> other_;  // of a model other than He-Torrance
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::OutsideRange policy_;
-    std::vector<Sample> samples_;             // one per wavelength if the same for all rows, else none
-    std::vector<spectral::AnyModel> models_;  // the same of another model
+    std::vector<Sample> samples_;                    // one per wavelength if the same for all rows, else none
+    std::optional<spectral::AnySpectrum> spectrum_;  // the same of another model
 };
 
 }  // namespace hts::cli

@@ -138,8 +138,8 @@ void run(const PolarOptions& options) {
     from_option("--phi-i", [&] { return Direction::from_degrees(0, options.phi_i); });
     const auto reflector = options.material.read();
     const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
-    const auto models = models_from_option("--wavelength", reflector, grid, options.material.policy());
-    write(options, reflector.name(), models.front());
+    const auto model = spectrum_from_option("--wavelength", reflector, grid, options.material.policy());
+    write(options, reflector.name(), model.models().front());
     warn(options, reflector, grid);
 }
 

@@ -69,8 +69,8 @@ Gallery chosen(const RenderOptions& options) {
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
     const auto reflector = options.material.read();
-    static_cast<void>(models_from_option("hts render", reflector, validation::picture_wavelengths(),
-                                         options.material.policy()));
+    static_cast<void>(spectrum_from_option("hts render", reflector, validation::picture_wavelengths(),
+                                           options.material.policy()));
     Scene scene = shape->of(validation::Appearance{reflector});
     for (auto& object : scene.objects) object.turn = options.turn * std::numbers::pi / 180;
     return {options.scene, reflector.name(), 1, 1, [scene] { return std::vector{scene}; }};

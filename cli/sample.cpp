@@ -79,7 +79,8 @@ Degrees degrees(const Direction& direction) {
 spectral::AnyModel model(const SampleOptions& options) {
     const auto grid = spectral::WavelengthGrid::from_micrometres(
         {wavelength_from_option(options.wavelength).micrometres()});
-    return models_from_option("--wavelength", options.material.read(), grid, options.material.policy())
+    return spectrum_from_option("--wavelength", options.material.read(), grid, options.material.policy())
+        .models()
         .front();
 }
 

@@ -1,5 +1,6 @@
 // hts spectrum: the BRDF spectrum of a material at one pair of directions, and its colour.
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -40,15 +41,14 @@ struct Spectrum {
     std::vector<double> directional_diffuse, uniform_diffuse, brdf, specular_reflectance;
 };
 
-Spectrum spectrum_of(const std::vector<spectral::AnyModel>& models, const spectral::DirectionPair& pair) {
-    Spectrum result;
-    for (const spectral::AnyModel& model : models) {
-        const spectral::BrdfTerms terms = model.terms(pair.in, pair.out);
-        result.directional_diffuse.push_back(terms.directional_diffuse);
-        result.uniform_diffuse.push_back(terms.uniform_diffuse);
-        result.brdf.push_back(model.brdf(pair.in, pair.out));
-        result.specular_reflectance.push_back(model.specular_reflectance(pair.in).value());
-    }
+Spectrum spectrum_of(const spectral::AnySpectrum& model, const spectral::DirectionPair& pair) {
+    const std::vector<double> none(model.size());
+    Spectrum result{none, none, none, none};
+    model.directional_diffuse(pair, result.directional_diffuse);
+    model.brdf(pair, result.brdf);
+    model.specular_reflectance(pair.in, result.specular_reflectance);
+    std::ranges::transform(model.uniform_diffuse(), result.brdf, result.uniform_diffuse.begin(),
+                           [](double uniform, double brdf) { return std::min(uniform, brdf); });
     return result;
 }
 
@@ -116,8 +116,8 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = options.material.read();
-    const auto models = models_from_option("--wavelengths", reflector, grid, options.material.policy());
-    const auto spectrum = spectrum_of(models, pair);
+    const auto model = spectrum_from_option("--wavelengths", reflector, grid, options.material.policy());
+    const auto spectrum = spectrum_of(model, pair);
     const auto seen = colour(options, grid, spectrum);
 
     Output output{options.output.path};

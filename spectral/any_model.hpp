@@ -1,4 +1,4 @@
-/// Any reflectance model at one wavelength behind one face, for programs that learn at run time which it is.
+/// Any reflectance model behind one face, at one wavelength or at many, for programs that learn at run time which it is.
 ///
 /// A program that knows its model uses the model's own type (hts/microfacet/, hts/sampling.hpp): it is a plain value, its
 /// calls are inlined, and it is a hts::ReflectanceModel. AnyModel is for the edge: `read_any_reflector` gives one for a
@@ -9,9 +9,12 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "hts/microfacet/model.hpp"
+#include "hts/evaluation.hpp"
+#include "hts/microfacet/spectrum.hpp"
 #include "hts/sampling.hpp"
 #include "spectral/energy.hpp"
 
@@ -68,8 +71,20 @@ class AnyModel {
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const { return face_->albedo(in); }
 
   private:
+    friend class AnySpectrum;
+
+    /// Models evaluated together.
+    struct SpectrumFace {
+        virtual ~SpectrumFace() = default;
+        virtual void brdf(const DirectionPair& pair, std::span<double> result) const noexcept = 0;
+        virtual void directional_diffuse(const DirectionPair& pair,
+                                         std::span<double> result) const noexcept = 0;
+    };
     struct Face {
         virtual ~Face() = default;
+        /// Null where not all models are of the kind of this one.
+        [[nodiscard]] virtual std::shared_ptr<const SpectrumFace> together(
+            std::span<const AnyModel> models) const = 0;
         [[nodiscard]] virtual double brdf(const Direction& in, const Direction& out) const noexcept = 0;
         [[nodiscard]] virtual bool transmits() const noexcept { return false; }
         [[nodiscard]] virtual double btdf(const Direction& /*in*/,
@@ -87,6 +102,7 @@ class AnyModel {
     template <ReflectanceModel Model>
     class Of;
     class HeTorrance;
+    class HeTorranceSpectrum;
 
     explicit AnyModel(std::shared_ptr<const Face> face) : face_{std::move(face)} {}
     /// Albedo of a whole BRDF less its uniform part.
@@ -96,10 +112,58 @@ class AnyModel {
     std::shared_ptr<const Face> face_;
 };
 
+/// A model at several wavelengths, which share what depends on directions alone: quicker than each AnyModel by itself. Immutable;
+/// copies share it. Calls are total, allocate nothing and may run on any thread.
+///
+///     const AnySpectrum gold = read_any_reflector("gold.json").spectrum(wavelengths);
+///     std::vector<double> f(gold.size());
+///     gold.brdf({in, out}, f);
+class AnySpectrum {
+  public:
+    /// Of one kind or of several; those of one kind alone are quicker.
+    explicit AnySpectrum(std::vector<AnyModel> models);
+
+    [[nodiscard]] std::size_t size() const noexcept { return models_.size(); }
+    /// Each by itself, for what is not a BRDF: draws, densities, transmission.
+    [[nodiscard]] const std::vector<AnyModel>& models() const noexcept { return models_; }
+
+    /// Both diffuse parts [1/sr], size() values: the bits of each model by itself.
+    void brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+        face_->brdf(pair, result);
+    }
+    /// The same without the uniform part, AnyModel::terms' directional_diffuse.
+    void directional_diffuse(const DirectionPair& pair, std::span<double> result) const noexcept {
+        face_->directional_diffuse(pair, result);
+    }
+    /// The part that is the same for all directions above the horizon [1/sr], size() values.
+    [[nodiscard]] std::span<const double> uniform_diffuse() const noexcept { return uniform_diffuse_; }
+    /// Reflectance into the mirror direction, size() values; 0 for models without a delta.
+    void specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
+
+  private:
+    class OneByOne;
+
+    std::vector<AnyModel> models_;
+    std::vector<double> uniform_diffuse_;
+    std::shared_ptr<const AnyModel::SpectrumFace> face_;
+};
+
 template <ReflectanceModel Model>
 class AnyModel::Of final : public AnyModel::Face {
   public:
     Of(Model model, double uniform_diffuse) : model_{std::move(model)}, uniform_diffuse_{uniform_diffuse} {}
+
+    [[nodiscard]] std::shared_ptr<const SpectrumFace> together(
+        std::span<const AnyModel> models) const override {
+        auto same = std::make_shared<Spectrum>();
+        for (const AnyModel& each : models) {
+            const auto* const of = dynamic_cast<const Of*>(each.face_.get());
+            if (of == nullptr) return nullptr;
+            same->models.push_back(of->model_);
+            same->uniform_diffuse.push_back(of->uniform_diffuse_);
+        }
+        return same;
+    }
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept override {
         return model_.brdf(in, out);
@@ -135,6 +199,20 @@ class AnyModel::Of final : public AnyModel::Face {
     }
 
   private:
+    struct Spectrum final : SpectrumFace {
+        void brdf(const DirectionPair& pair, std::span<double> result) const noexcept override {
+            spectral_brdf<Model>(models, pair.in, pair.out, result);
+        }
+        void directional_diffuse(const DirectionPair& pair,
+                                 std::span<double> result) const noexcept override {
+            brdf(pair, result);
+            for (std::size_t i = 0; i < models.size(); ++i)
+                result[i] = std::max(0.0, result[i] - uniform_diffuse[i]);
+        }
+        std::vector<Model> models;
+        std::vector<double> uniform_diffuse;
+    };
+
     Model model_;
     double uniform_diffuse_;
 };

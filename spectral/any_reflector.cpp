@@ -19,10 +19,10 @@ AnyReflector::AnyReflector(Reflector reflector)
       }},
       he_{std::move(reflector)} {}
 
-std::vector<AnyModel> AnyReflector::at(const WavelengthGrid& wavelengths, OutsideRange policy) const {
+AnySpectrum AnyReflector::spectrum(const WavelengthGrid& wavelengths, OutsideRange policy) const {
     std::vector<AnyModel> models;
     for (std::size_t i = 0; i < wavelengths.size(); ++i) models.push_back(at(wavelengths[i], policy));
-    return models;
+    return AnySpectrum{std::move(models)};
 }
 
 AnyReflector read_any_reflector(const std::filesystem::path& path, const std::vector<ModelEntry>& models) {

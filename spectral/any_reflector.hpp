@@ -43,9 +43,9 @@ class AnyReflector {
     [[nodiscard]] AnyModel at(const Wavelength& wavelength, OutsideRange policy = OutsideRange::error) const {
         return at_(wavelength, policy);
     }
-    /// The same for every wavelength of a grid.
-    [[nodiscard]] std::vector<AnyModel> at(const WavelengthGrid& wavelengths,
-                                           OutsideRange policy = OutsideRange::error) const;
+    /// The same at every wavelength of a grid, evaluated together.
+    [[nodiscard]] AnySpectrum spectrum(const WavelengthGrid& wavelengths,
+                                       OutsideRange policy = OutsideRange::error) const;
 
   private:
     friend AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,

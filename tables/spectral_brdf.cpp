@@ -55,32 +55,23 @@ class ModelBrdf final : public SpectralBrdf {
   public:
     ModelBrdf(const spectral::AnyReflector& reflector, const spectral::WavelengthGrid& wavelengths,
               spectral::OutsideRange policy)
-        : SpectralBrdf{reflector.name(), wavelengths}, models_{reflector.at(wavelengths, policy)} {}
+        : SpectralBrdf{reflector.name(), wavelengths}, spectrum_{reflector.spectrum(wavelengths, policy)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        std::ranges::transform(models_, values.begin(), [&](const spectral::AnyModel& model) {
-            return model.brdf(pair.in, pair.out);
-        });
+        spectrum_.brdf(pair, values);
     }
     void uniform_diffuse(std::span<double> values) const noexcept override {
-        const Direction up = Direction::from_unit_vector({0, 0, 1});
-        std::ranges::transform(models_, values.begin(), [&](const spectral::AnyModel& model) {
-            return model.terms(up, up).uniform_diffuse;
-        });
+        std::ranges::copy(spectrum_.uniform_diffuse(), values.begin());
     }
     void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        std::ranges::transform(models_, values.begin(), [&](const spectral::AnyModel& model) {
-            return model.terms(pair.in, pair.out).directional_diffuse;
-        });
+        spectrum_.directional_diffuse(pair, values);
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
-        std::ranges::transform(models_, values.begin(), [&](const spectral::AnyModel& model) {
-            return model.specular_reflectance(in).value();
-        });
+        spectrum_.specular_reflectance(in, values);
     }
 
   private:
-    std::vector<spectral::AnyModel> models_;
+    spectral::AnySpectrum spectrum_;
 };
 
 Direction turned(const Direction& direction, double cosine, double sine) {

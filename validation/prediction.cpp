@@ -151,14 +151,15 @@ Prediction::Answer answer_of(const spectral::Reflector& reflector, const Predict
 
 Prediction::Answer answer_of(const spectral::AnyReflector& reflector, const Prediction::Job& job,
                              spectral::OutsideRange policy) {
-    const std::vector<spectral::AnyModel> models = reflector.at(job.wavelengths, policy);
-    Prediction::Answer answer;
-    answer.brdf.reserve(job.pairs.size() * models.size());
-    for (const DirectionPair& pair : job.pairs)
-        for (const auto& model : models) answer.brdf.push_back(model.brdf(pair.in, pair.out));
-    for (const Direction& in : job.incidences)
-        for (const auto& model : models)
-            answer.specular_reflectance.push_back(model.specular_reflectance(in).value());
+    const spectral::AnySpectrum model = reflector.spectrum(job.wavelengths, policy);
+    const std::size_t count = model.size();
+    Prediction::Answer answer{std::vector<double>(job.pairs.size() * count),
+                              std::vector<double>(job.incidences.size() * count)};
+    for (std::size_t i = 0; i < job.pairs.size(); ++i)
+        model.brdf(job.pairs[i], std::span{answer.brdf}.subspan(i * count, count));
+    for (std::size_t i = 0; i < job.incidences.size(); ++i)
+        model.specular_reflectance(job.incidences[i],
+                                   std::span{answer.specular_reflectance}.subspan(i * count, count));
     return answer;
 }
 

@@ -1,5 +1,6 @@
 #include "spectral/any_reflector.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -21,6 +22,7 @@ using hts::Wavelength;
 using hts::WeightedDirection;
 using hts::spectral::AnyModel;
 using hts::spectral::AnyReflector;
+using hts::spectral::AnySpectrum;
 using hts::spectral::built_in_models;
 using hts::spectral::ModelEntry;
 using hts::spectral::read_any_reflector;
@@ -192,6 +194,50 @@ TEST_CASE("the face of the He-Torrance model has its bits") {
         CHECK(model.terms(in, out).uniform_diffuse == reflectance.uniform_diffuse().front());
         CHECK(model.specular_reflectance(in).value() == reflectance.specular_reflectance(in).front().value());
     }
+}
+
+TEST_CASE("all wavelengths of a model at once have the bits of each alone") {
+    auto described = files;
+    described["of two shapes"] = R"({"model": "ward", "kd": {"table": [[0.4, 0.2], [0.7, 0.5]]}, "lobes": [
+        {"ks": 0.3, "mx": {"table": [[0.4, 0.2], [0.55, 0.2], [0.6, 0.4], [0.7, 0.4]]}, "my": 0.4}]})";
+    const TemporaryFolder folder;
+    const auto grid = hts::spectral::WavelengthGrid::linear(0.4, 0.7, 7);
+    for (const auto& [name, text] : described) {
+        INFO(name);
+        const AnySpectrum spectrum = reflector_of(folder, text).spectrum(grid);
+        REQUIRE(spectrum.size() == grid.size());
+        std::vector<double> brdf(grid.size()), directional(grid.size()), specular(grid.size());
+        Random random{13};
+        std::size_t different = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Direction in = i == 0 ? Direction::from_degrees(90, 0) : random_direction(random);
+            const Direction out = i % 3 == 1 ? in.mirror() : random_direction(random);
+            spectrum.brdf({in, out}, brdf);
+            spectrum.directional_diffuse({in, out}, directional);
+            spectrum.specular_reflectance(in, specular);
+            for (std::size_t k = 0; k < grid.size(); ++k) {
+                const AnyModel& alone = spectrum.models()[k];
+                different += brdf[k] != alone.brdf(in, out) ||
+                             directional[k] != alone.terms(in, out).directional_diffuse ||
+                             specular[k] != alone.specular_reflectance(in).value() ||
+                             spectrum.uniform_diffuse()[k] < alone.terms(in, out).uniform_diffuse;
+            }
+        }
+        CHECK(different == 0);
+    }
+}
+
+TEST_CASE("a spectrum may be of models of several kinds") {
+    const AnySpectrum mixed{{model_of("ward"), model_of("lambert"), model_of("he")}};
+    const Direction in = Direction::from_degrees(30, 10), out = Direction::from_degrees(50, 170);
+    std::array<double, 3> brdf{}, directional{};
+    mixed.brdf({in, out}, brdf);
+    mixed.directional_diffuse({in, out}, directional);
+    for (std::size_t k = 0; k < brdf.size(); ++k) {
+        CHECK(brdf[k] == mixed.models()[k].brdf(in, out));
+        CHECK(directional[k] == mixed.models()[k].terms(in, out).directional_diffuse);
+    }
+    CHECK(AnySpectrum{{}}.size() == 0);
 }
 
 TEST_CASE("numbers of a material file may be tables over wavelength") {

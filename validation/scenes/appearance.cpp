@@ -134,18 +134,14 @@ class Appearance::HeTorrance final : public Face {
     std::vector<DirectionSampler> samplers_;
 };
 
-/// A model per wavelength.
+/// All wavelengths of a pair at once.
 class Appearance::Other final : public Face {
   public:
     explicit Other(const spectral::AnyReflector& reflector)
-        : models_{reflector.at(picture_wavelengths(), spectral::OutsideRange::clamp)} {}
+        : spectrum_{reflector.spectrum(picture_wavelengths(), spectral::OutsideRange::clamp)} {}
 
     void brdf(std::span<const DirectionPair> pairs, std::span<Spectrum> result) const noexcept override {
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-            for (std::size_t i = 0; i < bands; ++i) {
-                result[k].values[i] = models_[i].brdf(pairs[k].in, pairs[k].out);
-            }
-        }
+        for (std::size_t k = 0; k < pairs.size(); ++k) spectrum_.brdf(pairs[k], result[k].values);
     }
     [[nodiscard]] Spectrum specular_reflectance(const Direction& /*in*/) const noexcept override {
         return {};
@@ -155,18 +151,19 @@ class Appearance::Other final : public Face {
     [[nodiscard]] SpectralDraw draw(const Direction& in,
                                     const std::array<double, 4>& u) const noexcept override {
         const auto chosen = static_cast<std::size_t>(u[3] * static_cast<double>(drawing_bands.size()));
-        const WeightedDirection drawn = models_[drawing_bands[chosen]].sample(in, {u[0], u[1], u[2]});
+        const WeightedDirection drawn =
+            spectrum_.models()[drawing_bands[chosen]].sample(in, {u[0], u[1], u[2]});
         if (drawn.lobe == Lobe::none) return {drawn.out, drawn.lobe, 0};
         return {drawn.out, drawn.lobe, pdf(in, drawn.out)};
     }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept override {
         double sum = 0;
-        for (const std::size_t band : drawing_bands) sum += models_[band].pdf(in, out);
+        for (const std::size_t band : drawing_bands) sum += spectrum_.models()[band].pdf(in, out);
         return sum / static_cast<double>(drawing_bands.size());
     }
 
   private:
-    std::vector<spectral::AnyModel> models_;
+    spectral::AnySpectrum spectrum_;
 };
 
 namespace {
