@@ -77,20 +77,21 @@ Ranks::Ranks(const tables::SpectralBrdf& exact, const tables::TableJob& job) : e
     MPI_Init(nullptr, nullptr);
     first_ = rank() == 0;
     if (first_) return;
-    const std::string plan = shared(std::string{});
-    if (plan.empty()) return;
-    compute(exact, tables::header_from_bytes(plan, "plan").plan, shared(std::vector<std::uint64_t>{}),
-            [](auto&&...) {});
+    for (;;) {
+        const std::string plan = shared(std::string{});
+        if (plan.empty()) return;
+        compute(exact, tables::header_from_bytes(plan, "plan").plan, shared(std::vector<std::uint64_t>{}),
+                [](auto&&...) {});
+    }
 }
 
 Ranks::~Ranks() {
-    if (first_ && !told_) static_cast<void>(shared(std::string{}));
+    if (first_) static_cast<void>(shared(std::string{}));  // no more to come
     MPI_Finalize();
 }
 
 tables::SliceWorker Ranks::worker() {
     return [this](const tables::TablePlan& plan, std::span<const std::size_t> slices, const auto& keep) {
-        told_ = true;
         // An error here would leave the others waiting for ever.
         const auto keep_or_abort = [&](std::size_t slice, const std::vector<double>& values) {
             try {

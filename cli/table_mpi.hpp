@@ -21,7 +21,7 @@ class Ranks {
   private:
     const tables::SpectralBrdf& exact_;
     const tables::TableJob& job_;
-    bool first_ = true, told_ = false;
+    bool first_ = true;
 };
 
 }  // namespace hts::cli

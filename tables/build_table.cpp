@@ -1,10 +1,12 @@
 #include "tables/build_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hts/error.hpp"
 #include "tables/lobe_nodes.hpp"
+#include "tables/spline.hpp"
 #include "tables/table_contents.hpp"
 #include "tables/table_curves.hpp"
 #include "tables/table_probes.hpp"
@@ -16,14 +18,41 @@ LobeNodes lobe_nodes(const TablePlan& plan) {
     return {plan.nodes.grazing, plan.nodes.ratio, plan.nodes.turn};
 }
 
+/// As many more nodes as the error of a cubic spline says, which falls with the fourth power of their distance.
+TablePlan refined(TablePlan plan, const TableError& error, const std::string& name) {
+    constexpr std::size_t most_refinements = 3;
+    constexpr double margin = 1.05, most_growth = 2;
+    const TableRequest& request = plan.request;
+    if (plan.refinements == most_refinements) {
+        throw Error{name + ": measured error " + shortest(error.largest) +
+                    " of the finished table, refined " + std::to_string(most_refinements) +
+                    " times: must be at most the tolerance " + shortest(request.tolerance) +
+                    "; give a larger --tolerance"};
+    }
+    const double growth = std::min(margin * std::pow(error.largest / request.tolerance, 0.25), most_growth);
+    double bytes = static_cast<double>(plan.basis.size() / plan.floor.size()) *
+                   (needs_double(request) ? sizeof(double) : sizeof(float));
+    for (std::size_t* axis : {&plan.nodes.grazing, &plan.nodes.ratio, &plan.nodes.turn}) {
+        *axis = static_cast<std::size_t>(std::ceil(static_cast<double>(*axis) * growth));
+        bytes *= static_cast<double>(*axis + spline_ghosts);
+    }
+    if (bytes > static_cast<double>(request.largest_bytes)) {
+        throw Error{name + ": measured error " + shortest(error.largest) + ": the tolerance " +
+                    shortest(request.tolerance) + " must be one that " +
+                    std::to_string(request.largest_bytes) + " bytes can meet"};
+    }
+    ++plan.refinements;
+    return plan;
+}
+
 }  // namespace
 
 std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan, std::size_t slice) {
     return slice_values(exact, plan.spacing, lobe_nodes(plan), slice, plan.floor, plan.basis);
 }
 
-std::string finished_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
-                           std::vector<std::vector<double>> slices) {
+MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
+                             std::vector<std::vector<double>> slices) {
     const TableRequest& request = plan.request;
     const CoordinateMap map{plan.spacing};
     const std::size_t width = plan.floor.size();
@@ -52,23 +81,34 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
                    library_version()};
     const Table unmeasured = Table::from_bytes(table_bytes(info, numbers), source.name);
     info.error = table_error(unmeasured, exact, measured_pairs, measured_seed(request.seed));
-    if (info.error.largest > request.tolerance) {
-        throw Error{source.name + ": measured error " + shortest(info.error.largest) +
-                    " of the finished table: must be at most the tolerance " + shortest(request.tolerance) +
-                    "; give a slightly smaller --tolerance"};
+    return {table_bytes(info, numbers), info.error};
+}
+
+SliceSource computed_slices(const SpectralBrdf& exact) {
+    return [&exact](const TablePlan& plan) {
+        std::vector<std::vector<double>> slices(plan.slices());
+#pragma omp parallel for schedule(dynamic)
+        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(slices.size()); ++i) {
+            slices[static_cast<std::size_t>(i)] = table_slice(exact, plan, static_cast<std::size_t>(i));
+        }
+        return slices;
+    };
+}
+
+std::string finished_table(const SpectralBrdf& exact, const TableSource& source, TablePlan plan,
+                           const SliceSource& slices) {
+    for (;;) {
+        MeasuredTable table = measured_table(exact, source, plan, slices(plan));
+        if (table.error.largest <= plan.request.tolerance) return std::move(table.bytes);
+        plan = refined(std::move(plan), table.error, source.name);
     }
-    return table_bytes(info, numbers);
 }
 
 Table build_table(const SpectralBrdf& exact, const TableSource& source, const TableRequest& request,
                   const TableProgress& progress) {
-    const TablePlan plan = plan_table(exact, request, progress);
-    std::vector<std::vector<double>> slices(plan.slices());
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(slices.size()); ++i) {
-        slices[static_cast<std::size_t>(i)] = table_slice(exact, plan, static_cast<std::size_t>(i));
-    }
-    return Table::from_bytes(finished_table(exact, source, plan, std::move(slices)), source.name);
+    return Table::from_bytes(
+        finished_table(exact, source, plan_table(exact, request, progress), computed_slices(exact)),
+        source.name);
 }
 
 }  // namespace hts::tables

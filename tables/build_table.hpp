@@ -9,7 +9,7 @@
 ///            it may: half as many nodes on any axis would fail
 ///   slices   exact values at the nodes of one grazing angle, in any order, on machines of one instruction set
 ///   finish   splines, the small curves, and the error measured on random directions, the last of several sets that the plan
-///            was tried on; `table_error` with another seed is independent
+///            was tried on; where it misses the tolerance, slices of a denser plan; `table_error` with another seed is independent
 #pragma once
 
 #include <cstdint>
@@ -39,6 +39,7 @@ struct TablePlan {
     TableNodes nodes;           ///< of the lobe; the curves' are found at the end
     std::vector<double> floor;  ///< [1/sr], one value per wavelength
     std::vector<double> basis;  ///< orthonormal spectra, one after the other; ln(f + floor) is a sum of them
+    std::size_t refinements = 0;  ///< times that a finished table's error was above the tolerance
 
     [[nodiscard]] std::size_t slices() const noexcept { return nodes.grazing; }
     friend bool operator==(const TablePlan&, const TablePlan&) = default;
@@ -63,9 +64,24 @@ using TableProgress = std::function<void(const std::string& step, double share)>
 [[nodiscard]] std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan,
                                               std::size_t slice);
 
-/// The bytes of the file, from all slices in order. hts::Error where the measured error is above the tolerance.
-[[nodiscard]] std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
-                                         const TablePlan& plan, std::vector<std::vector<double>> slices);
+/// The bytes of the file, from all slices in order, whatever its error.
+struct MeasuredTable {
+    std::string bytes;
+    TableError error;
+};
+[[nodiscard]] MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& source,
+                                           const TablePlan& plan, std::vector<std::vector<double>> slices);
+
+/// All slices of a plan, in order.
+using SliceSource = std::function<std::vector<std::vector<double>>(const TablePlan& plan)>;
+/// Computes them, on all cores.
+[[nodiscard]] SliceSource computed_slices(const SpectralBrdf& exact);
+
+/// The bytes of the file. Where the measured error is above the tolerance, slices of a plan with more nodes on every axis are
+/// asked for, by the same rule everywhere; hts::Error after three such rounds, or where the file would be larger than
+/// largest_bytes.
+[[nodiscard]] std::string finished_table(const SpectralBrdf& exact, const TableSource& source, TablePlan plan,
+                                         const SliceSource& slices);
 
 /// All of it.
 [[nodiscard]] Table build_table(const SpectralBrdf& exact, const TableSource& source,

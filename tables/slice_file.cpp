@@ -38,6 +38,7 @@ std::string header_text(const PartHeader& header) {
     text["nodes"] = {plan.nodes.grazing, plan.nodes.ratio, plan.nodes.turn};
     text["floor"] = plan.floor;
     text["basis"] = plan.basis;
+    text["refinements"] = plan.refinements;
     text["shard"] = {shard.number, shard.count};
     return text.dump(1);
 }
@@ -92,6 +93,7 @@ PartHeader header_from(const std::string& text, const std::string& name) {
     header.plan.nodes.turn = nodes[2];
     header.plan.floor = numbers_in(head["floor"]);
     header.plan.basis = numbers_in(head["basis"]);
+    header.plan.refinements = whole(head["refinements"]);
     if (header.plan.floor.size() != header.job.wavelengths_um.size() || header.plan.floor.empty() ||
         header.plan.basis.empty() || header.plan.basis.size() % header.plan.floor.size() != 0) {
         throw head["basis"].error("must be spectra over the wavelengths");

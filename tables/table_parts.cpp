@@ -183,21 +183,28 @@ void build_table_file(const SpectralBrdf& exact, const TableJob& job, const fs::
     require_shard(shard);
     const fs::path slices = slices_path(path);
     OpenPart part = open_part(exact, job, slices, shard, progress);
-    fill(part, worker, progress);
-    part.close();
     if (shard.count > 1) {
+        fill(part, worker, progress);
+        part.close();
         fs::rename(slices, path);
         return;
     }
-    if (progress) progress("measuring", 0);
-    const auto bytes = [&]() -> std::string {
+    const auto filled = [&](const TablePlan& plan) {
+        if (!(plan == part.header().plan)) part = OpenPart{slices, PartHeader{job, plan, shard}};
+        fill(part, worker, progress);
+        if (progress) progress("measuring", 0);
+        return part.take_slices();
+    };
+    const auto bytes = [&] {
         try {
-            return finished_table(exact, job.source, part.header().plan, part.take_slices());
+            return finished_table(exact, job.source, part.header().plan, filled);
         } catch (const Error&) {
-            fs::remove(slices);  // going on from there would meet the same
+            part.close();
+            if (part.missing().empty()) fs::remove(slices);  // going on from there would meet the same
             throw;
         }
     }();
+    part.close();
     spectral::write_file(path.string(), bytes);
     fs::remove(slices);
 }
@@ -206,10 +213,12 @@ void merge_table_file(const std::vector<fs::path>& parts, const fs::path& path) 
     if (parts.empty()) throw Error{"parts of a table: must be at least one"};
     Merger merger;
     for (const fs::path& part : parts) merger.add(part);
-    auto slices = merger.slices();
-    const TableJob& job = merger.header().job;
-    spectral::write_file(path.string(), finished_table(*exact_model(job), job.source, merger.header().plan,
-                                                       std::move(slices)));
+    const PartHeader header = merger.header();
+    const auto exact = exact_model(header.job);
+    const auto of_parts = [&](const TablePlan& plan) {
+        return plan == header.plan ? merger.slices() : computed_slices(*exact)(plan);
+    };
+    spectral::write_file(path.string(), finished_table(*exact, header.job.source, header.plan, of_parts));
 }
 
 }  // namespace hts::tables

@@ -21,12 +21,9 @@ const SpectralBrdf& small_exact() {
 }
 
 const std::string& small_bytes() {
-    static const std::string bytes = [] {
-        const TablePlan plan = plan_table(small_exact(), small_job().request);
-        std::vector<std::vector<double>> slices;
-        for (std::size_t i = 0; i < plan.slices(); ++i) slices.push_back(table_slice(small_exact(), plan, i));
-        return finished_table(small_exact(), small_job().source, plan, std::move(slices));
-    }();
+    static const std::string bytes =
+        finished_table(small_exact(), small_job().source, plan_table(small_exact(), small_job().request),
+                       computed_slices(small_exact()));
     return bytes;
 }
 

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "table_fixture.hpp"
+#include "tables/slice_file.hpp"
 
 namespace {
 
@@ -31,12 +32,8 @@ const SpectralBrdf& exact() {
 }
 
 const std::string& whole() {
-    static const std::string bytes = [] {
-        const TablePlan plan = plan_table(exact(), job().request);
-        std::vector<std::vector<double>> slices;
-        for (std::size_t i = 0; i < plan.slices(); ++i) slices.push_back(table_slice(exact(), plan, i));
-        return finished_table(exact(), job().source, plan, std::move(slices));
-    }();
+    static const std::string bytes =
+        finished_table(exact(), job().source, plan_table(exact(), job().request), computed_slices(exact()));
     return bytes;
 }
 
@@ -144,4 +141,51 @@ TEST_CASE("shards, merged in any order, are the table; what lacks or does not be
                    return 0;
                }),
                Catch::Contains("shard 4/3: must be k/N"));
+}
+
+TEST_CASE(
+    "a table whose error misses is refined by itself, to the same bytes by shards and after an "
+    "interruption") {
+    const SpectralBrdf& exact = small_exact();
+    const TableJob& job = small_job();
+    TablePlan coarse = plan_table(exact, job.request);
+    coarse.nodes.ratio = coarse.nodes.ratio / 2 + 1;
+    const std::string once = finished_table(exact, job.source, coarse, computed_slices(exact));
+    const Table table = Table::from_bytes(once, "refined");
+    CHECK(table.info().error.largest <= job.request.tolerance);
+    CHECK(table.info().nodes.ratio > coarse.nodes.ratio);
+
+    const Folder folder;
+    const auto build_from = [&](const char* name, const TableShard& shard, const SliceWorker& worker) {
+        const fs::path path = folder / name;
+        const std::string slices = path.string() + ".slices";
+        if (!fs::exists(slices)) {
+            std::ofstream{slices, std::ios::binary} << part_header_bytes({job, coarse, shard});
+        }
+        build_table_file(exact, job, path, shard, worker);
+        return path;
+    };
+    const SliceWorker interrupted = [&](const TablePlan& plan, std::span<const std::size_t> slices,
+                                        const auto& keep) {
+        if (plan.refinements == 0) return threads_worker(exact)(plan, slices, keep);
+        keep(slices[0], table_slice(exact, plan, slices[0]));
+        throw std::runtime_error{"interrupted"};
+    };
+    CHECK_THROWS_WITH(build_from("m", {}, interrupted), "interrupted");
+    CHECK(bytes_of(build_from("m", {}, threads_worker(exact))) == once);
+
+    std::vector<fs::path> parts;
+    for (const std::size_t k : {1, 2}) {
+        parts.push_back(build_from(k == 1 ? "1" : "2", {k, 2}, threads_worker(exact)));
+    }
+    merge_table_file(parts, folder / "merged");
+    CHECK(bytes_of(folder / "merged") == once);
+
+    coarse.refinements = 3;
+    CHECK_THAT(error_of([&] { return finished_table(exact, job.source, coarse, computed_slices(exact)); }),
+               Catch::Contains("refined 3 times: must be at most the tolerance 0.03"));
+    coarse.refinements = 0;
+    coarse.request.largest_bytes = 1000;
+    CHECK_THAT(error_of([&] { return finished_table(exact, job.source, coarse, computed_slices(exact)); }),
+               Catch::Contains("must be one that 1000 bytes can meet"));
 }
