@@ -11,6 +11,7 @@
 #include "cli/transform.hpp"
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
+#include "spectral/spectral_brdf.hpp"
 
 namespace hts::cli {
 namespace {
@@ -47,7 +48,7 @@ struct EvalOptions {
     std::string wavelengths, points, polarisation, plan;
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
-    bool mueller = false, detail = false, transmission = false;
+    bool mueller = false, detail = false, transmission = false, compensate = false;
 };
 
 std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) {
@@ -86,6 +87,7 @@ void warn_of_unused(const CsvReader& points) {
 std::optional<spectral::AnyReflector> reflector(const EvalOptions& options) {
     if (options.material.path.empty()) return std::nullopt;
     auto described = options.material.read();
+    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(described, "--compensate-energy"));
     if (options.mueller) static_cast<void>(MaterialOptions::he_torrance(described, "--mueller"));
     if (!options.polarisation.empty())
         static_cast<void>(MaterialOptions::he_torrance(described, "--polarisation"));
@@ -111,10 +113,10 @@ CsvReader points_of(const EvalOptions& options) {
 
 void evaluate_as_planned(const EvalOptions& options) {
     if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
-        !options.polarisation.empty()) {
+        options.compensate || !options.polarisation.empty()) {
         throw UsageError{
             "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
-            "--polarisation"};
+            "--compensate-energy, --polarisation"};
     }
     CsvReader points = points_of(options);
     evaluate_planned({options.plan, options.material.path, options.mueller}, points, options.output);
@@ -126,7 +128,7 @@ void evaluate_points(const EvalOptions& options) {
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
     const auto described = reflector(options);
     if (described && !has_own_constants(points)) static_cast<void>(spectrum(options, *described));
-    const PointEvaluator evaluator{points, described, grid, options.material.policy()};
+    const PointEvaluator evaluator{points, described, grid, options.material.policy(), options.compensate};
     warn_of_unused(points);
     const bool he = !described || described->he_torrance() != nullptr;
     EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he, options.transmission};
@@ -148,19 +150,23 @@ void evaluate_points(const EvalOptions& options) {
     if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
 }
 
-/// The library's batch call for the He-Torrance model, one pair after another for others.
-BrdfBatch batch_of(const spectral::AnyReflector& reflector, const spectral::AnySpectrum& spectrum,
-                   const EvalOptions& options, const spectral::WavelengthGrid& grid) {
-    if (const spectral::Reflector* he = reflector.he_torrance()) {
-        return [reflectance = spectral::SpectralReflectance{*he, grid, options.material.policy()}](
-                   std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
-            reflectance.brdf(pairs, result);
-        };
-    }
-    return [spectrum](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
-        parallel_for(pairs.size(), [&](std::size_t i) {
-            spectrum.brdf(pairs[i], result.subspan(i * spectrum.size(), spectrum.size()));
-        });
+/// The library's batch call, in blocks on all cores.
+BrdfBatch batch_of(const spectral::AnyReflector& reflector, const EvalOptions& options,
+                   const spectral::WavelengthGrid& grid) {
+    const auto policy = options.material.policy();
+    const std::shared_ptr<const spectral::SpectralBrdf> brdf =
+        options.compensate ? compensated_brdf(*reflector.he_torrance(), grid, policy)
+                           : model_brdf(reflector, grid, policy);
+    return [brdf](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
+        constexpr std::size_t block = 256;
+        const std::size_t width = brdf->wavelengths().size();
+        parallel_for(
+            (pairs.size() + block - 1) / block,
+            [&](std::size_t i) {
+                const std::size_t first = i * block, count = std::min(block, pairs.size() - first);
+                brdf->brdf_batch(pairs.subspan(first, count), result.subspan(first * width, count * width));
+            },
+            1);
     };
 }
 
@@ -170,12 +176,12 @@ void evaluate_random(const EvalOptions& options) {
     if (!grid || !described || *options.random_pairs == 0) {
         throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
     }
-    const auto prepared = spectrum(options, *described);
+    static_cast<void>(spectrum(options, *described));  // names the option where the material is not known
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
     warning.note(*described, {normal, normal}, *grid, options.material.policy());
     const auto [summary, mean_brdf] = evaluate_random_pairs(
-        batch_of(*described, *prepared, options, *grid), grid->size(), *options.random_pairs, options.seed);
+        batch_of(*described, options, *grid), grid->size(), *options.random_pairs, options.seed);
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
@@ -202,10 +208,11 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
-    if (options.transmission && (options.mueller || options.detail || !options.polarisation.empty() ||
-                                 !options.plan.empty() || options.random_pairs)) {
+    if (options.transmission && (options.mueller || options.detail || options.compensate ||
+                                 !options.polarisation.empty() || !options.plan.empty() || options.random_pairs)) {
         throw UsageError{
-            "--transmission: must not come with --mueller, --detail, --polarisation, --plan, --random-pairs"};
+            "--transmission: must not come with --mueller, --detail, --compensate-energy, --polarisation, "
+            "--plan, --random-pairs"};
     }
     if (!options.plan.empty()) return evaluate_as_planned(options);
     options.random_pairs ? evaluate_random(options) : evaluate_points(options);
@@ -229,6 +236,8 @@ void add_eval(CLI::App& program) {
     verb->add_flag("--detail", options->detail,
                    "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
                    "goes to standard error");
+    verb->add_flag("--compensate-energy", options->compensate,
+                   "with the optional energy compensation, which is not part of the published model he");
     verb->add_flag("--transmission", options->transmission,
                    "the view is behind the surface: btdf of transparent materials of model walter");
     verb->add_option(

@@ -9,9 +9,11 @@
 #include "cli/table_writer.hpp"
 #include "cli/transform.hpp"
 #include "cli/usage.hpp"
+#include "cli/validity_warning.hpp"
 #include "hts/error.hpp"
 #include "spectral/display_colour.hpp"
 #include "spectral/plan.hpp"
+#include "tables/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -20,13 +22,13 @@ using spectral::LinearRgb;
 using spectral::Plan;
 using spectral::PlannedReflectance;
 
-PlannedReflectance evaluator(const Plan& plan, const std::string& name) {
-    auto all = plan.evaluators();
-    if (name.empty() && all.size() == 1) return std::move(all.front());
+/// Which of a plan's materials a name means.
+std::size_t place(const Plan& plan, const std::string& name) {
+    if (name.empty() && plan.materials.size() == 1) return 0;
     std::string names;
-    for (PlannedReflectance& one : all) {
-        if (one.name() == name) return std::move(one);
-        names.append(names.empty() ? "" : ", ").append(one.name());
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        if (plan.materials[i].name == name) return i;
+        names.append(names.empty() ? "" : ", ").append(plan.materials[i].name);
     }
     const std::string problem = name.empty() ? "--material missing" : "--material \"" + name + "\"";
     throw UsageError{problem + ": must be a material of the plan: " + names};
@@ -35,14 +37,18 @@ PlannedReflectance evaluator(const Plan& plan, const std::string& name) {
 /// A pair of directions within the domain for which the plan's errors were measured.
 class PlannedPair {
   public:
-    PlannedPair(const CsvReader& points, const spectral::Scene& scene) : columns_{points}, scene_{scene} {}
+    PlannedPair(const CsvReader& points, const spectral::Scene& scene, const spectral::AnyReflector& material)
+        : columns_{points}, scene_{scene}, material_{material} {}
 
     [[nodiscard]] DirectionPair operator()(const CsvRow& row) const {
         const DirectionPair pair = columns_.pair(row);
         require("light", pair.in, scene_.largest_theta_i);
         require("view", pair.out, scene_.largest_theta_r);
+        warning_.note(material_, pair, scene_.wavelengths, scene_.outside_range);
         return pair;
     }
+    /// How many of them, at how many wavelengths, were outside the model's validity.
+    void print_warning() const { warning_.print(); }
 
   private:
     static void require(const char* what, const Direction& direction, double largest) {
@@ -58,6 +64,8 @@ class PlannedPair {
 
     PairColumns columns_;
     const spectral::Scene& scene_;
+    const spectral::AnyReflector& material_;
+    mutable ValidityWarning warning_;  // counts from any thread
 };
 
 struct SpectralValue {
@@ -123,15 +131,16 @@ void write_colours(const PlannedReflectance& planned, const PlannedPair& pair,
 }  // namespace
 
 void evaluate_planned(const PlannedEval& options, CsvReader& points, const OutputOptions& answer) {
-    const Plan plan = spectral::read_plan(options.plan);
-    const PlannedReflectance planned = evaluator(plan, options.material);
+    const Plan plan = spectral::read_plan(options.plan, tables::models_with_files());
+    const std::size_t chosen = place(plan, options.material);
+    const PlannedReflectance& planned = plan.materials[chosen].evaluator;
     if (options.mueller && !plan.scene.polarised) {
         throw UsageError{"--mueller: the plan is for unpolarised light: must be polarised in its scene"};
     }
     if (points.column("wavelength_um")) {
         throw UsageError{"column wavelength_um: the plan has the wavelengths: must not come with --plan"};
     }
-    const PlannedPair pair{points, plan.scene};
+    const PlannedPair pair{points, plan.scene, plan.scene.materials[chosen]};
     Output output{answer.path};
     const Format format = format_of(answer.path, answer.json);
     if (plan.scene.illuminant) {
@@ -140,6 +149,7 @@ void evaluate_planned(const PlannedEval& options, CsvReader& points, const Outpu
         write_spectra(planned, pair, plan.scene.polarised, options.mueller, points, output, format);
     }
     output.commit();
+    pair.print_warning();
 }
 
 }  // namespace hts::cli

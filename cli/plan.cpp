@@ -14,6 +14,8 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "spectral/plan.hpp"
+#include "spectral/reflectance.hpp"
+#include "tables/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -24,11 +26,11 @@ using spectral::Plan;
 using spectral::Rung;
 
 constexpr auto help = R"(
-A scene file (JSON) lists material files, wavelengths, the largest polar angles of lights
-and views, what is wanted (spectral or rgb, polarised or not), a tolerance
+A scene file (JSON) lists material files of any model, wavelengths, the largest polar
+angles of lights and views, what is wanted (spectral or rgb, polarised or not), a tolerance
 (relative_brdf_error or delta_e_2000) and a memory budget; spectral/scene.hpp has every
-key. For each material the plan leaves out what the tolerance allows: the lobe or its
-full series, the mirror term, for colours wavelengths. Errors are measured on random
+key. For each material the plan leaves out what the tolerance allows: wavelengths, the
+lobe, and of model he its full series and the mirror term. Errors are measured on random
 directions of the scene against the full model; spectral/plan.hpp defines them.
 --output writes the plan for hts eval --plan and for the library; --check measures a plan
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
@@ -53,7 +55,17 @@ std::string formatted(const char* format, Values... values) {
     return text;
 }
 
-std::string in_words(const Rung& rung) {
+std::string wavelengths_in_words(const Rung& rung) {
+    const std::size_t count = rung.wavelengths.size();
+    return std::to_string(count) + (count == 1 ? " wavelength" : " wavelengths");
+}
+
+std::string in_words(const Rung& rung, const spectral::AnyReflector& material) {
+    if (material.he_torrance() == nullptr) {
+        const bool whole = rung.lobe == DiffuseLobe::full;
+        return (whole ? "all of " + material.model_name() : std::string{"uniform term alone"}) + ", " +
+               wavelengths_in_words(rung);
+    }
     std::string lobe;
     switch (rung.lobe) {
         case DiffuseLobe::none:
@@ -69,9 +81,7 @@ std::string in_words(const Rung& rung) {
             lobe = "full Phi at " + shortest(rung.lobe_tolerance.relative_error());
             break;
     }
-    const std::size_t count = rung.wavelengths.size();
-    return lobe + (rung.specular ? ", mirror term, " : ", no mirror term, ") + std::to_string(count) +
-           (count == 1 ? " wavelength" : " wavelengths");
+    return lobe + (rung.specular ? ", mirror term, " : ", no mirror term, ") + wavelengths_in_words(rung);
 }
 
 std::string in_words(const spectral::MeasuredError& error) {
@@ -87,43 +97,53 @@ struct MaterialCost {
 std::vector<MaterialCost> costs(const Plan& plan) {
     std::vector<MaterialCost> result;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
-        const spectral::Reflector& material = plan.scene.materials[i];
-        result.push_back({plan_cost(plan.scene, material, plan.materials[i].choice.rung),
-                          plan_cost(plan.scene, material, full_model(plan.scene, material).rung())});
+        const spectral::MaterialForms forms{plan.scene, plan.scene.materials[i]};
+        result.push_back({plan_cost(plan.scene, forms, plan.materials[i].choice.rung),
+                          plan_cost(plan.scene, forms, forms.full_model().rung())});
     }
     return result;
 }
 
-bool has_uniform_term(const spectral::Scene& scene, const spectral::Reflector& material) {
-    for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
-        if (material.albedo(scene.wavelengths[i], scene.outside_range) > 0) return true;
-    }
-    return false;
+/// What model he has besides the forms of a rung.
+std::string other_terms(const spectral::Scene& scene, const spectral::AnyReflector& material) {
+    const spectral::Reflector* he = material.he_torrance();
+    if (he == nullptr) return "";
+    bool uniform = false;
+    for (const SpectralSample& sample : spectral_samples(*he, scene.wavelengths, scene.outside_range))
+        uniform = uniform || sample.uniform_diffuse > 0;
+    return std::string{uniform ? ", uniform term" : ", no uniform term (a = 0)"} +
+           (scene.polarised ? ", Mueller" : ", scalar") +
+           (scene.compensate_energy ? ", energy compensated" : "");
 }
 
-std::string terms(const spectral::Scene& scene, const spectral::Reflector& material) {
-    return std::string{has_uniform_term(scene, material) ? ", uniform term" : ", no uniform term (a = 0)"} +
-           (scene.polarised ? ", Mueller" : ", scalar");
+/// Where the time of the diffuse terms goes.
+std::string parts(const PlanCost& cost, bool he) {
+    return he ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
+                          cost.directions, cost.phi, cost.rest, cost.interpolation)
+              : formatted("model %.0f, interpolation %.0f", cost.directions + cost.rest, cost.interpolation);
 }
 
 std::string report(const Plan& plan, std::size_t i, const spectral::PlannedReflectance& evaluator,
                    const MaterialCost& cost) {
     const spectral::PlannedMaterial& material = plan.materials[i];
     const PlanCost &now = cost.chosen, &full = cost.full;
-    std::string text = material.name + ": " + in_words(material.choice.rung) +
-                       terms(plan.scene, plan.scene.materials[i]) + "\n";
+    const spectral::AnyReflector& described = plan.scene.materials[i];
+    const bool he = described.he_torrance() != nullptr;
+    std::string text = material.name + ": " + in_words(material.choice.rung, described) +
+                       other_terms(plan.scene, described) + "\n";
     text += "  error     " + in_words(material.choice.error) + "\n";
     text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
                       now.diffuse, full.diffuse, full.diffuse / now.diffuse);
-    text += formatted("            directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
-                      now.directions, now.phi, now.rest, now.interpolation);
+    text += "            " + parts(now, he);
     text += plan.scene.illuminant ? formatted("; colour %.0f more\n", now.colour) : "\n";
-    text +=
-        formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror, full.mirror);
+    if (he) {
+        text += formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror,
+                          full.mirror);
+    }
     text += "  memory    " + std::to_string(evaluator.bytes()) + " bytes\n";
     for (const MeasuredRung& rung : material.rejected) {
         text += (&rung == &material.rejected.front() ? "  rejected  " : "            ") +
-                in_words(rung.rung) + ": " + in_words(rung.error) + "\n";
+                in_words(rung.rung, described) + ": " + in_words(rung.error) + "\n";
     }
     return text;
 }
@@ -167,7 +187,7 @@ std::string json_report(const Plan& plan, const fs::path& folder) {
 }
 
 void plan_scene(const PlanOptions& options) {
-    const spectral::Scene scene = spectral::read_scene(options.scene);
+    const spectral::Scene scene = spectral::read_scene(options.scene, tables::models_with_files());
     const double tolerance = options.tolerance.value_or(scene.tolerance);
     if (options.tolerance) from_option("--tolerance", [&] { require_tolerance(scene.measure, tolerance); });
     spectral::PlanSampling sampling;
@@ -201,7 +221,7 @@ void write_check(const Plan& plan, const std::vector<spectral::MeasuredError>& e
 }
 
 void check_plan(const PlanOptions& options) {
-    const Plan plan = spectral::read_plan(options.check);
+    const Plan plan = spectral::read_plan(options.check, tables::models_with_files());
     const spectral::PlanSampling sampling{options.seed.value_or(plan.sampling.seed + 1),
                                           options.pairs.value_or(plan.sampling.pairs)};
     const auto errors = measured_errors(plan, sampling);

@@ -59,26 +59,26 @@ double nanoseconds(const Work& work) {
 /// Times the parts of one evaluator.
 class Timing {
   public:
-    Timing(const spectral::Scene& scene, const spectral::Reflector& material)
-        : scene_{scene}, material_{material}, pairs_{pairs_of(scene)} {}
+    Timing(const spectral::Scene& scene, const spectral::MaterialForms& forms)
+        : scene_{scene}, forms_{forms}, pairs_{pairs_of(scene)} {}
 
     /// At the rung's own wavelengths.
     [[nodiscard]] double diffuse(const spectral::Rung& rung) const {
-        const spectral::SpectralReflectance evaluator{material_, rung.wavelengths, scene_.outside_range,
-                                                      rung.lobe_tolerance, rung.lobe};
+        const PlannedReflectance planned = forms_.at(rung);
+        const spectral::SpectralBrdf& evaluator = planned.at_nodes();
         if (scene_.polarised) {
-            std::vector<Mueller> result(evaluator.size());
+            std::vector<Mueller> result(planned.nodes());
             return nanoseconds([&] {
                 for (const DirectionPair& pair : pairs_) evaluator.mueller(pair, result);
             });
         }
-        std::vector<double> result(pairs_.size() * evaluator.size());
-        return nanoseconds([&] { evaluator.brdf(pairs_, result); });
+        std::vector<double> result(pairs_.size() * planned.nodes());
+        return nanoseconds([&] { evaluator.brdf_batch(pairs_, result); });
     }
 
     [[nodiscard]] double mirror(const spectral::Rung& rung) const {
         if (!rung.specular) return 0;
-        const PlannedReflectance evaluator{scene_, material_, rung};
+        const PlannedReflectance evaluator = forms_.at(rung);
         std::vector<double> spectrum(evaluator.size());
         double sum = 0;  // so that nothing is optimised away
         return nanoseconds([&] {
@@ -121,7 +121,7 @@ class Timing {
 
   private:
     const spectral::Scene& scene_;
-    const spectral::Reflector& material_;
+    const spectral::MaterialForms& forms_;
     std::vector<DirectionPair> pairs_;
 };
 
@@ -134,17 +134,18 @@ double fixed_part(double all, double one, std::size_t count) {
 
 }  // namespace
 
-PlanCost plan_cost(const spectral::Scene& scene, const spectral::Reflector& material,
+PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
                    const spectral::Rung& rung) {
     const OneThread one_thread;
-    const Timing timing{scene, material};
+    const Timing timing{scene, forms};
     const double at_nodes = timing.diffuse(rung), interpolation = timing.interpolation(rung);
     PlanCost cost{
         at_nodes + interpolation, timing.mirror(rung), timing.colour(rung), 0, 0, at_nodes, interpolation};
     if (rung.lobe == DiffuseLobe::none) return cost;
     spectral::Rung simple = rung;
-    if (rung.lobe == DiffuseLobe::full) simple.lobe = DiffuseLobe::first_order;
-    const double simple_time = rung.lobe == DiffuseLobe::full ? timing.diffuse(simple) : at_nodes;
+    const bool phi = rung.lobe == DiffuseLobe::full && forms.material().he_torrance() != nullptr;
+    if (phi) simple.lobe = DiffuseLobe::first_order;
+    const double simple_time = phi ? timing.diffuse(simple) : at_nodes;
     simple.wavelengths = spectral::WavelengthGrid::from_micrometres({rung.wavelengths.micrometres().front()});
     cost.phi = std::max(0., at_nodes - simple_time);
     cost.directions = std::min(fixed_part(simple_time, timing.diffuse(simple), rung.wavelengths.size()),

@@ -17,12 +17,12 @@ struct PlanCost {
     // What `diffuse` is made of:
     double directions;     ///< what the wavelengths share: shadowing, effective roughness
     double phi;            ///< the full Phi instead of one exponential
-    double rest;           ///< Fresnel, the rest of the lobe, the uniform term
+    double rest;           ///< Fresnel, the rest of the lobe, the uniform term; of models other than he all of the model
     double interpolation;  ///< from the rung's wavelengths to the scene's; not spent on colours
 };
 
 /// Measures the evaluator of a rung on random pairs.
-[[nodiscard]] PlanCost plan_cost(const spectral::Scene& scene, const spectral::Reflector& material,
+[[nodiscard]] PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
                                  const spectral::Rung& rung);
 
 }  // namespace hts::cli

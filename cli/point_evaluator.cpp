@@ -30,6 +30,16 @@ Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const
 
 }  // namespace
 
+const spectral::EnergyCompensation& CompensationCache::at(const Surface& surface,
+                                                          const Wavelength& wavelength) {
+    std::unique_lock lock{mutex_};
+    Entry& entry =
+        entries_[{surface.rms_roughness(), surface.correlation_length(), wavelength.micrometres()}];
+    lock.unlock();
+    std::call_once(entry.once, [&] { entry.solved.emplace(surface, wavelength); });
+    return *entry.solved;
+}
+
 PairColumns::PairColumns(const CsvReader& points)
     : theta_i_{points.required_column("theta_i_deg")},
       phi_i_{points.required_column("phi_i_deg")},
@@ -53,8 +63,9 @@ PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
 PointEvaluator::PointEvaluator(const CsvReader& points,
                                const std::optional<spectral::AnyReflector>& reflector,
                                std::optional<spectral::WavelengthGrid> wavelengths,
-                               spectral::OutsideRange policy)
+                               spectral::OutsideRange policy, bool compensate_energy)
     : columns_{points, !wavelengths}, wavelengths_{std::move(wavelengths)}, policy_{policy} {
+    if (compensate_energy) compensation_ = std::make_shared<CompensationCache>();
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
     }
@@ -120,8 +131,15 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
     const PairFactors pair{rough, light, seen};
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Sample at = samples_.empty() ? sample(&row, wavelength(row, i)) : samples_[i];
-        const DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
-        const double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
+        DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
+        double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
+        if (compensation_) {
+            const auto& s = compensation_->at(rough, at.wavelength);
+            const double factor = s.factor(spectral::CompensationPair{{in, out}});
+            directional.lobe *= factor;
+            directional.brdf *= factor;
+            specular *= s.factor(spectral::CompensationPair{{in, in.mirror()}});
+        }
         result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
                      pair.effective_roughness(),  pair.shadowing(), Mueller{},          0};
         warning.note(spectral::validity(rough, light, seen, at));

@@ -1,6 +1,10 @@
 /// Evaluates the rows of a points file with the library, one pair of directions a row.
 #pragma once
 
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +12,7 @@
 #include "cli/csv_reader.hpp"
 #include "cli/validity_warning.hpp"
 #include "spectral/any_reflector.hpp"
+#include "spectral/compensation.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::cli {
@@ -36,6 +41,21 @@ class PairColumns {
     std::size_t theta_i_, phi_i_, theta_r_, phi_r_;
 };
 
+/// The energy compensation of surfaces and wavelengths, each solved once. Any thread may ask.
+class CompensationCache {
+  public:
+    [[nodiscard]] const spectral::EnergyCompensation& at(const Surface& surface,
+                                                         const Wavelength& wavelength);
+
+  private:
+    struct Entry {
+        std::once_flag once;
+        std::optional<spectral::EnergyCompensation> solved;
+    };
+    std::mutex mutex_;
+    std::map<std::array<double, 3>, Entry> entries_;
+};
+
 /// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um and albedo go
 /// before the material's; they are the He-Torrance model's alone.
 class PointEvaluator {
@@ -43,9 +63,11 @@ class PointEvaluator {
     ///   points        its header is looked at here, its rows are not
     ///   reflector     may be missing if the rows say all but the albedo, which then is 0
     ///   wavelengths   every row at each of these; may be missing if the rows have a wavelength
+    ///   compensate_energy   as spectral/compensation.hpp says; of model he
     /// Throws UsageError or hts::Error if something is missing or said twice.
     PointEvaluator(const CsvReader& points, const std::optional<spectral::AnyReflector>& reflector,
-                   std::optional<spectral::WavelengthGrid> wavelengths, spectral::OutsideRange policy);
+                   std::optional<spectral::WavelengthGrid> wavelengths, spectral::OutsideRange policy,
+                   bool compensate_energy = false);
 
     /// Wavelengths per row.
     [[nodiscard]] std::size_t wavelengths() const noexcept { return wavelengths_ ? wavelengths_->size() : 1; }
@@ -87,8 +109,9 @@ class PointEvaluator {
     std::optional<spectral::AnyReflector> other_;  // of a model other than He-Torrance
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::OutsideRange policy_;
-    std::vector<Sample> samples_;                    // one per wavelength if the same for all rows, else none
-    std::optional<spectral::AnySpectrum> spectrum_;  // the same of another model
+    std::shared_ptr<CompensationCache> compensation_;  // null without
+    std::vector<Sample> samples_;                       // one per wavelength if the same for all rows, else none
+    std::optional<spectral::AnySpectrum> spectrum_;     // the same of another model
 };
 
 }  // namespace hts::cli

@@ -14,6 +14,8 @@
 #include "cli/usage.hpp"
 #include "cli/validity_warning.hpp"
 #include "cli/verbs.hpp"
+#include "spectral/spectral_brdf.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::cli {
 namespace {
@@ -34,6 +36,7 @@ struct SpectrumOptions {
     DirectionOptions directions;
     OutputOptions output;
     std::string wavelengths = "0.38:0.78:41", illuminant, plot;
+    bool compensate = false;
 };
 
 /// The three terms, one value per wavelength.
@@ -41,15 +44,30 @@ struct Spectrum {
     std::vector<double> directional_diffuse, uniform_diffuse, brdf, specular_reflectance;
 };
 
-Spectrum spectrum_of(const spectral::AnySpectrum& model, const spectral::DirectionPair& pair) {
-    const std::vector<double> none(model.size());
+Spectrum spectrum_of(const spectral::SpectralBrdf& model, const spectral::DirectionPair& pair) {
+    const std::vector<double> none(model.wavelengths().size());
     Spectrum result{none, none, none, none};
     model.directional_diffuse(pair, result.directional_diffuse);
     model.brdf(pair, result.brdf);
     model.specular_reflectance(pair.in, result.specular_reflectance);
-    std::ranges::transform(model.uniform_diffuse(), result.brdf, result.uniform_diffuse.begin(),
-                           [](double uniform, double brdf) { return std::min(uniform, brdf); });
+    model.uniform_diffuse(result.uniform_diffuse);
+    for (std::size_t i = 0; i < none.size(); ++i)  // on the horizon most models have none of either
+        result.uniform_diffuse[i] = std::min(result.uniform_diffuse[i], result.brdf[i]);
     return result;
+}
+
+Spectrum spectrum_of(const SpectrumOptions& options, const spectral::AnyReflector& reflector,
+                     const spectral::WavelengthGrid& grid, const spectral::DirectionPair& pair) {
+    const auto policy = options.material.policy();
+    if (!options.compensate) {
+        const auto model =
+            spectral::located("--wavelengths", [&] { return model_brdf(reflector, grid, policy); });
+        return spectrum_of(*model, pair);
+    }
+    const spectral::Reflector& he = MaterialOptions::he_torrance(reflector, "--compensate-energy");
+    const auto model =
+        spectral::located("--wavelengths", [&] { return compensated_brdf(he, grid, policy); });
+    return spectrum_of(*model, pair);
 }
 
 void write_table(Output& output, Format format, const spectral::WavelengthGrid& grid,
@@ -116,8 +134,7 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = options.material.read();
-    const auto model = spectrum_from_option("--wavelengths", reflector, grid, options.material.policy());
-    const auto spectrum = spectrum_of(model, pair);
+    const auto spectrum = spectrum_of(options, reflector, grid, pair);
     const auto seen = colour(options, grid, spectrum);
 
     Output output{options.output.path};
@@ -147,6 +164,8 @@ void add_spectrum(CLI::App& program) {
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--illuminant", options->illuminant, "D65 (default) or E");
+    verb->add_flag("--compensate-energy", options->compensate,
+                   "with the optional energy compensation, which is not part of the published model he");
     options->output.add_to(*verb);
     verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)");
     verb->footer(help);

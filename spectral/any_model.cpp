@@ -34,6 +34,7 @@ class AnyModel::HeTorrance final : public AnyModel::Face {
         parts.uniform_diffuse = sample_.uniform_diffuse * std::numbers::pi;
         return parts;
     }
+    [[nodiscard]] std::size_t bytes() const noexcept override { return sizeof *this; }
 
     [[nodiscard]] std::shared_ptr<const SpectrumFace> together(
         std::span<const AnyModel> models) const override;

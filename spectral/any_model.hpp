@@ -69,6 +69,8 @@ class AnyModel {
     ///   error   accuracy::hemispherical_reflectance for He-Torrance, else hts::accuracy::directional_albedo
     ///   cost    1 to 100 ms
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const { return face_->albedo(in); }
+    /// Memory of the model's own values, without tables and lists that it points to.
+    [[nodiscard]] std::size_t bytes() const noexcept { return face_->bytes(); }
 
   private:
     friend class AnySpectrum;
@@ -98,6 +100,7 @@ class AnyModel {
         [[nodiscard]] virtual WeightedDirection sample(const Direction& in,
                                                        const Uniforms& uniforms) const noexcept = 0;
         [[nodiscard]] virtual HemisphericalReflectance albedo(const Direction& in) const = 0;
+        [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
     };
     template <ReflectanceModel Model>
     class Of;
@@ -197,6 +200,7 @@ class AnyModel::Of final : public AnyModel::Face {
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in) const override {
         return albedo_of(*this, uniform_diffuse_, in);
     }
+    [[nodiscard]] std::size_t bytes() const noexcept override { return sizeof *this; }
 
   private:
     struct Spectrum final : SpectrumFace {

@@ -17,7 +17,10 @@ AnyReflector::AnyReflector(Reflector reflector)
                                        {wavelength, reflector.material.index(wavelength, policy),
                                         hts::uniform_diffuse(reflector.albedo(wavelength, policy))});
       }},
-      he_{std::move(reflector)} {}
+      he_{std::move(reflector)},
+      name_{he_->name},
+      model_name_{"he"},
+      model_source_{"He, Torrance, Sillion, Greenberg 1991"} {}
 
 AnySpectrum AnyReflector::spectrum(const WavelengthGrid& wavelengths, OutsideRange policy) const {
     std::vector<AnyModel> models;
@@ -31,7 +34,11 @@ AnyReflector read_any_reflector(const std::filesystem::path& path, const std::ve
 
 AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,
                                      const std::vector<ModelEntry>& models) {
-    const MaterialFile file{JsonValue::parse(text, path.string()), path.parent_path(), path.stem().string()};
+    return any_reflector_from_json(
+        {JsonValue::parse(text, path.string()), path.parent_path(), path.stem().string()}, models);
+}
+
+AnyReflector any_reflector_from_json(const MaterialFile& file, const std::vector<ModelEntry>& models) {
     const JsonValue model = file.json["model"];
     const auto name = file.json.find("name");
     const auto named = [&](const ModelEntry& entry) { return entry.name == model.text(); };

@@ -48,7 +48,7 @@ class AnyReflector {
                                        OutsideRange policy = OutsideRange::error) const;
 
   private:
-    friend AnyReflector any_reflector_from_text(const std::string& text, const std::filesystem::path& path,
+    friend AnyReflector any_reflector_from_json(const struct MaterialFile& file,
                                                 const std::vector<struct ModelEntry>& models);
 
     AtWavelength at_;

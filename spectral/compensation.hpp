@@ -17,14 +17,18 @@
 ///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the mirror term: grazing incidence gives a mirror.
 ///   * The uniform-diffuse term stays as it is, so rho_dh <= 1 needs the same care with a(lambda).
 ///   * s grows towards the horizon. Beyond 89.9 degrees it is kept, and energy is lost again.
+///
+/// `compensated_brdf` of spectral/spectral_brdf.hpp evaluates f'; Mueller matrices are scaled like their element 00.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <span>
+#include <utility>
 #include <vector>
 
+#include "hts/evaluation.hpp"
 #include "spectral/energy.hpp"
-#include "spectral/reflectance.hpp"
+#include "spectral/wavelength_grid.hpp"
 
 namespace hts::spectral {
 
@@ -34,52 +38,57 @@ namespace accuracy {
 inline constexpr double compensated_energy = 4e-4;
 }  // namespace accuracy
 
+/// Where a direction stands in every table of s, found once for all wavelengths: a value there is the weighted sum of those
+/// at four nodes, by cubic interpolation.
+///   cost   about 20 ns
+struct CompensationPlace {
+    explicit CompensationPlace(const Direction& direction) noexcept;
+    std::array<std::size_t, 4> nodes;
+    std::array<double, 4> weights;
+};
+
+/// The places of a light and a view.
+struct CompensationPair {
+    explicit CompensationPair(const DirectionPair& pair) noexcept : in{pair.in}, out{pair.out} {}
+    CompensationPlace in, out;
+};
+
 /// The factor s of one surface at one wavelength, tabulated over theta.
 class EnergyCompensation {
   public:
     /// Solves for s.
     ///   cost   some 50 ms; 1 kB
     EnergyCompensation(const Surface& surface, const Wavelength& wavelength);
+    /// The same for every wavelength of a grid, on all cores.
+    [[nodiscard]] static std::vector<EnergyCompensation> of(const Surface& surface,
+                                                            const WavelengthGrid& wavelengths);
+    /// From one grid to another, as planned spectra are interpolated: the cubic in 1/lambda^2.
+    ///   all   one per wavelength of `from`, of one surface
+    [[nodiscard]] static std::vector<EnergyCompensation> interpolated(
+        const std::vector<EnergyCompensation>& all, const WavelengthGrid& from, const WavelengthGrid& to);
 
     /// s(theta), continuous and positive.
-    ///   cost   about 20 ns
-    [[nodiscard]] double factor(const Direction& direction) const noexcept;
-
-  private:
-    std::vector<double> factors_;
-};
-
-/// A SpectralReflectance with its energy compensated; same conventions, sizes and errors.
-///
-///     const CompensatedReflectance lossless{reflector, grid};
-///     lossless.brdf({in, out}, spectrum);
-class CompensatedReflectance {
-  public:
-    CompensatedReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                           OutsideRange policy = OutsideRange::error,
-                           Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance});
-
-    /// The reflectance without compensation.
-    [[nodiscard]] const SpectralReflectance& model() const noexcept { return model_; }
-    /// Number of wavelengths.
-    [[nodiscard]] std::size_t size() const noexcept { return model_.size(); }
-
-    /// BRDF of both diffuse terms [1/sr], one value per wavelength.
-    [[nodiscard]] std::vector<double> brdf(const DirectionPair& pair) const;
-    /// The same into `result` of size() values, else hts::Error; allocates nothing.
-    void brdf(const DirectionPair& pair, std::span<double> result) const;
-    /// Mueller matrix of both diffuse terms [1/sr] into `result` of size() matrices, else hts::Error.
-    void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
-    /// Reflectance into the mirror direction, one per wavelength.
-    [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
-
-  private:
+    [[nodiscard]] double factor(const Direction& direction) const noexcept {
+        return factor(CompensationPlace{direction});
+    }
+    [[nodiscard]] double factor(const CompensationPlace& place) const noexcept {
+        double sum = 0;
+        for (std::size_t i = 0; i < place.weights.size(); ++i)
+            sum += place.weights[i] * factors_[place.nodes[i]];
+        return sum;
+    }
     /// s(in) s(out).
-    [[nodiscard]] double factor(std::size_t wavelength, const DirectionPair& pair) const noexcept;
+    [[nodiscard]] double factor(const CompensationPair& pair) const noexcept {
+        return factor(pair.in) * factor(pair.out);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return sizeof *this + factors_.size() * sizeof(double);
+    }
 
-    SpectralReflectance model_;
-    std::vector<EnergyCompensation> compensation_;
-    std::vector<double> uniform_diffuse_;
+  private:
+    explicit EnergyCompensation(std::vector<double> factors) : factors_{std::move(factors)} {}
+
+    std::vector<double> factors_;
 };
 
 /// rho_dh with compensation, of a surface without uniform diffuse term.

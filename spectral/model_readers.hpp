@@ -23,6 +23,10 @@ struct MaterialFile {
     std::string default_name;      ///< where there is no "name"
 };
 
+/// What read_any_reflector reads, of a file or of a part of one.
+[[nodiscard]] AnyReflector any_reflector_from_json(const MaterialFile& file,
+                                                   const std::vector<ModelEntry>& models);
+
 /// A key whose value is a number or {"table": [[um, value], …]}.
 struct NumberKey {
     const char* name;

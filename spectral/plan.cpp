@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -58,14 +59,21 @@ std::vector<WavelengthGrid> grids(const Scene& scene) {
     return grids;
 }
 
+constexpr std::array whole_or_uniform{LobeForm{DiffuseLobe::none, 1e-12, 1},
+                                      LobeForm{DiffuseLobe::full, 1e-12, 9}};
+
 /// All evaluators of a material, cheapest first.
-///   coarsest   tolerance of the full lobe that may be used
-std::vector<LadderStep> ladder(const Scene& scene, double coarsest) {
+///   he         whether it is of that model
+///   coarsest   tolerance of its full lobe that may be used
+std::vector<LadderStep> ladder(const Scene& scene, bool he, double coarsest) {
     std::vector<LadderStep> steps;
+    const std::span<const LobeForm> forms =
+        he ? std::span<const LobeForm>{lobe_forms} : std::span<const LobeForm>{whole_or_uniform};
     for (const WavelengthGrid& grid : grids(scene)) {
-        for (const LobeForm& form : lobe_forms) {
+        for (const LobeForm& form : forms) {
             if (form.lobe == DiffuseLobe::full && form.tolerance > coarsest) continue;
             for (const bool specular : {false, true}) {
+                if (specular && !he) continue;
                 const double each = form.cost + (specular ? specular_cost : 0);
                 steps.push_back({{form.lobe, Tolerance{form.tolerance}, specular, grid},
                                  each * static_cast<double>(grid.size())});
@@ -93,36 +101,37 @@ void note(std::vector<Rung>& rejected, Rung rung) {
     }
 }
 
-std::vector<MeasuredRung> measured(const Scene& scene, const Reflector& material, const ErrorMeter& meter,
+std::vector<MeasuredRung> measured(const MaterialForms& forms, const ErrorMeter& meter,
                                    const std::vector<Rung>& rungs) {
     std::vector<MeasuredRung> result;
     result.reserve(rungs.size());
-    for (const Rung& rung : rungs) result.push_back({rung, meter.error({scene, material, rung})});
+    for (const Rung& rung : rungs) result.push_back({rung, meter.error(forms.at(rung))});
     return result;
 }
 
-PlannedMaterial planned(const Scene& scene, const Reflector& material, const PlanSampling& sampling,
+PlannedMaterial planned(const Scene& scene, const AnyReflector& material, const PlanSampling& sampling,
                         double tolerance, double coarsest) {
-    const ErrorMeter meter{scene, material, sampling};
+    const MaterialForms forms{scene, material};
+    const ErrorMeter meter{scene, material, forms, sampling};
     const double enough = plan_headroom * tolerance;
     std::vector<Rung> failed;
-    for (const LadderStep& step : ladder(scene, coarsest)) {
-        const PlannedReflectance candidate{scene, material, step.rung};
+    for (const LadderStep& step : ladder(scene, material.he_torrance() != nullptr, coarsest)) {
+        const PlannedReflectance candidate = forms.at(step.rung);
         if (!meter.fails_early(candidate, enough)) {
             const MeasuredError error = meter.error(candidate);
             if (error.worst <= enough) {
-                return {material.name, {step.rung, error}, measured(scene, material, meter, failed)};
+                return {material.name(), {step.rung, error}, measured(forms, meter, failed), candidate};
             }
         }
         note(failed, step.rung);
     }
-    throw Error{material.name +
+    throw Error{material.name() +
                 ": no evaluator meets the tolerance"};  // the last rung is the full model itself
 }
 
 Plan planned(const Scene& scene, const PlanSampling& sampling, double tolerance, double coarsest) {
     Plan plan{scene, tolerance, sampling, {}};
-    for (const Reflector& material : scene.materials) {
+    for (const AnyReflector& material : scene.materials) {
         plan.materials.push_back(planned(scene, material, sampling, tolerance, coarsest));
     }
     return plan;
@@ -131,9 +140,10 @@ Plan planned(const Scene& scene, const PlanSampling& sampling, double tolerance,
 /// The tolerances of the tables of Phi that a plan uses.
 std::set<double> tables(const Plan& plan) {
     std::set<double> tolerances;
-    for (const PlannedMaterial& material : plan.materials) {
-        const Rung& rung = material.choice.rung;
-        if (rung.lobe == DiffuseLobe::full) tolerances.insert(rung.lobe_tolerance.relative_error());
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        const Rung& rung = plan.materials[i].choice.rung;
+        if (rung.lobe == DiffuseLobe::full && plan.scene.materials[i].he_torrance() != nullptr)
+            tolerances.insert(rung.lobe_tolerance.relative_error());
     }
     return tolerances;
 }
@@ -146,23 +156,20 @@ bool fits(const Plan& plan) {
 
 std::vector<PlannedReflectance> Plan::evaluators() const {
     std::vector<PlannedReflectance> result;
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        result.emplace_back(scene, scene.materials[i], materials[i].choice.rung);
-    }
+    result.reserve(materials.size());
+    for (const PlannedMaterial& material : materials) result.push_back(material.evaluator);
     return result;
 }
 
 std::size_t Plan::bytes() const {
     std::size_t sum = 0;
-    for (const PlannedReflectance& evaluator : evaluators()) sum += evaluator.bytes();
+    for (const PlannedMaterial& material : materials) sum += material.evaluator.bytes();
     for (const double table : tables(*this)) sum += phi_table_bytes(Tolerance{table});
     return sum;
 }
 
-PlannedReflectance full_model(const Scene& scene, const Reflector& material) {
-    return {scene,
-            material,
-            {DiffuseLobe::full, Tolerance{hts::accuracy::finest_tolerance}, true, scene.wavelengths}};
+PlannedReflectance full_model(const Scene& scene, const AnyReflector& material) {
+    return MaterialForms{scene, material}.full_model();
 }
 
 Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance) {
@@ -182,10 +189,10 @@ Plan make_plan(const Scene& scene, const PlanSampling& sampling, double toleranc
 
 std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling) {
     std::vector<MeasuredError> errors;
-    const auto evaluators = plan.evaluators();
-    for (std::size_t i = 0; i < evaluators.size(); ++i) {
-        const ErrorMeter meter{plan.scene, plan.scene.materials[i], sampling};
-        errors.push_back(meter.error(evaluators[i]));
+    for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+        const AnyReflector& material = plan.scene.materials[i];
+        const ErrorMeter meter{plan.scene, material, {plan.scene, material}, sampling};
+        errors.push_back(meter.error(plan.materials[i].evaluator));
     }
     return errors;
 }

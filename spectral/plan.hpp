@@ -1,9 +1,14 @@
 /// Plans: for every material of a scene the cheapest evaluator that is exact enough, as measured.
 ///
-/// The planner walks a ladder of evaluators, cheapest first: the directional-diffuse lobe left out, to first order
-/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; and, unless
-/// the scene is polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. It takes the first whose error, measured on random directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance. Order and choice depend
-/// on the scene and the seed alone.
+/// The planner walks a ladder of evaluators, cheapest first. Of model he: the directional-diffuse lobe left out, to first order
+/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; and, unless the scene is
+/// polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. Of other models: the
+/// uniform-diffuse part alone, or all of it, at one, few or all wavelengths. It takes the first whose error, measured on random
+/// directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance.
+/// Order and choice depend on the scene and the seed alone.
+///
+/// Where waves do not matter (g >> 1), the rough limit is the geometric-optics rung: there the He-Torrance lobe is that of
+/// Beckmann-distributed facets, hts::WalterBrdf with alpha = 2 sigma/tau times its own shadowing. No other model stands in.
 ///
 /// Errors of a pair of directions, the worst over wavelengths and terms:
 ///   relative_brdf_error   diffuse terms   |f - f_full| / (f_full + `floor_of_peak` f_peak), f_peak the lobe's largest value
@@ -17,8 +22,10 @@
 ///                         under the scene's illuminant; where a highlight is brighter, both colours are
 ///                         exposed so that the brighter one has the luminance of that white
 ///
+///                         (with energy compensation, too: rho then has its factor s(in)^2, |F|^2 S has not)
+///
 /// Directions: half of the pairs uniform in solid angle over the scene's cap of lights and that of views, half with the view in the
-/// lobe about the mirror direction, and a few at the edges of the caps.
+/// lobe (of model he about the mirror direction, of others as the model draws), and a few at the edges of the caps.
 #pragma once
 
 #include <cstddef>
@@ -62,6 +69,7 @@ struct PlannedMaterial {
     /// What failed before: of each lobe form, with and without mirror term, the rung of the most wavelengths that was
     /// still cheaper than the choice.
     std::vector<MeasuredRung> rejected;
+    PlannedReflectance evaluator;  ///< of the choice
 };
 
 struct Plan {
@@ -70,14 +78,14 @@ struct Plan {
     PlanSampling sampling;
     std::vector<PlannedMaterial> materials;  ///< in the scene's order
 
-    /// One evaluator per material.
+    /// One evaluator per material; copies share what they hold.
     [[nodiscard]] std::vector<PlannedReflectance> evaluators() const;
     /// Memory of the evaluators together with the tables of Phi that they share.
     [[nodiscard]] std::size_t bytes() const;
 };
 
 /// The full model of a material in a scene: what plans are measured against.
-[[nodiscard]] PlannedReflectance full_model(const Scene& scene, const Reflector& material);
+[[nodiscard]] PlannedReflectance full_model(const Scene& scene, const AnyReflector& material);
 
 /// Plans a scene.
 ///   tolerance   instead of the scene's, in its measure
@@ -92,6 +100,8 @@ struct Plan {
 
 /// Reads a plan file and the scene that it names. hts::Error "path: key "…": …" if it was made by another version of
 /// format or library, or if the scene or its materials have changed since.
-[[nodiscard]] Plan read_plan(const std::filesystem::path& path);
+///   models   that material files may name
+[[nodiscard]] Plan read_plan(const std::filesystem::path& path,
+                             const std::vector<ModelEntry>& models = built_in_models());
 
 }  // namespace hts::spectral

@@ -111,11 +111,11 @@ void require_wavelengths(const JsonValue& key, const Rung& rung, const Scene& sc
     }
 }
 
-PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const Reflector& reflector) {
+PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const AnyReflector& reflector) {
     value.require_keys_among({"name", "choice", "rejected"});
     const JsonValue name = value["name"];
-    if (name.text() != reflector.name) {
-        throw name.error(in_quotes(name.text()) + ": must be " + in_quotes(reflector.name) +
+    if (name.text() != reflector.name()) {
+        throw name.error(in_quotes(name.text()) + ": must be " + in_quotes(reflector.name()) +
                          ", as in the scene");
     }
     std::vector<MeasuredRung> rejected;
@@ -123,7 +123,9 @@ PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const 
     const JsonValue choice = value["choice"];
     MeasuredRung chosen = rung_from(choice);
     require_wavelengths(choice["wavelengths_um"], chosen.rung, scene);
-    return {reflector.name, std::move(chosen), std::move(rejected)};
+    PlannedReflectance evaluator =
+        located(choice.place(), [&] { return PlannedReflectance{scene, reflector, chosen.rung}; });
+    return {reflector.name(), std::move(chosen), std::move(rejected), std::move(evaluator)};
 }
 
 std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& scene) {
@@ -156,14 +158,14 @@ std::string plan_text(const Plan& plan, const fs::path& folder) {
     return file.dump(2) + "\n";
 }
 
-Plan read_plan(const fs::path& path) {
+Plan read_plan(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue file = JsonValue::read(path);
     require_version(file);
     file.require_keys_among({"format", "format_version", "library_version", "scene", "scene_fingerprint",
                              "measure", "tolerance", "seed", "pairs", "bytes", "materials"});
     const JsonValue scene_path = file["scene"];
-    const Scene scene =
-        located(scene_path.place(), [&] { return read_scene(path.parent_path() / scene_path.text()); });
+    const Scene scene = located(
+        scene_path.place(), [&] { return read_scene(path.parent_path() / scene_path.text(), models); });
     require_scene(file["scene_fingerprint"], scene);
     const JsonValue tolerance = file["tolerance"];
     located(tolerance.place(), [&] { require_tolerance(scene.measure, tolerance.number()); });

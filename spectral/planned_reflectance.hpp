@@ -1,10 +1,10 @@
-/// A material evaluated by as much of the model as a plan says it needs.
+/// A material of any model, evaluated by as much of it as a plan says it needs.
 ///
 /// Conventions as in spectral/reflectance.hpp; colours as in spectral/colour.hpp.
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,15 +12,16 @@
 #include "spectral/colour.hpp"
 #include "spectral/reflectance.hpp"
 #include "spectral/scene.hpp"
+#include "spectral/spectral_brdf.hpp"
 #include "spectral/spectrum_interpolation.hpp"
 
 namespace hts::spectral {
 
 /// What of the model is kept, and at which wavelengths: a step of the planner's ladder.
 struct Rung {
-    DiffuseLobe lobe;
-    Tolerance lobe_tolerance;    ///< of the directional-diffuse term in that form
-    bool specular;               ///< whether the mirror term is kept
+    DiffuseLobe lobe;            ///< of models other than he full, or none: the uniform-diffuse part alone
+    Tolerance lobe_tolerance;    ///< of the directional-diffuse term in that form; of model he alone
+    bool specular;               ///< whether the mirror term is kept, which model he alone has
     WavelengthGrid wavelengths;  ///< at which the model is evaluated; between them runs a cubic in 1/lambda^2
 };
 
@@ -34,27 +35,30 @@ class PlannedReflectance {
     /// Most wavelengths of a rung, unless they are all the scene's.
     static constexpr std::size_t most_nodes = 64;
 
-    /// hts::Error if the rung's wavelengths leave the range of the optical constants and the scene does not clamp, or
-    /// if they are more than `most_nodes` and not the scene's.
-    PlannedReflectance(const Scene& scene, const Reflector& reflector, Rung rung);
+    /// hts::Error if the rung's wavelengths leave the range of the optical constants and the scene does not clamp,
+    /// if they are more than `most_nodes` and not the scene's, or if the model has no such form.
+    ///   cost   where the scene compensates energy, some 50 ms for each of its wavelengths: see MaterialForms
+    PlannedReflectance(const Scene& scene, const AnyReflector& material, Rung rung);
+    /// The same with anything that stands for the model at the rung's wavelengths.
+    PlannedReflectance(const Scene& scene, Rung rung, std::shared_ptr<const SpectralBrdf> at_nodes);
 
-    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] const std::string& name() const noexcept { return nodes_->name(); }
     [[nodiscard]] const Rung& rung() const noexcept { return rung_; }
     /// The scene's wavelengths, on which spectra come, and their number.
     [[nodiscard]] const WavelengthGrid& wavelengths() const noexcept { return wavelengths_; }
     [[nodiscard]] std::size_t size() const noexcept { return wavelengths_.size(); }
     /// Number of wavelengths at which the model is evaluated.
-    [[nodiscard]] std::size_t nodes() const noexcept { return nodes_.size(); }
-    /// The model at these.
-    [[nodiscard]] const SpectralReflectance& at_nodes() const noexcept { return nodes_; }
-    /// Memory of this object alone; the table of Phi is shared by all.
+    [[nodiscard]] std::size_t nodes() const noexcept { return rung_.wavelengths.size(); }
+    /// What is evaluated at these.
+    [[nodiscard]] const SpectralBrdf& at_nodes() const noexcept { return *nodes_; }
+    /// Memory of this object alone; tables that several share, as that of Phi, are not counted.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// BRDF of both diffuse terms [1/sr], one value per wavelength.
     [[nodiscard]] std::vector<double> brdf(const DirectionPair& pair) const;
     /// The same into `result` of size() values, else hts::Error; allocates nothing.
     void brdf(const DirectionPair& pair, std::span<double> result) const;
-    /// The same for many pairs, as SpectralReflectance::brdf does it.
+    /// The same for many pairs, into pairs.size() * size() values, on all cores; the same bits for any number of threads.
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Reflectance into the mirror direction, one per wavelength; zeros if the rung drops it.
     [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
@@ -75,16 +79,36 @@ class PlannedReflectance {
 
   private:
     void require_mueller() const;
+    void brdf_block(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
     [[nodiscard]] Xyz weighted(std::span<const double> at_nodes) const;
     void specular_at_nodes(const Direction& in, std::span<double> result) const;
 
-    std::string name_;
     Rung rung_;
     WavelengthGrid wavelengths_;
     bool polarised_;
-    SpectralReflectance nodes_;
+    std::shared_ptr<const SpectralBrdf> nodes_;
     SpectrumInterpolation interpolation_;
     std::vector<Xyz> weights_;  // of the nodes, for colours; none without an illuminant
+};
+
+/// A material of a scene, of which evaluators are made. What they share is prepared once.
+class MaterialForms {
+  public:
+    /// Both outlive this.
+    ///   cost   where the scene compensates energy, some 50 ms for each of its wavelengths
+    MaterialForms(const Scene& scene, const AnyReflector& material);
+
+    [[nodiscard]] const AnyReflector& material() const noexcept { return material_; }
+    [[nodiscard]] PlannedReflectance at(const Rung& rung) const;
+    /// All of the model at the scene's wavelengths.
+    ///   tolerance   of the terms of model he
+    [[nodiscard]] PlannedReflectance full_model(
+        Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance}) const;
+
+  private:
+    const Scene& scene_;
+    const AnyReflector& material_;
+    std::vector<EnergyCompensation> compensation_;  // at the scene's wavelengths; none without
 };
 
 }  // namespace hts::spectral

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "hts/error.hpp"
@@ -25,48 +26,66 @@ double square(double x) {
 /// Draws pairs in a scene's domain.
 class PairSource {
   public:
-    PairSource(const Scene& scene, const Surface& surface, std::uint64_t seed)
+    PairSource(const Scene& scene, const AnyReflector& material, std::uint64_t seed)
         : scene_{scene},
-          surface_{surface},
+          he_{material.he_torrance()},
           lowest_cosine_i_{std::max(0., std::cos(scene.largest_theta_i))},
           lowest_cosine_r_{std::max(0., std::cos(scene.largest_theta_r))},
-          random_{seed} {}
+          random_{seed} {
+        if (he_ == nullptr) models_ = material.spectrum(scene.wavelengths, scene.outside_range).models();
+    }
 
     DirectionPair anywhere() {
         const Direction in = random_direction(random_, lowest_cosine_i_);
         return {in, random_direction(random_, lowest_cosine_r_)};
     }
 
-    /// The view about as far from the mirror direction as the lobe is wide, where that is in the domain.
+    /// The view in the lobe of a random wavelength, where that is in the domain.
     DirectionPair in_lobe() {
         constexpr int most_tries = 32;
         const DirectionPair pair = anywhere();
-        const double width = lobe_width(pair.in);
+        const auto count = static_cast<double>(scene_.wavelengths.size());
+        const auto wavelength = static_cast<std::size_t>(count * uniform(random_));
+        const double width = he_ != nullptr ? lobe_width(pair.in, scene_.wavelengths[wavelength]) : 0;
         for (int i = 0; i < most_tries; ++i) {
-            const double away = width * std::sqrt(-2 * std::log1p(-uniform(random_)));
-            const double azimuth = 2 * std::numbers::pi * uniform(random_);
-            const Vector3 mirror = pair.in.mirror().vector();
-            const double x = mirror.x + away * std::cos(azimuth), y = mirror.y + away * std::sin(azimuth);
-            const double sine_squared = square(x) + square(y);
-            if (sine_squared > 1 - square(lowest_cosine_r_)) continue;
-            return {pair.in, Direction::from_vector({x, y, std::sqrt(std::max(0., 1 - sine_squared))})};
+            const auto out = he_ != nullptr ? about_mirror(pair.in, width) : drawn(pair.in, wavelength);
+            if (out) return {pair.in, *out};
         }
         return pair;
     }
 
   private:
-    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more; at a random wavelength.
-    double lobe_width(const Direction& in) {
-        const auto count = static_cast<double>(scene_.wavelengths.size());
-        const Wavelength wavelength = scene_.wavelengths[static_cast<std::size_t>(count * uniform(random_))];
-        const View light = view(surface_, in);
-        const PairFactors mirrored{surface_, light, view(surface_, in.mirror())};
-        return 2 / surface_.correlation_length() / wavelength.wave_number() *
+    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more.
+    [[nodiscard]] double lobe_width(const Direction& in, const Wavelength& wavelength) const {
+        const Surface& surface = he_->surface;
+        const View light = view(surface, in);
+        const PairFactors mirrored{surface, light, view(surface, in.mirror())};
+        return 2 / surface.correlation_length() / wavelength.wave_number() *
                std::sqrt(std::max(1., mirrored.phase_variance(wavelength)));
     }
 
+    /// About as far from the mirror direction as a He-Torrance lobe is wide.
+    std::optional<Direction> about_mirror(const Direction& in, double width) {
+        const double away = width * std::sqrt(-2 * std::log1p(-uniform(random_)));
+        const double azimuth = 2 * std::numbers::pi * uniform(random_);
+        const Vector3 mirror = in.mirror().vector();
+        const double x = mirror.x + away * std::cos(azimuth), y = mirror.y + away * std::sin(azimuth);
+        const double sine_squared = square(x) + square(y);
+        if (sine_squared > 1 - square(lowest_cosine_r_)) return std::nullopt;
+        return Direction::from_vector({x, y, std::sqrt(std::max(0., 1 - sine_squared))});
+    }
+
+    /// As another model draws.
+    std::optional<Direction> drawn(const Direction& in, std::size_t wavelength) {
+        const Uniforms uniforms{uniform(random_), uniform(random_), uniform(random_)};
+        const WeightedDirection draw = models_[wavelength].sample(in, uniforms);
+        if (draw.lobe == Lobe::none || draw.out.cos_theta() < lowest_cosine_r_) return std::nullopt;
+        return draw.out;
+    }
+
     const Scene& scene_;
-    const Surface& surface_;
+    const Reflector* he_;
+    std::vector<AnyModel> models_;  // of a model other than He-Torrance, at the scene's wavelengths
     double lowest_cosine_i_, lowest_cosine_r_;
     std::mt19937_64 random_;
 };
@@ -91,10 +110,10 @@ std::vector<DirectionPair> pairs_at_edges(const Scene& scene) {
 /// The lobe's largest values in the plane of incidence, one per wavelength, from coarse values.
 class Peaks {
   public:
-    Peaks(const Scene& scene, const Reflector& material)
-        : scene_{scene},
-          coarse_{material, scene.wavelengths, scene.outside_range, Tolerance{1e-3}},
-          uniform_{coarse_.uniform_diffuse()} {}
+    Peaks(const Scene& scene, const SpectralBrdf& coarse)
+        : scene_{scene}, coarse_{coarse}, uniform_(scene.wavelengths.size()) {
+        coarse_.uniform_diffuse(uniform_);
+    }
 
     void find(const DirectionPair& pair, std::span<double> peaks) const {
         constexpr int fan = 45;  // views on either side of the normal
@@ -118,7 +137,7 @@ class Peaks {
 
   private:
     const Scene& scene_;
-    SpectralReflectance coarse_;
+    const SpectralBrdf& coarse_;
     std::vector<double> uniform_;
 };
 
@@ -155,7 +174,7 @@ void for_each_index(std::size_t count, const Function& f) {
 
 }  // namespace
 
-std::vector<DirectionPair> planning_pairs(const Scene& scene, const Surface& surface,
+std::vector<DirectionPair> planning_pairs(const Scene& scene, const AnyReflector& material,
                                           const PlanSampling& sampling) {
     if (sampling.pairs < 1 || sampling.pairs > most_pairs) {
         throw out_of_range("number of pairs", static_cast<double>(sampling.pairs), "",
@@ -164,25 +183,28 @@ std::vector<DirectionPair> planning_pairs(const Scene& scene, const Surface& sur
     if (sampling.seed > largest_seed) {
         throw Error{"seed " + std::to_string(sampling.seed) + ": must be from 0 to 2^53"};
     }
-    PairSource source{scene, surface, sampling.seed};
+    PairSource source{scene, material, sampling.seed};
+    const Reflector* he = material.he_torrance();
+    const bool has_lobe = he == nullptr || he->surface.rms_roughness() > 0;
     std::vector<DirectionPair> pairs = pairs_at_edges(scene);
     for (std::size_t i = 0; i < sampling.pairs; ++i) {
-        const bool lobe = i % 2 == 1 && surface.rms_roughness() > 0;
-        pairs.push_back(lobe ? source.in_lobe() : source.anywhere());
+        pairs.push_back(i % 2 == 1 && has_lobe ? source.in_lobe() : source.anywhere());
     }
     return pairs;
 }
 
-ErrorMeter::ErrorMeter(const Scene& scene, const Reflector& material, const PlanSampling& sampling)
+ErrorMeter::ErrorMeter(const Scene& scene, const AnyReflector& material, const MaterialForms& forms,
+                       const PlanSampling& sampling)
     : scene_{scene},
       material_{material},
-      full_{full_model(scene, material)},
-      pairs_{planning_pairs(scene, material.surface, sampling)} {
-    scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours() : remember_spectra();
+      full_{forms.full_model()},
+      pairs_{planning_pairs(scene, material, sampling)} {
+    scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours()
+                                                : remember_spectra(forms.full_model(Tolerance{1e-3}));
 }
 
-void ErrorMeter::remember_spectra() {
-    const Peaks peaks{scene_, material_};
+void ErrorMeter::remember_spectra(const PlannedReflectance& coarse) {
+    const Peaks peaks{scene_, coarse.at_nodes()};
     const std::size_t count = full_.size();
     spectra_.resize(pairs_.size() * count);
     scales_.resize(pairs_.size() * count);
@@ -248,15 +270,17 @@ double ErrorMeter::specular_error(const PlannedReflectance& candidate, std::size
     if (scene_.measure == ErrorMeasure::delta_e_2000) {
         return exposed_difference(specular_colours_[pair], candidate.specular_colour(in), white_);
     }
-    const double shadowing = square(view(material_.surface, in).visibility.shadowing);
+    const Reflector* he = material_.he_torrance();
+    if (he == nullptr) return 0;  // other models have no mirror term
+    const double shadowing = square(view(he->surface, in).visibility.shadowing);
     const auto full = full_.specular_reflectance(in);
     const auto value = candidate.specular_reflectance(in);
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
         const Wavelength wavelength = scene_.wavelengths[i];
-        const auto index = material_.material.index(wavelength, scene_.outside_range);
+        const auto index = he->material.index(wavelength, scene_.outside_range);
         const double reflected = fresnel(in.cos_theta(), index).unpolarised_reflectance() * shadowing +
-                                 material_.albedo(wavelength, scene_.outside_range);
+                                 he->albedo(wavelength, scene_.outside_range);
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }
     return worst;

@@ -9,14 +9,15 @@
 namespace hts::spectral {
 
 /// The pairs on which a material is measured: `sampling.pairs` random ones and a few at the edges of the domain.
-[[nodiscard]] std::vector<DirectionPair> planning_pairs(const Scene& scene, const Surface& surface,
+[[nodiscard]] std::vector<DirectionPair> planning_pairs(const Scene& scene, const AnyReflector& material,
                                                         const PlanSampling& sampling);
 
 /// Measures evaluators of one material.
 class ErrorMeter {
   public:
-    /// Both outlive this.
-    ErrorMeter(const Scene& scene, const Reflector& material, const PlanSampling& sampling);
+    /// Scene and material outlive this.
+    ErrorMeter(const Scene& scene, const AnyReflector& material, const MaterialForms& forms,
+               const PlanSampling& sampling);
 
     /// The error on all pairs.
     [[nodiscard]] MeasuredError error(const PlannedReflectance& candidate) const;
@@ -26,11 +27,11 @@ class ErrorMeter {
   private:
     [[nodiscard]] double diffuse_error(const PlannedReflectance& candidate, std::size_t pair) const;
     [[nodiscard]] double specular_error(const PlannedReflectance& candidate, std::size_t pair) const;
-    void remember_spectra();
+    void remember_spectra(const PlannedReflectance& coarse);
     void remember_colours();
 
     const Scene& scene_;
-    const Reflector& material_;
+    const AnyReflector& material_;
     PlannedReflectance full_;
     std::vector<DirectionPair> pairs_;
     std::vector<double> spectra_, scales_;  // pairs x wavelengths: BRDF, and what its error is relative to

@@ -12,7 +12,8 @@
 #include "hts/error.hpp"
 #include "hts/tolerance.hpp"
 #include "spectral/json_value.hpp"
-#include "spectral/reflector_json.hpp"
+#include "spectral/model_readers.hpp"
+#include "spectral/reflectance.hpp"
 #include "spectral/text.hpp"
 
 namespace hts::spectral {
@@ -26,18 +27,21 @@ constexpr double largest_budget = 0x1p53;  // whole numbers up to here are exact
 
 // ---- reading
 
-Reflector reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number) {
-    if (item.is_object()) return reflector_from_json(item, folder, "material " + std::to_string(number));
+AnyReflector reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number,
+                            const std::vector<ModelEntry>& models) {
+    if (item.is_object())
+        return any_reflector_from_json({item, folder, "material " + std::to_string(number)}, models);
     if (!item.is_text()) throw item.error("must be the path of a material file or a material");
-    return located(item.place(), [&] { return read_reflector(folder / item.text()); });
+    return located(item.place(), [&] { return read_any_reflector(folder / item.text(), models); });
 }
 
-std::vector<Reflector> materials_from(const JsonValue& list, const fs::path& folder) {
-    std::vector<Reflector> materials;
+std::vector<AnyReflector> materials_from(const JsonValue& list, const fs::path& folder,
+                                         const std::vector<ModelEntry>& models) {
+    std::vector<AnyReflector> materials;
     std::set<std::string> names;
     for (const JsonValue& item : list.items()) {
-        materials.push_back(reflector_from(item, folder, materials.size() + 1));
-        const std::string& name = materials.back().name;
+        materials.push_back(reflector_from(item, folder, materials.size() + 1, models));
+        const std::string& name = materials.back().name();
         if (!names.insert(name).second)
             throw item.error("name " + in_quotes(name) + " stands twice: must differ");
     }
@@ -107,17 +111,23 @@ std::optional<std::size_t> budget_from(const JsonValue& file) {
     throw budget->error(shortest(bytes) + ": must be a whole number of bytes, > 0");
 }
 
+/// What only the He-Torrance model has.
+void require_he_torrance(const JsonValue& file, const char* key, const Scene& scene) {
+    if (!flag_from(file, key)) return;
+    for (const AnyReflector& material : scene.materials) {
+        if (material.he_torrance() != nullptr) continue;
+        throw file[key].error("true: materials must be of model he; " + in_quotes(material.name()) +
+                              " has model " + material.model_name());
+    }
+}
+
 void require_wavelengths(const JsonValue& key, const Scene& scene) {
     located(key.place(), [&] {
         if (scene.illuminant)
             static_cast<void>(tristimulus_weights(scene.wavelengths.micrometres(), *scene.illuminant));
-        for (const Reflector& material : scene.materials) {
-            located(in_quotes(material.name), [&] {
-                for (std::size_t i = 0; i < scene.wavelengths.size(); ++i) {
-                    static_cast<void>(material.material.index(scene.wavelengths[i], scene.outside_range));
-                    static_cast<void>(material.albedo(scene.wavelengths[i], scene.outside_range));
-                }
-            });
+        for (const AnyReflector& material : scene.materials) {
+            located(in_quotes(material.name()),
+                    [&] { return material.spectrum(scene.wavelengths, scene.outside_range); });
         }
     });
 }
@@ -131,9 +141,9 @@ class Checksum {
         for (const char c : text) step(static_cast<unsigned char>(c));
         step(0);
     }
-    void add(double value) {
+    void add(double value, int significant_digits = 12) {
         std::array<char, 32> digits{};
-        static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.12g", value));
+        static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.*g", significant_digits, value));
         add(std::string_view{digits.data()});
     }
     [[nodiscard]] std::string text() const {
@@ -153,11 +163,23 @@ class Checksum {
 
 void add_spectra(Checksum& checksum, const Reflector& material, const WavelengthGrid& wavelengths,
                  OutsideRange policy) {
-    for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-        const RefractiveIndex index = material.material.index(wavelengths[i], policy);
-        checksum.add(index.n());
-        checksum.add(index.k());
-        checksum.add(material.albedo(wavelengths[i], policy));
+    for (const SpectralSample& sample : spectral_samples(material, wavelengths, policy)) {
+        checksum.add(sample.index.n());
+        checksum.add(sample.index.k());
+        checksum.add(sample.uniform_diffuse);
+    }
+}
+
+/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface singles out.
+void add_probes(Checksum& checksum, const AnyModel& model) {
+    constexpr int digits = 9;
+    for (const double theta_i : {5., 50.}) {
+        const Direction in = Direction::from_degrees(theta_i, 17 + theta_i);
+        checksum.add(model.brdf(in, in.mirror()), digits);
+        for (const double away : {1., 7., 25.}) {
+            const Direction out = Direction::from_degrees(theta_i + away, 197 + theta_i + 3 * away);
+            checksum.add(model.brdf(in, out), digits);
+        }
     }
 }
 
@@ -167,12 +189,20 @@ WavelengthGrid between(const WavelengthGrid& wavelengths) {
     return WavelengthGrid::linear(wavelengths.micrometres().front(), wavelengths.micrometres().back(), 257);
 }
 
-void add_material(Checksum& checksum, const Reflector& material, const Scene& scene) {
-    checksum.add(material.name);
-    checksum.add(material.surface.rms_roughness());
-    checksum.add(material.surface.correlation_length());
-    add_spectra(checksum, material, scene.wavelengths, scene.outside_range);
-    add_spectra(checksum, material, between(scene.wavelengths), scene.outside_range);
+void add_material(Checksum& checksum, const AnyReflector& material, const Scene& scene) {
+    checksum.add(material.name());
+    checksum.add(material.model_name());
+    if (const Reflector* he = material.he_torrance()) {
+        checksum.add(he->surface.rms_roughness());
+        checksum.add(he->surface.correlation_length());
+        add_spectra(checksum, *he, scene.wavelengths, scene.outside_range);
+        add_spectra(checksum, *he, between(scene.wavelengths), scene.outside_range);
+        return;
+    }
+    for (const WavelengthGrid& grid : {scene.wavelengths, between(scene.wavelengths)}) {
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            add_probes(checksum, material.at(grid[i], scene.outside_range));
+    }
 }
 
 }  // namespace
@@ -189,17 +219,17 @@ void require_tolerance(ErrorMeasure measure, double tolerance) {
     throw out_of_range("tolerance", tolerance, "", "from " + shortest(finest) + " to " + shortest(coarsest));
 }
 
-Scene read_scene(const fs::path& path) {
+Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue file = JsonValue::read(path);
     file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
-                             "clamp", "largest_theta_i_deg", "largest_theta_r_deg", "tolerance",
+                             "compensate_energy", "clamp", "largest_theta_i_deg", "largest_theta_r_deg", "tolerance",
                              "memory_budget_bytes"});
     if (const auto name = file.find("name")) static_cast<void>(name->text());
     const JsonValue tolerance = tolerance_key(file["tolerance"]);
     const JsonValue wavelengths = file["wavelengths_um"];
     const bool colour = file["tolerance"].find(name(ErrorMeasure::delta_e_2000)).has_value();
     Scene scene{path,
-                materials_from(file["materials"], path.parent_path()),
+                materials_from(file["materials"], path.parent_path(), models),
                 wavelengths_from(wavelengths),
                 flag_from(file, "clamp") ? OutsideRange::clamp : OutsideRange::error,
                 angle_from(file["largest_theta_i_deg"]),
@@ -208,7 +238,10 @@ Scene read_scene(const fs::path& path) {
                 illuminant_from(file),
                 colour ? ErrorMeasure::delta_e_2000 : ErrorMeasure::relative_brdf_error,
                 tolerance.number(),
-                budget_from(file)};
+                budget_from(file),
+                flag_from(file, "compensate_energy")};
+    require_he_torrance(file, "polarised", scene);
+    require_he_torrance(file, "compensate_energy", scene);
     if (colour) require_colour(tolerance, scene.illuminant.has_value(), scene.polarised);
     located(tolerance.place(), [&] { require_tolerance(scene.measure, scene.tolerance); });
     require_wavelengths(wavelengths, scene);
@@ -226,7 +259,8 @@ std::string fingerprint(const Scene& scene) {
     checksum.add(std::string_view{name(scene.measure)});
     checksum.add(scene.tolerance);
     checksum.add(static_cast<double>(scene.memory_budget.value_or(0)));
-    for (const Reflector& material : scene.materials) add_material(checksum, material, scene);
+    checksum.add(std::string_view{scene.compensate_energy ? "compensated" : "as published"});
+    for (const AnyReflector& material : scene.materials) add_material(checksum, material, scene);
     return checksum.text();
 }
 

@@ -8,71 +8,9 @@
 #include <vector>
 
 #include "spectral/random_directions.hpp"
-#include "spectral/reflectance.hpp"
 
 namespace hts::tables {
 namespace {
-
-class HeTorranceBrdf final : public SpectralBrdf {
-  public:
-    HeTorranceBrdf(const spectral::Reflector& reflector, const spectral::WavelengthGrid& wavelengths,
-                   spectral::OutsideRange policy, Tolerance tolerance)
-        : SpectralBrdf{reflector.name, wavelengths},
-          reflectance_{reflector, wavelengths, policy, tolerance},
-          lobe_{reflector.surface, without_uniform_diffuse(reflectance_.prepared()), tolerance} {}
-
-    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        reflectance_.prepared().brdf(pair, values);
-    }
-    void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
-        reflectance_.prepared().specular_reflectance(in, values);
-    }
-    void uniform_diffuse(std::span<double> values) const noexcept override {
-        std::ranges::transform(reflectance_.prepared().samples(), values.begin(),
-                               &SpectralSample::uniform_diffuse);
-    }
-    void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        lobe_.brdf(pair, values);
-    }
-    [[nodiscard]] bool polarised() const noexcept override { return true; }
-    void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
-        reflectance_.prepared().mueller(pair, values);
-    }
-
-  private:
-    [[nodiscard]] static std::vector<SpectralSample> without_uniform_diffuse(
-        const PreparedReflectance& prepared) {
-        std::vector<SpectralSample> samples{prepared.samples().begin(), prepared.samples().end()};
-        for (SpectralSample& sample : samples) sample.uniform_diffuse = 0;
-        return samples;
-    }
-
-    spectral::SpectralReflectance reflectance_;
-    PreparedReflectance lobe_;
-};
-
-class ModelBrdf final : public SpectralBrdf {
-  public:
-    ModelBrdf(const spectral::AnyReflector& reflector, const spectral::WavelengthGrid& wavelengths,
-              spectral::OutsideRange policy)
-        : SpectralBrdf{reflector.name(), wavelengths}, spectrum_{reflector.spectrum(wavelengths, policy)} {}
-
-    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        spectrum_.brdf(pair, values);
-    }
-    void uniform_diffuse(std::span<double> values) const noexcept override {
-        std::ranges::copy(spectrum_.uniform_diffuse(), values.begin());
-    }
-    void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        spectrum_.directional_diffuse(pair, values);
-    }
-    void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
-        spectrum_.specular_reflectance(in, values);
-    }
-
-  private:
-    spectral::AnySpectrum spectrum_;
-};
 
 Direction turned(const Direction& direction, double cosine, double sine) {
     const Vector3 v = direction.vector();
@@ -101,30 +39,6 @@ double largest_change(const SpectralBrdf& brdf, Change&& changed) {
 }
 
 }  // namespace
-
-SpectralBrdf::SpectralBrdf(std::string name, spectral::WavelengthGrid wavelengths)
-    : name_{std::move(name)}, wavelengths_{std::move(wavelengths)} {}
-
-void SpectralBrdf::uniform_diffuse(std::span<double> values) const noexcept {
-    std::ranges::fill(values, 0.0);
-}
-
-void SpectralBrdf::directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept {
-    brdf(pair, values);
-}
-
-void SpectralBrdf::mueller(const DirectionPair& /*pair*/, std::span<Mueller> values) const noexcept {
-    std::ranges::fill(values, Mueller{});
-}
-
-std::unique_ptr<SpectralBrdf> model_brdf(const spectral::AnyReflector& reflector,
-                                         const spectral::WavelengthGrid& wavelengths,
-                                         spectral::OutsideRange policy, Tolerance tolerance) {
-    if (const spectral::Reflector* he = reflector.he_torrance()) {
-        return std::make_unique<HeTorranceBrdf>(*he, wavelengths, policy, tolerance);
-    }
-    return std::make_unique<ModelBrdf>(reflector, wavelengths, policy);
-}
 
 double anisotropy(const SpectralBrdf& brdf) {
     return largest_change(brdf, [](const DirectionPair& pair, double turn) {

@@ -98,7 +98,7 @@ class Table final : public SpectralBrdf {
 
     [[nodiscard]] const TableInfo& info() const noexcept;
     /// Bytes of the file.
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
     /// Whether the promise holds for a pair: both polar angles up to 88 deg.
     [[nodiscard]] static bool covers(const DirectionPair& pair) noexcept;
 

@@ -11,6 +11,7 @@
 #include "hts/error.hpp"
 #include "spectral/output.hpp"
 #include "spectral/text.hpp"
+#include "tables/measured_model.hpp"
 #include "tables/slice_file.hpp"
 
 namespace hts::tables {
@@ -152,8 +153,9 @@ std::unique_ptr<SpectralBrdf> exact_model(const TableSource& source, std::span<c
     if (source.material.empty()) throw Error{source.name + ": has no material file: must be built from one"};
     const auto grid =
         spectral::WavelengthGrid::from_micrometres({wavelengths_um.begin(), wavelengths_um.end()});
-    return model_brdf(spectral::any_reflector_from_text(source.material, source.material_path), grid,
-                      source.policy, tolerance);
+    return model_brdf(
+        spectral::any_reflector_from_text(source.material, source.material_path, models_with_files()), grid,
+        source.policy, tolerance);
 }
 
 std::unique_ptr<SpectralBrdf> exact_model(const TableJob& job) {

@@ -165,3 +165,34 @@ TEST_CASE("hts eval of random pairs prints its rate") {
     CHECK(result.errors.find("1000 pairs x 31 wavelengths") != std::string::npos);
     CHECK(result.errors.find("evaluations/s") != std::string::npos);
 }
+
+TEST_CASE("energy compensation scales the lobe and the mirror term alike wherever it is asked for") {
+    const Workplace place;
+    place.file("al.json", R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 0.7,
+                              "index": "Al", "diffuse_albedo": 0.1})");
+    const std::string point = " --material al.json --theta-i 60 --theta-r 60 --phi 180 --wavelengths 0.5,2";
+    const auto plain = cells(place.hts("eval --mueller" + point).output);
+    const auto result = place.hts("eval --mueller --compensate-energy" + point);
+    const auto compensated = cells(result.output);
+    const auto spectrum = cells(place.hts("spectrum --compensate-energy" + point).output);
+    REQUIRE(compensated.size() == 3);
+    const auto number = [](const auto& rows, std::size_t row, std::size_t column) {
+        return std::strtod(rows[row][column].c_str(), nullptr);
+    };
+    for (const std::size_t row : {1U, 2U}) {  // columns: 4 angles, wavelength, the terms, m00 ...
+        const double factor = number(compensated, row, 5) / number(plain, row, 5);
+        CHECK(factor > 1.02);
+        CHECK(compensated[row][6] == plain[row][6]);
+        CHECK(number(compensated, row, 8) == Approx(factor * number(plain, row, 8)).epsilon(1e-12));
+        CHECK(number(compensated, row, 9) == Approx(factor * number(plain, row, 9)).epsilon(1e-12));
+        CHECK(number(spectrum, row, 1) == Approx(number(compensated, row, 5)).epsilon(1e-10));
+        CHECK(number(spectrum, row, 4) == Approx(number(compensated, row, 8)).epsilon(1e-10));
+    }
+    place.file("points.csv", header + ",rms_roughness_um\n0.5,60,0,60,180,0.28\n0.5,60,0,60,180,0.1\n");
+    const auto rows = cells(place.hts("eval --compensate-energy --material al.json --points points.csv").output);
+    CHECK(rows[1][6] == compensated[1][5]);
+    CHECK(rows[2][6] != rows[1][6]);
+    const std::string random = "eval --material al.json --wavelengths 0.5 --random-pairs 500";
+    CHECK(number(cells(place.hts(random + " --compensate-energy").output), 1, 3) >
+          1.02 * number(cells(place.hts(random).output), 1, 3));
+}

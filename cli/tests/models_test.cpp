@@ -139,6 +139,9 @@ TEST_CASE("what only the He-Torrance model has is refused with others") {
     refuses("eval --material lambert.json --polarisation s" + point, 2, "--polarisation");
     refuses("albedo --material lambert.json --wavelengths 0.5 --theta-i 0 --measured 0.5", 2, "--measured");
     refuses("albedo --material lambert.json --compensate-energy", 2, "--compensate-energy");
+    refuses("eval --material lambert.json --compensate-energy" + point, 2, "--compensate-energy");
+    refuses("spectrum --material lambert.json --compensate-energy --theta-i 0 --theta-r 0 --phi 0", 2,
+            "--compensate-energy");
     refuses("eval --material lambert.json --points n.csv", 1, "column n");
 }
 

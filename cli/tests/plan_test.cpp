@@ -1,5 +1,6 @@
 // hts plan and hts eval --plan, as a user calls them.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -157,6 +158,37 @@ TEST_CASE("a polarised scene is planned and evaluated with Mueller matrices") {
     const double scale = std::stod(rows[1][7]);
     for (std::size_t i = 0; i < 16; ++i)
         CHECK(std::abs(std::stod(rows[1][7 + i]) - std::stod(exact[1][9 + i])) < 1e-2 * scale);
+}
+
+TEST_CASE("a scene of several models is planned, checked and evaluated") {
+    const Workplace place;
+    place.file("scene.json", R"({"materials": [")" + data + R"(rough-gold.json", ")" + data +
+                                 R"(purple-satin.json", ")" + data + R"(sandpaper.json"],
+        "wavelengths_um": "0.46:0.62:9", "output": "spectral", "largest_theta_i_deg": 60,
+        "largest_theta_r_deg": 60, "tolerance": {"relative_brdf_error": 1e-2}})");
+    const Result plan = place.hts("plan scene.json --output plan.json" + quick);
+    INFO(plan.errors);
+    REQUIRE(plan.exit_code == 0);
+    for (const char* part : {"all of walter", "all of kurt", "model ", "Fresnel and the rest"})
+        CHECK(plan.output.find(part) != std::string::npos);
+    CHECK(place.hts("plan --check plan.json").exit_code == 0);
+
+    const auto planned = nlohmann::json::parse(place.read("plan.json"));
+    const std::vector<std::string> files{"rough-gold", "purple-satin", "sandpaper"};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const Result answer = place.hts("eval --plan plan.json --material '" +
+                                        planned["materials"][i]["name"].get<std::string>() + "'" + point);
+        INFO(answer.errors);
+        const auto rows = cells(answer.output);
+        REQUIRE(rows.size() == 10);
+        const auto exact = cells(
+            place.hts("eval --material " + data + files[i] + ".json --wavelengths 0.46:0.62:9" + point).output);
+        for (std::size_t j = 1; j < rows.size(); ++j)
+            CHECK(std::stod(rows[j][5]) == Approx(std::stod(exact[j][7])).epsilon(1e-2));
+        const bool warned = answer.errors.find("outside the model's validity") != std::string::npos;
+        CHECK(warned == (files[i] == "sandpaper"));
+        CHECK(std::count(answer.errors.begin(), answer.errors.end(), '\n') == (warned ? 1 : 0));
+    }
 }
 
 TEST_CASE("scenes and plans that do not fit are refused, and leave nothing behind") {

@@ -9,6 +9,8 @@
 #include "hemisphere.hpp"
 #include "hts/error.hpp"
 #include "spectral/material_files.hpp"
+#include "spectral/reflectance.hpp"
+#include "spectral/spectral_brdf.hpp"
 
 using namespace hts::spectral;
 using namespace hts::spectral::testing;
@@ -82,13 +84,13 @@ TEST_CASE("compensation keeps reciprocity") {
     Random random{3};
     const auto grid = WavelengthGrid::linear(0.4, 0.7, 3);
     for (const double slope : {0.05, 0.2, 0.7}) {
-        const CompensatedReflectance reflectance{copper({0.2, 0.2 / slope}, 0.1), grid};
+        const auto reflectance = compensated_brdf(copper({0.2, 0.2 / slope}, 0.1), grid);
         std::vector<double> there(grid.size()), back(grid.size());
         for (int i = 0; i < 300; ++i) {
             const auto in = Direction::from_degrees(random.uniform(0, 89), random.uniform(0, 360));
             const auto out = Direction::from_degrees(random.uniform(0, 89), random.uniform(0, 360));
-            reflectance.brdf({in, out}, there);
-            reflectance.brdf({out, in}, back);
+            reflectance->brdf({in, out}, there);
+            reflectance->brdf({out, in}, back);
             for (std::size_t j = 0; j < grid.size(); ++j) {
                 worst.note(relative_error(there[j], back[j]),
                            [&] { return "sigma0/tau " + hts::shortest(slope); });
@@ -101,25 +103,51 @@ TEST_CASE("compensation keeps reciprocity") {
 TEST_CASE("only the lobes are scaled, the uniform-diffuse term is not") {
     const auto grid = WavelengthGrid::linear(0.4, 0.7, 3);
     const Surface surface{0.2, 0.5};
-    const CompensatedReflectance plain{copper(surface), grid}, painted{copper(surface, 0.3), grid};
+    const SpectralReflectance model{copper(surface), grid};
+    const auto plain = compensated_brdf(copper(surface), grid),
+               painted = compensated_brdf(copper(surface, 0.3), grid);
     const DirectionPair pair{Direction::from_degrees(50, 10), Direction::from_degrees(70, 200)};
-    const auto lobe = plain.brdf(pair);
-    const auto both = painted.brdf(pair);
-    const auto model = plain.model().brdf(pair);
-    const auto mirror = plain.specular_reflectance(pair.in);
-    const auto model_mirror = plain.model().specular_reflectance(pair.in);
-    std::vector<hts::Mueller> mueller(grid.size());
-    painted.mueller(pair, mueller);
+    std::vector<double> lobe(3), both(3), painted_lobe(3), mirror(3), batch(6);
+    plain->brdf(pair, lobe);
+    painted->brdf(pair, both);
+    painted->directional_diffuse(pair, painted_lobe);
+    plain->specular_reflectance(pair.in, mirror);
+    painted->brdf_batch(std::vector{pair, pair}, batch);
+    const auto published = model.brdf(pair);
+    const auto published_mirror = model.specular_reflectance(pair.in);
+    std::vector<hts::Mueller> mueller(grid.size()), mirrored(grid.size());
+    painted->mueller(pair, mueller);
+    painted->specular_mueller(pair.in, mirrored);
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const EnergyCompensation s{surface, grid[i]};
-        CHECK(lobe[i] == Approx(s.factor(pair.in) * s.factor(pair.out) * model[i]).epsilon(1e-13));
+        CHECK(lobe[i] == Approx(s.factor(pair.in) * s.factor(pair.out) * published[i]).epsilon(1e-13));
         CHECK(both[i] - lobe[i] == Approx(0.3 / std::numbers::pi).epsilon(1e-12));
+        CHECK(painted_lobe[i] == Approx(lobe[i]).epsilon(1e-12));
+        CHECK(batch[3 + i] == both[i]);
         CHECK(mueller[i](0, 0) == Approx(both[i]).epsilon(1e-12));
-        CHECK(mirror[i].value() ==
-              Approx(std::pow(s.factor(pair.in), 2) * model_mirror[i].value()).epsilon(1e-13));
+        CHECK(mirror[i] ==
+              Approx(std::pow(s.factor(pair.in), 2) * published_mirror[i].value()).epsilon(1e-13));
+        CHECK(mirrored[i](0, 0) == Approx(mirror[i]).epsilon(1e-12));
     }
-    std::vector<double> result(2);
-    CHECK_THROWS_AS(plain.brdf(pair, result), hts::Error);
+    CHECK_THROWS_WITH(compensated_brdf(model_brdf(AnyReflector{copper(surface)}, grid), {}),
+                      "copper: 0 compensations: must be one for each of 3 wavelengths");
+}
+
+TEST_CASE("factors between wavelengths are interpolated, closely where they are dense") {
+    const Surface surface{0.2, 1};
+    const auto dense = WavelengthGrid::linear(0.4, 0.7, 11), few = WavelengthGrid::linear(0.42, 0.66, 2);
+    const auto solved = EnergyCompensation::of(surface, few),
+               between =
+                   EnergyCompensation::interpolated(EnergyCompensation::of(surface, dense), dense, few);
+    WorstCase worst{"interpolated factor s against the solved one", 3e-5};
+    for (const double degrees : {0., 30., 60., 80., 89.}) {
+        const hts::spectral::CompensationPlace place{Direction::from_degrees(degrees, 0)};
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            worst.note(relative_error(between[i].factor(place), solved[i].factor(place)),
+                       [&] { return hts::shortest(degrees) + " deg"; });
+        }
+    }
+    worst.check();
 }
 
 TEST_CASE("a lossy surface stays below 1 and gains") {

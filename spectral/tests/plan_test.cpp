@@ -41,9 +41,9 @@ Reflector metal(const std::string& name, double rms_roughness, double correlatio
     return {name, Surface{rms_roughness, correlation_length}, built_in_material("Al"), DiffuseAlbedo{albedo}};
 }
 
-Scene spectral_scene(std::vector<Reflector> materials, double tolerance) {
+Scene spectral_scene(const std::vector<Reflector>& materials, double tolerance) {
     return {"scene.json",
-            std::move(materials),
+            std::vector<AnyReflector>(materials.begin(), materials.end()),
             WavelengthGrid::linear(0.4, 0.7, 4),
             OutsideRange::error,
             60 * degree,
@@ -55,8 +55,8 @@ Scene spectral_scene(std::vector<Reflector> materials, double tolerance) {
             std::nullopt};
 }
 
-Scene rgb_scene(std::vector<Reflector> materials, double delta_e) {
-    Scene scene = spectral_scene(std::move(materials), delta_e);
+Scene rgb_scene(const std::vector<Reflector>& materials, double delta_e) {
+    Scene scene = spectral_scene(materials, delta_e);
     scene.wavelengths = WavelengthGrid::linear(0.4, 0.7, 31);
     scene.illuminant = Illuminant::D65;
     scene.measure = ErrorMeasure::delta_e_2000;
@@ -98,7 +98,7 @@ double peak(const Reflector& material, const Scene& scene, const Direction& in,
 
 /// The relative error of an evaluator as spectral/plan.hpp defines it, measured anew.
 double relative_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, material, rung};
+    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
     Random random{77};
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
@@ -124,7 +124,7 @@ double relative_error(const Scene& scene, const Reflector& material, const Rung&
 
 /// The same for colours, where none is brighter than the white.
 double colour_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, material, rung};
+    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
     const Xyz white = white_point(*scene.illuminant);
     Random random{78};
     double worst = 0;
@@ -190,7 +190,7 @@ TEST_CASE("what is chosen meets the tolerance, what was rejected does not, measu
         const Scene scene = spectral_scene(one_of_each_regime(), tolerance);
         const Plan plan = plan_of(scene);
         for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-            const Reflector& material = scene.materials[i];
+            const Reflector& material = *scene.materials[i].he_torrance();
             INFO(material.name << ", tolerance " << tolerance);
             CHECK(plan.materials[i].choice.error.worst <= plan_headroom * tolerance);
             CHECK(relative_error(scene, material, plan.materials[i].choice.rung) <= tolerance);
@@ -216,10 +216,10 @@ TEST_CASE("a colour takes as few wavelengths as its tolerance allows") {
         CHECK(copper.wavelengths.size() > wavelengths);
         CHECK(copper.wavelengths.micrometres().front() == 0.4);
         CHECK(copper.wavelengths.micrometres().back() == 0.7);
-        CHECK(colour_error(scene, scene.materials[0], copper) <= delta_e);
+        CHECK(colour_error(scene, materials[0], copper) <= delta_e);
         CHECK(plan.materials[1].choice.rung.wavelengths.size() == 1);
         CHECK(plan.materials[1].choice.rung.lobe == DiffuseLobe::none);
-        CHECK(colour_error(scene, scene.materials[1], plan.materials[1].choice.rung) <= 1e-9);
+        CHECK(colour_error(scene, materials[1], plan.materials[1].choice.rung) <= 1e-9);
         wavelengths = copper.wavelengths.size();
     }
     CHECK(wavelengths < 31);
@@ -232,7 +232,7 @@ TEST_CASE("the four surfaces of Fig. 14 get four different plans") {
         const Rung& rung = plan.materials[i].choice.rung;
         std::ostringstream kind;
         kind << name(rung.lobe) << rung.lobe_tolerance.relative_error() << rung.specular
-             << rung.wavelengths.size() << (plan.scene.materials[i].albedo(rung.wavelengths[0]) > 0);
+             << rung.wavelengths.size() << (plan.scene.materials[i].he_torrance()->albedo(rung.wavelengths[0]) > 0);
         kinds.push_back(kind.str());
     }
     std::sort(kinds.begin(), kinds.end());
@@ -378,4 +378,123 @@ TEST_CASE("a plan file gives the plan back") {
     CHECK(changed.find(
               "the plan was made for another scene, or plans/../scene.json or its materials have changed") !=
           std::string::npos);
+}
+
+namespace {
+
+/// A scene of models that leave waves out; the last two do not depend on wavelength.
+std::string scene_of_every_kind(const std::string& rest) {
+    return R"({"materials": [
+        {"name": "gold", "model": "walter", "distribution": "ggx", "alpha": 0.3, "index": "Au"},
+        {"name": "brushed", "model": "ward", "kd": {"table": [[0.4, 0.1], [0.55, 0.5], [0.7, 0.2]]},
+         "lobes": [{"ks": 0.2, "mx": 0.1, "my": 0.4}]},
+        {"name": "velvet", "model": "ashikhmin", "f0": 0.04, "diffuse_albedo": 0.3,
+         "normals": {"type": "gaussian", "sigma_x": 0.4, "sigma_y": 0.4}},
+        {"name": "paint", "model": "cook_torrance", "kd": 0.5, "lobes": [{"ks": 1e-4, "f0": 0.04, "m": 0.3}]}],
+        "wavelengths_um": "0.4:0.7:31", "largest_theta_i_deg": 70, "largest_theta_r_deg": 75, )" +
+           rest + "}";
+}
+
+/// The largest error of a planned evaluator on pairs of the test's own, against the models at each wavelength.
+double error_of_other_model(const Plan& plan, std::size_t i) {
+    const Scene& scene = plan.scene;
+    const auto models = scene.materials[i].spectrum(scene.wavelengths).models();
+    const PlannedReflectance& planned = plan.materials[i].evaluator;
+    const Xyz white = white_point(Illuminant::D65);
+    Random random{79};
+    double worst = 0;
+    std::vector<double> exact(models.size()), scratch(planned.nodes());
+    for (int k = 0; k < 300; ++k) {
+        const DirectionPair pair = random_pair(random, scene, k % 2 == 0);
+        const auto brdf = planned.brdf(pair);
+        for (std::size_t j = 0; j < exact.size(); ++j) {
+            exact[j] = models[j].brdf(pair.in, pair.out);
+            if (!scene.illuminant) worst = std::max(worst, std::abs(brdf[j] / exact[j] - 1));
+        }
+        if (!scene.illuminant) continue;
+        for (double& value : exact) value *= std::numbers::pi;
+        const Xyz colour = tristimulus(scene.wavelengths.micrometres(), exact, Illuminant::D65);
+        if (colour.Y > 1) continue;
+        worst = std::max(
+            worst, colour_difference(cielab(planned.colour(pair, scratch), white), cielab(colour, white)));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("models other than he are planned by wavelengths and by whether their lobe counts") {
+    const TemporaryFolder folder;
+    for (const auto& [rest, tolerance] :
+         {std::pair{R"("output": "rgb", "tolerance": {"delta_e_2000": 0.5})", 0.5},
+          std::pair{R"("output": "spectral", "tolerance": {"relative_brdf_error": 0.02})", 0.02}}) {
+        const Plan plan = plan_of(read_scene(folder.write("scene.json", scene_of_every_kind(rest))));
+        for (std::size_t i = 0; i < 4; ++i) {
+            INFO(plan.materials[i].name << ", " << rest);
+            const Rung& rung = plan.materials[i].choice.rung;
+            CHECK(error_of_other_model(plan, i) <= tolerance);
+            CHECK(rung.lobe == (i == 3 ? DiffuseLobe::none : DiffuseLobe::full));
+            CHECK_FALSE(rung.specular);
+            if (i < 2) {
+                CHECK(rung.wavelengths.size() > 2);
+                CHECK(rung.wavelengths.size() < 31);
+                CHECK(plan.materials[i].rejected.size() == 2);
+            } else {
+                CHECK(rung.wavelengths.size() == 1);
+            }
+            CHECK(plan.materials[i].evaluator.specular_reflectance(Direction::from_degrees(30, 0))[0].value() ==
+                  0);
+        }
+        CHECK(plan.bytes() < 20'000);
+        const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
+        const Plan read = read_plan(path);
+        CHECK(plan_text(read, folder.path()) == plan_text(plan, folder.path()));
+        const DirectionPair pair{Direction::from_degrees(30, 10), Direction::from_degrees(40, 170)};
+        for (std::size_t i = 0; i < 4; ++i)
+            CHECK(read.evaluators()[i].brdf(pair) == plan.materials[i].evaluator.brdf(pair));
+
+        folder.write("scene.json", replaced(scene_of_every_kind(rest), R"("my": 0.4)", R"("my": 0.40001)"));
+        CHECK(complaint(folder, [&] { static_cast<void>(read_plan(path)); }).find("another scene") !=
+              std::string::npos);
+        folder.write("scene.json", scene_of_every_kind(rest));
+        folder.write("plan.json", replaced(plan_text(plan, folder.path()), R"("full")", R"("rough_limit")"));
+        const std::string refusal = complaint(folder, [&] { static_cast<void>(read_plan(path)); });
+        INFO(refusal);
+        CHECK(refusal.find("gold: lobe rough_limit: must be full or none") != std::string::npos);
+    }
+    Scene polarised = read_scene(examples / "figure-14-spectral.json");
+    polarised.polarised = true;
+    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    CHECK_THROWS_WITH(full_model(polarised, gold), gold.name() + ": must be of model he: the scene is polarised");
+}
+
+TEST_CASE("a scene that compensates energy is planned with it") {
+    Scene scene = rgb_scene({metal("ground", 0.18, 0.5, 0.1)}, 1);
+    scene.wavelengths = WavelengthGrid::linear(0.4, 0.7, 7);
+    const std::string published = fingerprint(scene);
+    scene.compensate_energy = true;
+    CHECK(fingerprint(scene) != published);
+    const Plan plan = plan_of(scene, 300);
+    CHECK(plan.materials[0].choice.rung.wavelengths.size() < 7);
+    const auto compensated =
+        compensated_brdf(*scene.materials[0].he_torrance(), scene.wavelengths);
+    const Direction in = Direction::from_degrees(55, 0);
+    std::vector<double> exact(7), mirror(7);
+    for (const double degrees : {20., 55., 59.}) {
+        const DirectionPair pair{in, Direction::from_degrees(degrees, 170)};
+        const auto brdf = plan.materials[0].evaluator.brdf(pair);
+        compensated->brdf(pair, exact);
+        for (std::size_t i = 0; i < 7; ++i) CHECK(brdf[i] == Approx(exact[i]).epsilon(0.03));
+    }
+    scene.compensate_energy = false;
+    const auto plain = full_model(scene, scene.materials[0]).brdf({in, in.mirror()});
+    compensated->brdf({in, in.mirror()}, exact);
+    CHECK(exact[3] > 1.05 * plain[3]);  // so that the test above can tell
+    CHECK(measured_errors(plan, {2, 300})[0].worst <= 1);
+
+    Scene other = scene;
+    other.compensate_energy = true;
+    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    CHECK_THROWS_WITH(full_model(other, gold),
+                      gold.name() + ": must be of model he: the scene compensates energy");
 }

@@ -58,9 +58,9 @@ TEST_CASE("a scene is read as it is written") {
     text.rest = R"(, "illuminant": "E", "memory_budget_bytes": 5000, "clamp": true, "name": "mine")";
     const Scene scene = scene_of(folder, text);
     REQUIRE(scene.materials.size() == 2);
-    CHECK(scene.materials[0].name == "gold");
-    CHECK(scene.materials[1].name == "foil");
-    CHECK(scene.materials[1].surface.correlation_length() == 2);
+    CHECK(scene.materials[0].name() == "gold");
+    CHECK(scene.materials[1].name() == "foil");
+    CHECK(scene.materials[1].he_torrance()->surface.correlation_length() == 2);
     CHECK(scene.wavelengths.size() == 4);
     CHECK(scene.outside_range == OutsideRange::clamp);
     CHECK(scene.largest_theta_i == Approx(80 * std::numbers::pi / 180));
@@ -108,6 +108,11 @@ TEST_CASE("every fault of a scene is named with file, key and legal range") {
     SceneText lit = spectral;
     lit.tolerance = R"({"relative_brdf_error": 0.1})";
     lit.rest = R"(, "illuminant": "D65")";
+    SceneText polarised_paint = lit;
+    polarised_paint.materials = R"([{"name": "wall", "model": "lambert", "diffuse_albedo": 0.5}])";
+    polarised_paint.rest = R"(, "polarised": true)";
+    SceneText compensated_paint = polarised_paint;
+    compensated_paint.rest = R"(, "compensate_energy": true)";
     const std::vector<Case> cases{
         {with(&SceneText::materials, R"(["none.json"])"), {"\"materials[1]\"", "none.json", "no such file"}},
         {with(&SceneText::materials, "[]"), {"\"materials\"", "at least one"}},
@@ -134,6 +139,8 @@ TEST_CASE("every fault of a scene is named with file, key and legal range") {
         {with(&SceneText::rest, R"(, "polarised": true)"),
          {"\"tolerance.delta_e_2000\"", "contradicts", "polarised"}},
         {with(&SceneText::rest, R"(, "polarised": 1)"), {"\"polarised\"", "true or false"}},
+        {polarised_paint, {"\"polarised\"", "must be of model he", "\"wall\" has model lambert"}},
+        {compensated_paint, {"\"compensate_energy\"", "must be of model he", "\"wall\" has model lambert"}},
         {with(&SceneText::rest, R"(, "illuminant": "F2")"), {"\"illuminant\"", "F2", "E, D65"}},
         {with(&SceneText::rest, R"(, "memory_budget_bytes": 0)"), {"\"memory_budget_bytes\"", "0", "> 0"}},
         {with(&SceneText::rest, R"(, "memory_budget_bytes": 2.5)"),
