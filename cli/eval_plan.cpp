@@ -14,6 +14,7 @@
 #include "spectral/display_colour.hpp"
 #include "spectral/plan.hpp"
 #include "tables/measured_model.hpp"
+#include "tables/table.hpp"
 
 namespace hts::cli {
 namespace {
@@ -131,7 +132,7 @@ void write_colours(const PlannedReflectance& planned, const PlannedPair& pair,
 }  // namespace
 
 void evaluate_planned(const PlannedEval& options, CsvReader& points, const OutputOptions& answer) {
-    const Plan plan = spectral::read_plan(options.plan, tables::models_with_files());
+    const Plan plan = spectral::read_plan(options.plan, tables::models_with_files(), tables::open_for_plan);
     const std::size_t chosen = place(plan, options.material);
     const PlannedReflectance& planned = plan.materials[chosen].evaluator;
     if (options.mueller && !plan.scene.polarised) {

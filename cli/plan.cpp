@@ -8,6 +8,7 @@
 
 #include "cli/output.hpp"
 #include "cli/plan_cost.hpp"
+#include "cli/plan_tables.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
@@ -16,6 +17,7 @@
 #include "spectral/plan.hpp"
 #include "spectral/reflectance.hpp"
 #include "tables/measured_model.hpp"
+#include "tables/table.hpp"
 
 namespace hts::cli {
 namespace {
@@ -45,7 +47,7 @@ struct PlanOptions {
     std::optional<double> tolerance;
     std::optional<std::uint64_t> seed;
     std::optional<std::size_t> pairs;
-    bool json = false;
+    bool json = false, tables = false;
 };
 
 template <class... Values>
@@ -61,6 +63,7 @@ std::string wavelengths_in_words(const Rung& rung) {
 }
 
 std::string in_words(const Rung& rung, const spectral::AnyReflector& material) {
+    if (!rung.table.empty()) return "table " + rung.table + ", " + wavelengths_in_words(rung);
     if (material.he_torrance() == nullptr) {
         const bool whole = rung.lobe == DiffuseLobe::full;
         return (whole ? "all of " + material.model_name() : std::string{"uniform term alone"}) + ", " +
@@ -98,8 +101,8 @@ std::vector<MaterialCost> costs(const Plan& plan) {
     std::vector<MaterialCost> result;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         const spectral::MaterialForms forms{plan.scene, plan.scene.materials[i]};
-        result.push_back({plan_cost(plan.scene, forms, plan.materials[i].choice.rung),
-                          plan_cost(plan.scene, forms, forms.full_model().rung())});
+        result.push_back({plan_cost(plan.scene, forms, plan.materials[i].evaluator),
+                          plan_cost(plan.scene, forms, forms.full_model())});
     }
     return result;
 }
@@ -117,14 +120,16 @@ std::string other_terms(const spectral::Scene& scene, const spectral::AnyReflect
 }
 
 /// Where the time of the diffuse terms goes.
-std::string parts(const PlanCost& cost, bool he) {
-    return he ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
+std::string parts(const PlanCost& cost, bool analytic_he) {
+    return analytic_he ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
                           cost.directions, cost.phi, cost.rest, cost.interpolation)
-              : formatted("model %.0f, interpolation %.0f", cost.directions + cost.rest, cost.interpolation);
+              : formatted("values %.0f, interpolation %.0f", cost.rest, cost.interpolation);
 }
 
-std::string report(const Plan& plan, std::size_t i, const spectral::PlannedReflectance& evaluator,
-                   const MaterialCost& cost) {
+/// What a plan says besides: for each material what came of a table, nothing unless tables were tried.
+using TableVerdicts = std::vector<std::string>;
+
+std::string report(const Plan& plan, std::size_t i, const MaterialCost& cost, const TableVerdicts& tables) {
     const spectral::PlannedMaterial& material = plan.materials[i];
     const PlanCost &now = cost.chosen, &full = cost.full;
     const spectral::AnyReflector& described = plan.scene.materials[i];
@@ -134,13 +139,14 @@ std::string report(const Plan& plan, std::size_t i, const spectral::PlannedRefle
     text += "  error     " + in_words(material.choice.error) + "\n";
     text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
                       now.diffuse, full.diffuse, full.diffuse / now.diffuse);
-    text += "            " + parts(now, he);
+    text += "            " + parts(now, he && material.choice.rung.table.empty());
     text += plan.scene.illuminant ? formatted("; colour %.0f more\n", now.colour) : "\n";
     if (he) {
         text += formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror,
                           full.mirror);
     }
-    text += "  memory    " + std::to_string(evaluator.bytes()) + " bytes\n";
+    text += "  memory    " + std::to_string(material.evaluator.bytes()) + " bytes\n";
+    if (!tables.empty()) text += "  table     " + tables[i] + "\n";
     for (const MeasuredRung& rung : material.rejected) {
         text += (&rung == &material.rejected.front() ? "  rejected  " : "            ") +
                 in_words(rung.rung, described) + ": " + in_words(rung.error) + "\n";
@@ -148,15 +154,12 @@ std::string report(const Plan& plan, std::size_t i, const spectral::PlannedRefle
     return text;
 }
 
-std::string report(const Plan& plan) {
-    const auto evaluators = plan.evaluators();
+std::string report(const Plan& plan, const TableVerdicts& tables) {
     const auto cost = costs(plan);
     std::string text = formatted("tolerance %g (%s), measured on %zu pairs of directions, seed %llu\n",
                                  plan.tolerance, name(plan.scene.measure), plan.sampling.pairs,
                                  static_cast<unsigned long long>(plan.sampling.seed));
-    for (std::size_t i = 0; i < evaluators.size(); ++i) {
-        text += report(plan, i, evaluators[i], cost[i]);
-    }
+    for (std::size_t i = 0; i < cost.size(); ++i) text += report(plan, i, cost[i], tables);
     return text + "all together " + std::to_string(plan.bytes()) +
            " bytes, with the tables of Phi they share\n";
 }
@@ -171,15 +174,15 @@ nlohmann::ordered_json object(const PlanCost& cost) {
             {"interpolation_ns", cost.interpolation}};
 }
 
-std::string json_report(const Plan& plan, const fs::path& folder) {
+std::string json_report(const Plan& plan, const fs::path& folder, const TableVerdicts& tables) {
     nlohmann::ordered_json costs_of_all = nlohmann::ordered_json::array();
-    const auto evaluators = plan.evaluators();
     const auto cost = costs(plan);
     for (std::size_t i = 0; i < cost.size(); ++i) {
-        costs_of_all.push_back({{"name", evaluators[i].name()},
-                                {"bytes", evaluators[i].bytes()},
+        costs_of_all.push_back({{"name", plan.materials[i].name},
+                                {"bytes", plan.materials[i].evaluator.bytes()},
                                 {"chosen", object(cost[i].chosen)},
                                 {"full_model", object(cost[i].full)}});
+        if (!tables.empty()) costs_of_all.back()["table"] = tables[i];
     }
     const nlohmann::ordered_json result{{"plan", nlohmann::ordered_json::parse(plan_text(plan, folder))},
                                         {"costs", costs_of_all}};
@@ -193,10 +196,15 @@ void plan_scene(const PlanOptions& options) {
     spectral::PlanSampling sampling;
     sampling.seed = options.seed.value_or(sampling.seed);
     sampling.pairs = options.pairs.value_or(sampling.pairs);
-    const Plan plan = make_plan(scene, sampling, tolerance);
+    for (const spectral::AnyReflector& material : scene.materials) {
+        for (const std::string& warning : material.warnings())
+            std::cerr << "hts: " << material.name() << ": " << warning << '\n';
+    }
+    Plan plan = make_plan(scene, sampling, tolerance);
     const fs::path folder = fs::path{options.output}.parent_path();
+    const TableVerdicts tables = options.tables ? try_tables(plan, folder) : TableVerdicts{};
     if (!options.output.empty()) write_file(options.output, plan_text(plan, folder));
-    write_file("-", options.json ? json_report(plan, folder) : report(plan));
+    write_file("-", options.json ? json_report(plan, folder, tables) : report(plan, tables));
 }
 
 // ---- the check of an old one
@@ -221,7 +229,7 @@ void write_check(const Plan& plan, const std::vector<spectral::MeasuredError>& e
 }
 
 void check_plan(const PlanOptions& options) {
-    const Plan plan = spectral::read_plan(options.check, tables::models_with_files());
+    const Plan plan = spectral::read_plan(options.check, tables::models_with_files(), tables::open_for_plan);
     const spectral::PlanSampling sampling{options.seed.value_or(plan.sampling.seed + 1),
                                           options.pairs.value_or(plan.sampling.pairs)};
     const auto errors = measured_errors(plan, sampling);
@@ -240,6 +248,9 @@ void run(const PlanOptions& options) {
     if (!options.check.empty() && (options.tolerance || !options.output.empty())) {
         throw UsageError{"--check: must not come with --tolerance or --output"};
     }
+    if (options.tables && options.output.empty()) {
+        throw UsageError{"--tables: must come with --output, beside which the tables stand"};
+    }
     options.check.empty() ? plan_scene(options) : check_plan(options);
 }
 
@@ -256,6 +267,9 @@ void add_plan(CLI::App& program) {
     verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
         ->check(CLI::Range(0., 0x1p53));
     verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192");
+    verb->add_flag("--tables", options->tables,
+                   "try a lookup table for each material, some seconds to minutes; those that are\n"
+                   "quicker and within the tolerance, as measured, are written beside the plan");
     verb->add_flag("--json", options->json, "print JSON: the plan and the costs, or the check");
     verb->footer(help);
     verb->callback([options] { run(*options); });

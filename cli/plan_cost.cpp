@@ -59,12 +59,10 @@ double nanoseconds(const Work& work) {
 /// Times the parts of one evaluator.
 class Timing {
   public:
-    Timing(const spectral::Scene& scene, const spectral::MaterialForms& forms)
-        : scene_{scene}, forms_{forms}, pairs_{pairs_of(scene)} {}
+    explicit Timing(const spectral::Scene& scene) : scene_{scene}, pairs_{pairs_of(scene)} {}
 
     /// At the rung's own wavelengths.
-    [[nodiscard]] double diffuse(const spectral::Rung& rung) const {
-        const PlannedReflectance planned = forms_.at(rung);
+    [[nodiscard]] double diffuse(const PlannedReflectance& planned) const {
         const spectral::SpectralBrdf& evaluator = planned.at_nodes();
         if (scene_.polarised) {
             std::vector<Mueller> result(planned.nodes());
@@ -76,9 +74,8 @@ class Timing {
         return nanoseconds([&] { evaluator.brdf_batch(pairs_, result); });
     }
 
-    [[nodiscard]] double mirror(const spectral::Rung& rung) const {
-        if (!rung.specular) return 0;
-        const PlannedReflectance evaluator = forms_.at(rung);
+    [[nodiscard]] double mirror(const PlannedReflectance& evaluator) const {
+        if (!evaluator.rung().specular) return 0;
         std::vector<double> spectrum(evaluator.size());
         double sum = 0;  // so that nothing is optimised away
         return nanoseconds([&] {
@@ -121,7 +118,6 @@ class Timing {
 
   private:
     const spectral::Scene& scene_;
-    const spectral::MaterialForms& forms_;
     std::vector<DirectionPair> pairs_;
 };
 
@@ -135,21 +131,23 @@ double fixed_part(double all, double one, std::size_t count) {
 }  // namespace
 
 PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
-                   const spectral::Rung& rung) {
+                   const PlannedReflectance& evaluator) {
     const OneThread one_thread;
-    const Timing timing{scene, forms};
-    const double at_nodes = timing.diffuse(rung), interpolation = timing.interpolation(rung);
-    PlanCost cost{
-        at_nodes + interpolation, timing.mirror(rung), timing.colour(rung), 0, 0, at_nodes, interpolation};
-    if (rung.lobe == DiffuseLobe::none) return cost;
+    const Timing timing{scene};
+    const spectral::Rung& rung = evaluator.rung();
+    const double at_nodes = timing.diffuse(evaluator), interpolation = timing.interpolation(rung);
+    PlanCost cost{at_nodes + interpolation, timing.mirror(evaluator), timing.colour(rung), 0, 0, at_nodes,
+                  interpolation};
+    if (rung.lobe == DiffuseLobe::none || !rung.table.empty() || forms.material().he_torrance() == nullptr)
+        return cost;
     spectral::Rung simple = rung;
-    const bool phi = rung.lobe == DiffuseLobe::full && forms.material().he_torrance() != nullptr;
-    if (phi) simple.lobe = DiffuseLobe::first_order;
-    const double simple_time = phi ? timing.diffuse(simple) : at_nodes;
+    if (rung.lobe == DiffuseLobe::full) simple.lobe = DiffuseLobe::first_order;
+    const double simple_time = rung.lobe == DiffuseLobe::full ? timing.diffuse(forms.at(simple)) : at_nodes;
     simple.wavelengths = spectral::WavelengthGrid::from_micrometres({rung.wavelengths.micrometres().front()});
     cost.phi = std::max(0., at_nodes - simple_time);
-    cost.directions = std::min(fixed_part(simple_time, timing.diffuse(simple), rung.wavelengths.size()),
-                               at_nodes - cost.phi);
+    cost.directions =
+        std::min(fixed_part(simple_time, timing.diffuse(forms.at(simple)), rung.wavelengths.size()),
+                 at_nodes - cost.phi);
     cost.rest = at_nodes - cost.phi - cost.directions;
     return cost;
 }

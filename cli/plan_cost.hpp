@@ -17,12 +17,13 @@ struct PlanCost {
     // What `diffuse` is made of:
     double directions;     ///< what the wavelengths share: shadowing, effective roughness
     double phi;            ///< the full Phi instead of one exponential
-    double rest;           ///< Fresnel, the rest of the lobe, the uniform term; of models other than he all of the model
+    double rest;           ///< Fresnel, the rest of the lobe, the uniform term; of other models, and of tables, all of it
     double interpolation;  ///< from the rung's wavelengths to the scene's; not spent on colours
 };
 
-/// Measures the evaluator of a rung on random pairs.
+/// Measures an evaluator on random pairs.
+///   forms   of its material, to tell where the time goes
 [[nodiscard]] PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
-                                 const spectral::Rung& rung);
+                                 const spectral::PlannedReflectance& evaluator);
 
 }  // namespace hts::cli

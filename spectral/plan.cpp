@@ -142,7 +142,7 @@ std::set<double> tables(const Plan& plan) {
     std::set<double> tolerances;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         const Rung& rung = plan.materials[i].choice.rung;
-        if (rung.lobe == DiffuseLobe::full && plan.scene.materials[i].he_torrance() != nullptr)
+        if (rung.lobe == DiffuseLobe::full && rung.table.empty() && plan.scene.materials[i].he_torrance() != nullptr)
             tolerances.insert(rung.lobe_tolerance.relative_error());
     }
     return tolerances;
@@ -187,12 +187,16 @@ Plan make_plan(const Scene& scene, const PlanSampling& sampling, double toleranc
                 ", what the smallest plan within the tolerance takes"};
 }
 
+MeasuredError measured_error(const Scene& scene, const AnyReflector& material,
+                             const PlannedReflectance& evaluator, const PlanSampling& sampling) {
+    return ErrorMeter{scene, material, {scene, material}, sampling}.error(evaluator);
+}
+
 std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling) {
     std::vector<MeasuredError> errors;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
-        const AnyReflector& material = plan.scene.materials[i];
-        const ErrorMeter meter{plan.scene, material, {plan.scene, material}, sampling};
-        errors.push_back(meter.error(plan.materials[i].evaluator));
+        errors.push_back(
+            measured_error(plan.scene, plan.scene.materials[i], plan.materials[i].evaluator, sampling));
     }
     return errors;
 }

@@ -5,7 +5,8 @@
 /// polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. Of other models: the
 /// uniform-diffuse part alone, or all of it, at one, few or all wavelengths. It takes the first whose error, measured on random
 /// directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance.
-/// Order and choice depend on the scene and the seed alone.
+/// Order and choice depend on the scene and the seed alone. Whether a lookup table is cheaper is a matter of the machine: `hts plan
+/// --tables` builds one for each material, measures its error and its time, and puts it in the model's place where both are better.
 ///
 /// Where waves do not matter (g >> 1), the rough limit is the geometric-optics rung: there the He-Torrance lobe is that of
 /// Beckmann-distributed facets, hts::WalterBrdf with alpha = 2 sigma/tau times its own shadowing. No other model stands in.
@@ -31,6 +32,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -92,16 +95,25 @@ struct Plan {
 /// hts::Error if the cheapest plan takes more than the scene's memory budget; it says how much.
 [[nodiscard]] Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance);
 
+/// Measures an evaluator as the planner does.
+[[nodiscard]] MeasuredError measured_error(const Scene& scene, const AnyReflector& material,
+                                           const PlannedReflectance& evaluator, const PlanSampling& sampling);
+
 /// Measures the evaluators of a plan again, on other directions.
 [[nodiscard]] std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling);
+
+/// Opens a file that holds a reflectance: tables, which this module knows nothing of, come in this way.
+using OpenTable = std::function<std::shared_ptr<const SpectralBrdf>(const std::filesystem::path& file)>;
 
 /// A plan as JSON, for a file in `folder`, from which the scene's path is relative. The same plan gives the same bytes.
 [[nodiscard]] std::string plan_text(const Plan& plan, const std::filesystem::path& folder);
 
 /// Reads a plan file and the scene that it names. hts::Error "path: key "…": …" if it was made by another version of
 /// format or library, or if the scene or its materials have changed since.
-///   models   that material files may name
+///   models       that material files may name
+///   open_table   reads the tables that the plan names, hts::tables::open_for_plan; without it such plans are refused
 [[nodiscard]] Plan read_plan(const std::filesystem::path& path,
-                             const std::vector<ModelEntry>& models = built_in_models());
+                             const std::vector<ModelEntry>& models = built_in_models(),
+                             const OpenTable& open_table = {});
 
 }  // namespace hts::spectral

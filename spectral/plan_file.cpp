@@ -29,6 +29,7 @@ ordered_json object(const MeasuredRung& measured) {
     result["lobe_tolerance"] = measured.rung.lobe_tolerance.relative_error();
     result["specular"] = measured.rung.specular;
     result["wavelengths_um"] = std::vector<double>(um.begin(), um.end());
+    if (!measured.rung.table.empty()) result["table"] = measured.rung.table;
     result["worst_error"] = measured.error.worst;
     result["error_99_percent"] = measured.error.percentile_99;
     return result;
@@ -95,11 +96,12 @@ WavelengthGrid wavelengths_from(const JsonValue& key) {
 
 MeasuredRung rung_from(const JsonValue& value) {
     value.require_keys_among(
-        {"lobe", "lobe_tolerance", "specular", "wavelengths_um", "worst_error", "error_99_percent"});
+        {"lobe", "lobe_tolerance", "specular", "wavelengths_um", "table", "worst_error", "error_99_percent"});
     const JsonValue tolerance = value["lobe_tolerance"];
+    const auto table = value.find("table");
     return {
         {lobe_from(value["lobe"]), located(tolerance.place(), [&] { return Tolerance{tolerance.number()}; }),
-         value["specular"].boolean(), wavelengths_from(value["wavelengths_um"])},
+         value["specular"].boolean(), wavelengths_from(value["wavelengths_um"]), table ? table->text() : ""},
         {value["worst_error"].number(), value["error_99_percent"].number()}};
 }
 
@@ -111,7 +113,25 @@ void require_wavelengths(const JsonValue& key, const Rung& rung, const Scene& sc
     }
 }
 
-PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const AnyReflector& reflector) {
+/// Where a plan stands, and who opens the tables beside it.
+struct PlanPlace {
+    fs::path folder;
+    const OpenTable& open_table;
+};
+
+PlannedReflectance evaluator_from(const JsonValue& choice, const Scene& scene, const AnyReflector& reflector,
+                                  const Rung& rung, const PlanPlace& place) {
+    if (rung.table.empty())
+        return located(choice.place(), [&] { return PlannedReflectance{scene, reflector, rung}; });
+    const JsonValue table = choice["table"];
+    if (!place.open_table) throw table.error("must be read by a program that has tables");
+    return located(table.place(), [&] {
+        return PlannedReflectance{scene, rung, place.open_table(place.folder / rung.table)};
+    });
+}
+
+PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const AnyReflector& reflector,
+                              const PlanPlace& place) {
     value.require_keys_among({"name", "choice", "rejected"});
     const JsonValue name = value["name"];
     if (name.text() != reflector.name()) {
@@ -123,12 +143,12 @@ PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const 
     const JsonValue choice = value["choice"];
     MeasuredRung chosen = rung_from(choice);
     require_wavelengths(choice["wavelengths_um"], chosen.rung, scene);
-    PlannedReflectance evaluator =
-        located(choice.place(), [&] { return PlannedReflectance{scene, reflector, chosen.rung}; });
+    PlannedReflectance evaluator = evaluator_from(choice, scene, reflector, chosen.rung, place);
     return {reflector.name(), std::move(chosen), std::move(rejected), std::move(evaluator)};
 }
 
-std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& scene) {
+std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& scene,
+                                            const PlanPlace& place) {
     const auto items = list.items();
     if (items.size() != scene.materials.size()) {
         throw list.error(std::to_string(items.size()) + " materials: must be " +
@@ -136,7 +156,7 @@ std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& 
     }
     std::vector<PlannedMaterial> materials;
     for (std::size_t i = 0; i < items.size(); ++i)
-        materials.push_back(material_from(items[i], scene, scene.materials[i]));
+        materials.push_back(material_from(items[i], scene, scene.materials[i], place));
     return materials;
 }
 
@@ -158,7 +178,7 @@ std::string plan_text(const Plan& plan, const fs::path& folder) {
     return file.dump(2) + "\n";
 }
 
-Plan read_plan(const fs::path& path, const std::vector<ModelEntry>& models) {
+Plan read_plan(const fs::path& path, const std::vector<ModelEntry>& models, const OpenTable& open_table) {
     const JsonValue file = JsonValue::read(path);
     require_version(file);
     file.require_keys_among({"format", "format_version", "library_version", "scene", "scene_fingerprint",
@@ -171,7 +191,7 @@ Plan read_plan(const fs::path& path, const std::vector<ModelEntry>& models) {
     located(tolerance.place(), [&] { require_tolerance(scene.measure, tolerance.number()); });
     const PlanSampling sampling{static_cast<std::uint64_t>(whole_number(file["seed"])),
                                 static_cast<std::size_t>(whole_number(file["pairs"]))};
-    return {scene, tolerance.number(), sampling, materials_from(file["materials"], scene)};
+    return {scene, tolerance.number(), sampling, materials_from(file["materials"], scene, {path.parent_path(), open_table})};
 }
 
 }  // namespace hts::spectral

@@ -37,6 +37,8 @@ PlannedReflectance::PlannedReflectance(const Scene& scene, Rung rung,
       nodes_{std::move(at_nodes)},
       interpolation_{rung_.wavelengths, scene.wavelengths},
       weights_{node_weights(scene, interpolation_)} {
+    if (!std::ranges::equal(nodes_->wavelengths().micrometres(), rung_.wavelengths.micrometres()))
+        throw Error{name() + ": wavelengths of what is evaluated: must be the rung's"};
     if (polarised_ && !nodes_->polarised())
         throw Error{name() + ": must be of model he: the scene is polarised"};
     if (interpolation_.is_identity()) return;

@@ -23,6 +23,7 @@ struct Rung {
     Tolerance lobe_tolerance;    ///< of the directional-diffuse term in that form; of model he alone
     bool specular;               ///< whether the mirror term is kept, which model he alone has
     WavelengthGrid wavelengths;  ///< at which the model is evaluated; between them runs a cubic in 1/lambda^2
+    std::string table{};  ///< file beside the plan of a table that is looked up in the model's place; "" for the model
 };
 
 /// A reflector prepared as a rung says, ready for evaluation on the scene's wavelengths.
@@ -39,7 +40,7 @@ class PlannedReflectance {
     /// if they are more than `most_nodes` and not the scene's, or if the model has no such form.
     ///   cost   where the scene compensates energy, some 50 ms for each of its wavelengths: see MaterialForms
     PlannedReflectance(const Scene& scene, const AnyReflector& material, Rung rung);
-    /// The same with anything that stands for the model at the rung's wavelengths.
+    /// The same with anything that stands for the model at the rung's wavelengths, else hts::Error.
     PlannedReflectance(const Scene& scene, Rung rung, std::shared_ptr<const SpectralBrdf> at_nodes);
 
     [[nodiscard]] const std::string& name() const noexcept { return nodes_->name(); }

@@ -239,4 +239,8 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
     }
 }
 
+std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path) {
+    return std::make_shared<const Table>(Table::open(path));
+}
+
 }  // namespace hts::tables

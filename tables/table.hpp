@@ -119,4 +119,7 @@ class Table final : public SpectralBrdf {
     std::shared_ptr<const TableContents> contents_;
 };
 
+/// A table as spectral::read_plan wants it.
+[[nodiscard]] std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path);
+
 }  // namespace hts::tables

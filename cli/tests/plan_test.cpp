@@ -169,7 +169,7 @@ TEST_CASE("a scene of several models is planned, checked and evaluated") {
     const Result plan = place.hts("plan scene.json --output plan.json" + quick);
     INFO(plan.errors);
     REQUIRE(plan.exit_code == 0);
-    for (const char* part : {"all of walter", "all of kurt", "model ", "Fresnel and the rest"})
+    for (const char* part : {"all of walter", "all of kurt", "values ", "Fresnel and the rest"})
         CHECK(plan.output.find(part) != std::string::npos);
     CHECK(place.hts("plan --check plan.json").exit_code == 0);
 
