@@ -36,7 +36,8 @@ Into the folder go, each with .csv and .json (the numbers) and .gnuplot (the scr
 Nothing is written before all is measured.
 
 --models measures something else: every model of the library, fitted to He-Torrance on four
-surfaces, and He-Torrance's own limits; error against time into models.svg. Minutes.
+surfaces, He-Torrance's own limits, and lookup tables of it; error against time, with marks
+as large as the tables that a method reads, into models.svg. Minutes.
 
 Examples:
   hts chart --output out/charts --quick

@@ -10,10 +10,11 @@
 #include "bench/chart_timing.hpp"
 #include "bench/machine.hpp"
 #include "hts/error.hpp"
+#include "hts/phi.hpp"
 #include "spectral/material_files.hpp"
 #include "spectral/random_directions.hpp"
 #include "spectral/reflectance.hpp"
-#include "tables/spectral_brdf.hpp"
+#include "tables/build_table.hpp"
 #include "validation/fit.hpp"
 
 namespace hts::cli {
@@ -153,10 +154,14 @@ double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs)
 }
 
 ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
-                 const Evaluator& evaluator) {
+                 const Evaluator& evaluator, std::size_t bytes = 0) {
     const std::vector<double> errors = truth.errors(evaluator);
-    return {surface, model, errors[errors.size() / 2], errors[errors.size() * 99 / 100],
-            nanoseconds(evaluator, truth.judged_pairs())};
+    return {surface,
+            model,
+            errors[errors.size() / 2],
+            errors[errors.size() * 99 / 100],
+            nanoseconds(evaluator, truth.judged_pairs()),
+            bytes};
 }
 
 /// The rungs of the model itself.
@@ -168,6 +173,14 @@ struct Rung {
 constexpr std::array rungs{
     Rung{"He-Torrance, 1e-6", DiffuseLobe::full, 1e-6}, Rung{"He-Torrance, 1e-3", DiffuseLobe::full, 1e-3},
     Rung{"first order", DiffuseLobe::first_order, 1e-3}, Rung{"rough limit", DiffuseLobe::rough_limit, 1e-3}};
+
+/// Lookup tables of the model.
+struct ChartTolerance {
+    const char* title;
+    double tolerance;
+};
+constexpr std::array table_tolerances{ChartTolerance{"table, 1e-2", 1e-2},
+                                      ChartTolerance{"table, 1e-4", 1e-4}};
 
 /// What is fitted, apart from He-Torrance.
 struct Rival {
@@ -211,6 +224,31 @@ Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const val
     return evaluator_of(tables::model_brdf(validation::fitted_reflector(fit), wavelengths()));
 }
 
+void add_rungs(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
+    for (const Rung& rung : rungs) {
+        const Tolerance tolerance{rung.tolerance};
+        const spectral::SpectralReflectance brdf{reflector(chosen), wavelengths(),
+                                                 spectral::OutsideRange::error, tolerance, rung.lobe};
+        const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
+            brdf.brdf(pair, values);
+        };
+        chart.points.push_back(point(truth, chosen.title, rung.name, evaluator,
+                                     rung.lobe == DiffuseLobe::full ? phi_table_bytes(tolerance) : 0));
+    }
+}
+
+void add_tables(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
+    const auto exact = tables::model_brdf(spectral::AnyReflector{reflector(chosen)}, wavelengths());
+    for (const auto& [title, tolerance] : table_tolerances) {
+        const tables::Table table =
+            tables::build_table(*exact, {exact->name(), "", ""}, {.tolerance = tolerance});
+        const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
+            table.brdf(pair, values);
+        };
+        chart.points.push_back(point(truth, chosen.title, title, evaluator, table.bytes()));
+    }
+}
+
 }  // namespace
 
 ModelChart measured_models(bool quick, std::uint64_t seed,
@@ -219,14 +257,9 @@ ModelChart measured_models(bool quick, std::uint64_t seed,
     for (const ChartSurface& chosen : surfaces()) {
         const Truth truth{chosen, quick ? std::size_t{200} : std::size_t{800},
                           quick ? std::size_t{500} : std::size_t{4000}, seed};
-        for (const Rung& rung : rungs) {
-            auto brdf = std::make_shared<spectral::SpectralReflectance>(reflector(chosen), wavelengths(),
-                                                                        spectral::OutsideRange::error,
-                                                                        Tolerance{rung.tolerance}, rung.lobe);
-            chart.points.push_back(point(
-                truth, chosen.title, rung.name,
-                [brdf](const DirectionPair& pair, std::span<double> values) { brdf->brdf(pair, values); }));
-        }
+        add_rungs(chart, chosen, truth);
+        progress(std::string{chosen.title} + ", tables");
+        add_tables(chart, chosen, truth);
         const validation::FitData data = truth.fit_data();
         for (const Rival& rival : rivals) {
             progress(std::string{chosen.title} + ", " + rival.title);

@@ -1,6 +1,7 @@
-/// Every model of the library against He-Torrance: how close a fitted one comes, and what it costs.
+/// Every model of the library, and lookup tables, against He-Torrance: how close one comes, and what it costs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -15,6 +16,7 @@ struct ModelPoint {
     std::string surface, model;
     double median, high;  ///< |f - f_he|/(f_he + peak/100), median and 99 % over random pairs
     double nanoseconds;   ///< of a pair of directions at all four wavelengths, one thread
+    std::size_t bytes;    ///< of the tables that it reads; 0 if none
 };
 
 struct ModelChart {
@@ -23,8 +25,8 @@ struct ModelChart {
     std::string machine;
 };
 
-/// Fits each model to He-Torrance on four surfaces, from nearly smooth to very rough, measures the error on directions that
-/// the fit never saw, and then the times.
+/// Fits each model to He-Torrance on four surfaces, from nearly smooth to very rough, builds tables of it, measures the error on
+/// directions that neither ever saw, and then the times.
 ///   quick      fewer directions and starts
 ///   progress   is told each step
 [[nodiscard]] ModelChart measured_models(bool quick, std::uint64_t seed,

@@ -18,6 +18,8 @@ constexpr std::array marks{Mark{"He-Torrance, 1e-6", "#0072b2", 7},
                            Mark{"He-Torrance, 1e-3", "#0072b2", 6},
                            Mark{"first order", "#0072b2", 9},
                            Mark{"rough limit", "#0072b2", 5},
+                           Mark{"table, 1e-2", "#e69f00", 12},
+                           Mark{"table, 1e-4", "#e69f00", 13},
                            Mark{"Walter, Beckmann", "#d55e00", 5},
                            Mark{"Walter, GGX", "#d55e00", 7},
                            Mark{"Cook-Torrance", "#d55e00", 9},
@@ -36,13 +38,13 @@ std::string style(const Mark& mark) {
 
 validation::FigureTable table_of(const ModelChart& chart, const std::string& surface, std::size_t number) {
     validation::FigureTable table{
-        "models-" + std::to_string(number), {"mark", "nanoseconds", "median_error", "error_99"}, {}};
+        "models-" + std::to_string(number), {"mark", "nanoseconds", "median_error", "error_99", "bytes"}, {}};
     for (const ModelPoint& point : chart.points) {
         if (point.surface != surface) continue;
         const auto mark = std::find_if(marks.begin(), marks.end(),
                                        [&](const Mark& each) { return point.model == each.model; });
-        table.rows.push_back(
-            {static_cast<double>(mark - marks.begin()), point.nanoseconds, point.median, point.high});
+        table.rows.push_back({static_cast<double>(mark - marks.begin()), point.nanoseconds, point.median,
+                              point.high, static_cast<double>(point.bytes)});
     }
     return table;
 }
@@ -63,24 +65,33 @@ std::string panel(const validation::FigureTable& table, const std::string& title
         const std::string own = data + " every ::" + row + "::" + row + " using 2:";
         script += own + "($3>2e-8?$3:2e-8):(0):($4-($3>2e-8?$3:2e-8)) with vectors nohead lw 1.5 lc rgb '" +
                   mark.colour + "' notitle, ";
-        script += own + "($4>2e-8?$4:2e-8) with points ps 1.3" + style(mark) + " notitle";
+        script += own + "($4>2e-8?$4:2e-8):(size($5)) with points ps variable" + style(mark) + " notitle";
         script += i + 1 < table.rows.size() ? ", \\\n     " : "\n";
     }
     return script;
 }
 
-/// The marks and their names, in a column of its own.
+/// How large a mark is for the bytes that the method reads.
+constexpr auto size_of_bytes = "size(bytes) = 0.9 + (bytes > 1000 ? 0.35 * log10(bytes / 1000.) : 0)\n";
+
+/// The marks and their names, in a column of its own, and below them what their sizes mean.
 std::string legend() {
     std::string script =
         "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset title\nunset logscale\n"
-        "set lmargin at screen 0.81\nset rmargin at screen 0.99\nset bmargin at screen 0.3\nset tmargin at "
+        "set lmargin at screen 0.81\nset rmargin at screen 0.99\nset bmargin at screen 0.2\nset tmargin at "
         "screen 0.86\n"
         "set xrange [0:1]\nset yrange [0:1]\nset key at graph 0,1 left top reverse Left spacing 1.25 samplen "
         "1\nplot ";
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        script += "NaN with points ps 1.3" + style(marks.at(i)) + " title " +
+        script += "NaN with points ps 1.1" + style(marks.at(i)) + " title " +
                   spectral::gnuplot_string(marks.at(i).model);
-        script += i + 1 < marks.size() ? ", \\\n     " : "\n";
+        script += ", \\\n     ";
+    }
+    for (const auto& [bytes, title] :
+         {std::pair{"1e3", "no table, or 1 kB"}, {"1e5", "tables of 100 kB"}, {"1e7", "of 10 MB"}}) {
+        script +=
+            std::string{"NaN with points pt 7 lc rgb '#999999' ps size("} + bytes + ") title '" + title + "'";
+        script += std::string_view{bytes} == "1e7" ? "\n" : ", \\\n     ";
     }
     return script;
 }
@@ -93,6 +104,7 @@ validation::Figure model_figure(const ModelChart& chart) {
         if (titles.empty() || titles.back() != point.surface) titles.push_back(point.surface);
     }
     validation::Figure figure{"models", {}, validation::figure_style, "Every model, fitted to He-Torrance"};
+    figure.script += size_of_bytes;
     figure.script +=
         "set terminal svg size 1200,960 font 'Helvetica,14' background '#ffffff'\nset output picture\n"
         "set multiplot\nset logscale xy\nset format y '10^{%L}'\nset yrange [2e-8:60]\nset xrange "
@@ -100,10 +112,12 @@ validation::Figure model_figure(const ModelChart& chart) {
     figure.script += validation::page_label(
         "What a cheaper model costs in accuracy, with He-Torrance as the truth", 0.03, 0.965, 18);
     figure.script += validation::page_label(
-        "Every other model is fitted to it on each surface, optical constants given. |f - f_he| / (f_he + "
-        "peak/100) over random pairs "
-        "up to 80 deg, at 0.46, 0.54, 0.62, 0.70 um.",
-        0.03, 0.925, 13);
+        "Every other model is fitted to it on each surface, optical constants given; the tables are of it.",
+        0.03, 0.935, 13);
+    figure.script += validation::page_label(
+        "Error: |f - f_he| / (f_he + peak/100) over random pairs up to 80 deg, at 0.46, 0.54, 0.62 and 0.70 "
+        "um.",
+        0.03, 0.91, 13);
     figure.script +=
         validation::page_label(chart.machine + ", seed " + std::to_string(chart.seed), 0.03, 0.02, 11);
     for (std::size_t i = 0; i < titles.size(); ++i) {
