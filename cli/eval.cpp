@@ -160,13 +160,13 @@ BrdfBatch batch_of(const spectral::AnyReflector& reflector, const EvalOptions& o
     return [brdf](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
         constexpr std::size_t block = 256;
         const std::size_t width = brdf->wavelengths().size();
-        parallel_for(
-            (pairs.size() + block - 1) / block,
-            [&](std::size_t i) {
-                const std::size_t first = i * block, count = std::min(block, pairs.size() - first);
-                brdf->brdf_batch(pairs.subspan(first, count), result.subspan(first * width, count * width));
-            },
-            1);
+        parallel_for((pairs.size() + block - 1) / block,
+                     [&](std::size_t i) {
+                         const std::size_t first = i * block, count = std::min(block, pairs.size() - first);
+                         brdf->brdf_batch(pairs.subspan(first, count),
+                                          result.subspan(first * width, count * width));
+                     },
+                     1);
     };
 }
 
@@ -208,8 +208,9 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
-    if (options.transmission && (options.mueller || options.detail || options.compensate ||
-                                 !options.polarisation.empty() || !options.plan.empty() || options.random_pairs)) {
+    if (options.transmission &&
+        (options.mueller || options.detail || options.compensate || !options.polarisation.empty() ||
+         !options.plan.empty() || options.random_pairs)) {
         throw UsageError{
             "--transmission: must not come with --mueller, --detail, --compensate-energy, --polarisation, "
             "--plan, --random-pairs"};

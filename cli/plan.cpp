@@ -122,8 +122,8 @@ std::string other_terms(const spectral::Scene& scene, const spectral::AnyReflect
 /// Where the time of the diffuse terms goes.
 std::string parts(const PlanCost& cost, bool analytic_he) {
     return analytic_he ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
-                          cost.directions, cost.phi, cost.rest, cost.interpolation)
-              : formatted("values %.0f, interpolation %.0f", cost.rest, cost.interpolation);
+                                   cost.directions, cost.phi, cost.rest, cost.interpolation)
+                       : formatted("values %.0f, interpolation %.0f", cost.rest, cost.interpolation);
 }
 
 /// What a plan says besides: for each material what came of a table, nothing unless tables were tried.

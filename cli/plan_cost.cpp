@@ -136,7 +136,12 @@ PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& 
     const Timing timing{scene};
     const spectral::Rung& rung = evaluator.rung();
     const double at_nodes = timing.diffuse(evaluator), interpolation = timing.interpolation(rung);
-    PlanCost cost{at_nodes + interpolation, timing.mirror(evaluator), timing.colour(rung), 0, 0, at_nodes,
+    PlanCost cost{at_nodes + interpolation,
+                  timing.mirror(evaluator),
+                  timing.colour(rung),
+                  0,
+                  0,
+                  at_nodes,
                   interpolation};
     if (rung.lobe == DiffuseLobe::none || !rung.table.empty() || forms.material().he_torrance() == nullptr)
         return cost;

@@ -15,9 +15,10 @@ struct PlanCost {
     double mirror;  ///< the mirror term at all wavelengths, a direction of light; 0 where it is dropped
     double colour;  ///< from a spectrum to its colour; 0 for spectra
     // What `diffuse` is made of:
-    double directions;     ///< what the wavelengths share: shadowing, effective roughness
-    double phi;            ///< the full Phi instead of one exponential
-    double rest;           ///< Fresnel, the rest of the lobe, the uniform term; of other models, and of tables, all of it
+    double directions;  ///< what the wavelengths share: shadowing, effective roughness
+    double phi;         ///< the full Phi instead of one exponential
+    double
+        rest;  ///< Fresnel, the rest of the lobe, the uniform term; of other models, and of tables, all of it
     double interpolation;  ///< from the rung's wavelengths to the scene's; not spent on colours
 };
 

@@ -24,7 +24,8 @@ using spectral::Scene;
 /// What a table may be wrong by so that, with what the choice is wrong by already, the whole is likely to stay within the
 /// tolerance; the measurement decides.
 double table_tolerance(const Plan& plan, const PlannedMaterial& material) {
-    constexpr double relative_of_delta_e = 0.005;  // a colour's lightness changes by so much for a unit of CIEDE2000
+    constexpr double relative_of_delta_e =
+        0.005;  // a colour's lightness changes by so much for a unit of CIEDE2000
     const double enough = spectral::plan_headroom * plan.tolerance;
     const double left = std::max(0.9 * (enough - material.choice.error.worst), 0.1 * enough);
     const double relative =
@@ -65,8 +66,8 @@ std::string tried(Plan& plan, std::size_t i, const std::filesystem::path& folder
 
     const MaterialForms forms{scene, scene.materials[i]};
     rung.lobe = DiffuseLobe::full;
-    rung.lobe_tolerance = Tolerance{
-        std::clamp(0.01 * request.tolerance, hts::accuracy::finest_tolerance, hts::accuracy::finest_lane_tolerance)};
+    rung.lobe_tolerance = Tolerance{std::clamp(0.01 * request.tolerance, hts::accuracy::finest_tolerance,
+                                               hts::accuracy::finest_lane_tolerance)};
     const PlannedReflectance exact = forms.at(rung);
     std::string bytes = tables::finished_table(exact.at_nodes(), {material.name},
                                                tables::plan_table(exact.at_nodes(), request),

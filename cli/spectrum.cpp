@@ -65,8 +65,7 @@ Spectrum spectrum_of(const SpectrumOptions& options, const spectral::AnyReflecto
         return spectrum_of(*model, pair);
     }
     const spectral::Reflector& he = MaterialOptions::he_torrance(reflector, "--compensate-energy");
-    const auto model =
-        spectral::located("--wavelengths", [&] { return compensated_brdf(he, grid, policy); });
+    const auto model = spectral::located("--wavelengths", [&] { return compensated_brdf(he, grid, policy); });
     return spectrum_of(*model, pair);
 }
 

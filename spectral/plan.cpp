@@ -142,7 +142,8 @@ std::set<double> tables(const Plan& plan) {
     std::set<double> tolerances;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         const Rung& rung = plan.materials[i].choice.rung;
-        if (rung.lobe == DiffuseLobe::full && rung.table.empty() && plan.scene.materials[i].he_torrance() != nullptr)
+        if (rung.lobe == DiffuseLobe::full && rung.table.empty() &&
+            plan.scene.materials[i].he_torrance() != nullptr)
             tolerances.insert(rung.lobe_tolerance.relative_error());
     }
     return tolerances;

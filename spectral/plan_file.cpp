@@ -184,14 +184,15 @@ Plan read_plan(const fs::path& path, const std::vector<ModelEntry>& models, cons
     file.require_keys_among({"format", "format_version", "library_version", "scene", "scene_fingerprint",
                              "measure", "tolerance", "seed", "pairs", "bytes", "materials"});
     const JsonValue scene_path = file["scene"];
-    const Scene scene = located(
-        scene_path.place(), [&] { return read_scene(path.parent_path() / scene_path.text(), models); });
+    const Scene scene = located(scene_path.place(),
+                                [&] { return read_scene(path.parent_path() / scene_path.text(), models); });
     require_scene(file["scene_fingerprint"], scene);
     const JsonValue tolerance = file["tolerance"];
     located(tolerance.place(), [&] { require_tolerance(scene.measure, tolerance.number()); });
     const PlanSampling sampling{static_cast<std::uint64_t>(whole_number(file["seed"])),
                                 static_cast<std::size_t>(whole_number(file["pairs"]))};
-    return {scene, tolerance.number(), sampling, materials_from(file["materials"], scene, {path.parent_path(), open_table})};
+    return {scene, tolerance.number(), sampling,
+            materials_from(file["materials"], scene, {path.parent_path(), open_table})};
 }
 
 }  // namespace hts::spectral

@@ -23,7 +23,8 @@ struct Rung {
     Tolerance lobe_tolerance;    ///< of the directional-diffuse term in that form; of model he alone
     bool specular;               ///< whether the mirror term is kept, which model he alone has
     WavelengthGrid wavelengths;  ///< at which the model is evaluated; between them runs a cubic in 1/lambda^2
-    std::string table{};  ///< file beside the plan of a table that is looked up in the model's place; "" for the model
+    std::string
+        table{};  ///< file beside the plan of a table that is looked up in the model's place; "" for the model
 };
 
 /// A reflector prepared as a rung says, ready for evaluation on the scene's wavelengths.
@@ -103,8 +104,8 @@ class MaterialForms {
     [[nodiscard]] PlannedReflectance at(const Rung& rung) const;
     /// All of the model at the scene's wavelengths.
     ///   tolerance   of the terms of model he
-    [[nodiscard]] PlannedReflectance full_model(
-        Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance}) const;
+    [[nodiscard]] PlannedReflectance full_model(Tolerance tolerance = Tolerance{
+                                                    hts::accuracy::finest_tolerance}) const;
 
   private:
     const Scene& scene_;

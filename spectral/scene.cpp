@@ -222,8 +222,8 @@ void require_tolerance(ErrorMeasure measure, double tolerance) {
 Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue file = JsonValue::read(path);
     file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
-                             "compensate_energy", "clamp", "largest_theta_i_deg", "largest_theta_r_deg", "tolerance",
-                             "memory_budget_bytes"});
+                             "compensate_energy", "clamp", "largest_theta_i_deg", "largest_theta_r_deg",
+                             "tolerance", "memory_budget_bytes"});
     if (const auto name = file.find("name")) static_cast<void>(name->text());
     const JsonValue tolerance = tolerance_key(file["tolerance"]);
     const JsonValue wavelengths = file["wavelengths_um"];

@@ -115,7 +115,8 @@ class UniformBrdf final : public SpectralBrdf {
     void uniform_diffuse(std::span<double> values) const noexcept override {
         std::ranges::copy(uniform_diffuse_, values.begin());
     }
-    void directional_diffuse(const DirectionPair& /*pair*/, std::span<double> values) const noexcept override {
+    void directional_diffuse(const DirectionPair& /*pair*/,
+                             std::span<double> values) const noexcept override {
         std::ranges::fill(values, 0.0);
     }
     void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
@@ -221,8 +222,8 @@ void SpectralBrdf::specular_mueller(const Direction& /*in*/, std::span<Mueller> 
 std::unique_ptr<SpectralBrdf> model_brdf(const AnyReflector& reflector, const WavelengthGrid& wavelengths,
                                          OutsideRange policy, Tolerance tolerance, DiffuseLobe lobe) {
     if (const Reflector* he = reflector.he_torrance()) {
-        return std::make_unique<HeTorranceBrdf>(*he, wavelengths,
-                                                spectral_samples(*he, wavelengths, policy), tolerance, lobe);
+        return std::make_unique<HeTorranceBrdf>(*he, wavelengths, spectral_samples(*he, wavelengths, policy),
+                                                tolerance, lobe);
     }
     auto whole = std::make_unique<ModelBrdf>(reflector, wavelengths, policy);
     if (lobe == DiffuseLobe::full) return whole;
@@ -241,8 +242,8 @@ std::unique_ptr<SpectralBrdf> compensated_brdf(std::unique_ptr<SpectralBrdf> mod
                                                std::vector<EnergyCompensation> compensation) {
     if (compensation.size() != model->wavelengths().size()) {
         throw Error{model->name() + ": " + std::to_string(compensation.size()) +
-                    " compensations: must be one for each of " +
-                    std::to_string(model->wavelengths().size()) + " wavelengths"};
+                    " compensations: must be one for each of " + std::to_string(model->wavelengths().size()) +
+                    " wavelengths"};
     }
     return std::make_unique<CompensatedBrdf>(std::move(model), std::move(compensation));
 }

@@ -66,7 +66,8 @@ class SpectralBrdf {
 ///   tolerance   of the terms of He-Torrance surfaces, as in SpectralReflectance; other models are evaluated as they are
 ///   lobe        a limit where the surface needs no more; of other models full or none, else hts::Error
 [[nodiscard]] std::unique_ptr<SpectralBrdf> model_brdf(
-    const AnyReflector& reflector, const WavelengthGrid& wavelengths, OutsideRange policy = OutsideRange::error,
+    const AnyReflector& reflector, const WavelengthGrid& wavelengths,
+    OutsideRange policy = OutsideRange::error,
     Tolerance tolerance = Tolerance{hts::accuracy::finest_tolerance}, DiffuseLobe lobe = DiffuseLobe::full);
 
 /// The same of a He-Torrance surface with its energy compensated, as spectral/compensation.hpp says.

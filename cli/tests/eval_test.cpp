@@ -189,7 +189,8 @@ TEST_CASE("energy compensation scales the lobe and the mirror term alike whereve
         CHECK(number(spectrum, row, 4) == Approx(number(compensated, row, 8)).epsilon(1e-10));
     }
     place.file("points.csv", header + ",rms_roughness_um\n0.5,60,0,60,180,0.28\n0.5,60,0,60,180,0.1\n");
-    const auto rows = cells(place.hts("eval --compensate-energy --material al.json --points points.csv").output);
+    const auto rows =
+        cells(place.hts("eval --compensate-energy --material al.json --points points.csv").output);
     CHECK(rows[1][6] == compensated[1][5]);
     CHECK(rows[2][6] != rows[1][6]);
     const std::string random = "eval --material al.json --wavelengths 0.5 --random-pairs 500";

@@ -137,8 +137,7 @@ TEST_CASE("factors between wavelengths are interpolated, closely where they are 
     const Surface surface{0.2, 1};
     const auto dense = WavelengthGrid::linear(0.4, 0.7, 11), few = WavelengthGrid::linear(0.42, 0.66, 2);
     const auto solved = EnergyCompensation::of(surface, few),
-               between =
-                   EnergyCompensation::interpolated(EnergyCompensation::of(surface, dense), dense, few);
+               between = EnergyCompensation::interpolated(EnergyCompensation::of(surface, dense), dense, few);
     WorstCase worst{"interpolated factor s against the solved one", 3e-5};
     for (const double degrees : {0., 30., 60., 80., 89.}) {
         const hts::spectral::CompensationPlace place{Direction::from_degrees(degrees, 0)};

@@ -232,7 +232,8 @@ TEST_CASE("the four surfaces of Fig. 14 get four different plans") {
         const Rung& rung = plan.materials[i].choice.rung;
         std::ostringstream kind;
         kind << name(rung.lobe) << rung.lobe_tolerance.relative_error() << rung.specular
-             << rung.wavelengths.size() << (plan.scene.materials[i].he_torrance()->albedo(rung.wavelengths[0]) > 0);
+             << rung.wavelengths.size()
+             << (plan.scene.materials[i].he_torrance()->albedo(rung.wavelengths[0]) > 0);
         kinds.push_back(kind.str());
     }
     std::sort(kinds.begin(), kinds.end());
@@ -442,8 +443,9 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
             } else {
                 CHECK(rung.wavelengths.size() == 1);
             }
-            CHECK(plan.materials[i].evaluator.specular_reflectance(Direction::from_degrees(30, 0))[0].value() ==
-                  0);
+            CHECK(
+                plan.materials[i].evaluator.specular_reflectance(Direction::from_degrees(30, 0))[0].value() ==
+                0);
         }
         CHECK(plan.bytes() < 20'000);
         const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
@@ -465,7 +467,8 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
     Scene polarised = read_scene(examples / "figure-14-spectral.json");
     polarised.polarised = true;
     const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
-    CHECK_THROWS_WITH(full_model(polarised, gold), gold.name() + ": must be of model he: the scene is polarised");
+    CHECK_THROWS_WITH(full_model(polarised, gold),
+                      gold.name() + ": must be of model he: the scene is polarised");
 }
 
 TEST_CASE("a scene that compensates energy is planned with it") {
@@ -476,8 +479,7 @@ TEST_CASE("a scene that compensates energy is planned with it") {
     CHECK(fingerprint(scene) != published);
     const Plan plan = plan_of(scene, 300);
     CHECK(plan.materials[0].choice.rung.wavelengths.size() < 7);
-    const auto compensated =
-        compensated_brdf(*scene.materials[0].he_torrance(), scene.wavelengths);
+    const auto compensated = compensated_brdf(*scene.materials[0].he_torrance(), scene.wavelengths);
     const Direction in = Direction::from_degrees(55, 0);
     std::vector<double> exact(7), mirror(7);
     for (const double degrees : {20., 55., 59.}) {
