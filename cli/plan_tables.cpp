@@ -1,10 +1,11 @@
 #include "cli/plan_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
-#include "cli/csv_reader.hpp"
 #include "cli/plan_cost.hpp"
 #include "hts/error.hpp"
 #include "spectral/output.hpp"
@@ -69,9 +70,11 @@ std::string tried(Plan& plan, std::size_t i, const std::filesystem::path& folder
     rung.lobe_tolerance = Tolerance{std::clamp(0.01 * request.tolerance, hts::accuracy::finest_tolerance,
                                                hts::accuracy::finest_lane_tolerance)};
     const PlannedReflectance exact = forms.at(rung);
-    std::string bytes = tables::finished_table(exact.at_nodes(), {material.name},
-                                               tables::plan_table(exact.at_nodes(), request),
-                                               tables::computed_slices(exact.at_nodes()));
+    tables::TableSource source;
+    source.name = material.name;
+    const std::string bytes =
+        tables::finished_table(exact.at_nodes(), source, tables::plan_table(exact.at_nodes(), request),
+                               tables::computed_slices(exact.at_nodes()));
     rung.table = file_name(material.name);
     PlannedReflectance evaluator{
         scene, rung, std::make_shared<const tables::Table>(tables::Table::from_bytes(bytes, rung.table))};
