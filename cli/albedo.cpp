@@ -172,8 +172,9 @@ void add_albedo(CLI::App& program) {
     verb->add_option("--steepest", options->steepest, "up to where the total must stay <= 1 [deg], 0 ... 90")
         ->capture_default_str();
     verb->add_option(
-        "--measured", options->measured,
-        "a measured directional-hemispherical reflectance, 0 ... 1, to find the diffuse albedo from");
+            "--measured", options->measured,
+            "a measured directional-hemispherical reflectance, 0 ... 1, to find the diffuse albedo from")
+        ->check(number_within(0, 1));
     verb->add_flag("--compensate-energy", options->compensate, "add the total with energy compensation");
     options->output.add_to(*verb);
     verb->footer(help);

@@ -13,6 +13,7 @@
 #include "cli/folder.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/model_chart.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/verbs.hpp"
 
@@ -87,12 +88,14 @@ void add_chart(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("chart", "speed against accuracy of every method, SVG by gnuplot");
     auto options = std::make_shared<ChartOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for pictures and tables")->required();
+    verb->add_option("-o,--output", options->folder, "folder for pictures and tables")
+        ->required()
+        ->check(path_to_write());
     verb->add_flag("--quick", options->quick, "fewer points, in less than a minute");
     verb->add_flag("--models", options->models, "instead: every model, fitted to He-Torrance");
     verb->add_option("--seed", options->seed, "of the random points")
         ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+        ->check(seed_number());
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

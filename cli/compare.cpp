@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/curve_argument.hpp"
 #include "cli/figure_files.hpp"
 #include "cli/folder.hpp"
 #include "cli/options.hpp"
@@ -11,7 +12,6 @@
 #include "cli/usage.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
-#include "validation/built_in_curves.hpp"
 #include "validation/comparison_section.hpp"
 
 namespace hts::cli {
@@ -64,7 +64,7 @@ void draw_section(const Section& section, const std::filesystem::path& folder, b
 }
 
 void run(const CompareOptions& options) {
-    auto set = validation::curves_named(options.curves);
+    auto set = curves_from_argument(options.curves);
     if (options.source) set.source_solid_angle = options.source;
     if (options.detector) set.detector_solid_angle = options.detector;
     set = from_option("--source-solid-angle, --detector-solid-angle",
@@ -96,14 +96,15 @@ void add_compare(CLI::App& program) {
     verb->add_option("curves", options->curves, "curve set (JSON), or the name of one in hts curves list")
         ->required();
     options->material.add_to(*verb)->required();
-    verb->add_option("-o,--output", options->folder, "folder for plots, numbers and tables (needs gnuplot)");
+    verb->add_option("-o,--output", options->folder, "folder for plots, numbers and tables (needs gnuplot)")
+        ->check(path_to_write());
     verb->add_option("--source-solid-angle", options->source, "in place of the set's [sr]");
     verb->add_option("--detector-solid-angle", options->detector, "in place of the set's [sr]");
-    verb->add_option("--band-nodes", options->wavelengths, "wavelengths per band")
-        ->check(CLI::Range(1, 64))
+    verb->add_option("--band-nodes", options->wavelengths, "wavelengths per band, 1 ... 64")
+        ->check(whole_number(1, 64))
         ->capture_default_str();
-    verb->add_option("--cone-rings", options->rings, "rings of nodes per cone")
-        ->check(CLI::Range(0, 8))
+    verb->add_option("--cone-rings", options->rings, "rings of nodes per cone, 0 ... 8")
+        ->check(whole_number(0, 8))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "figures of merit as JSON");
     verb->footer(help);

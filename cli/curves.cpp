@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/curve_argument.hpp"
 #include "cli/options.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/verbs.hpp"
@@ -73,7 +74,7 @@ struct ShowOptions {
 };
 
 void run_show(const ShowOptions& options) {
-    const CurveSet set = validation::curves_named(options.set);
+    const CurveSet set = curves_from_argument(options.set);
     std::cerr << set.surface << ", " << validation::name(set.kind) << " by " << set.by
               << "\nsource: " << set.source << "\nlicence: " << set.licence << "\nhow: " << set.how << '\n';
     for (const std::string& note : set.notes) std::cerr << "note: " << note << '\n';
@@ -105,8 +106,9 @@ void add_import(CLI::App& curves) {
     verb->add_option("--surface", options->surface, "what was measured, where the recipe leaves it open");
     verb->add_option("--every", options->every,
                      "thin out: one point of so many, in place of the recipe's number")
-        ->check(CLI::Range(1, 1000));
+        ->check(whole_number(1, 1000));
     verb->add_option("-o,--output", options->output, "curve set (JSON), - for standard output")
+        ->check(path_to_write())
         ->capture_default_str();
     verb->callback([options] { run_import(*options); });
 }

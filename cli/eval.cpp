@@ -173,9 +173,7 @@ BrdfBatch batch_of(const spectral::AnyReflector& reflector, const EvalOptions& o
 void evaluate_random(const EvalOptions& options) {
     const auto grid = wavelengths(options);
     const auto described = reflector(options);
-    if (!grid || !described || *options.random_pairs == 0) {
-        throw UsageError{"--random-pairs: must be > 0 and come with --material and --wavelengths"};
-    }
+    if (!grid || !described) throw UsageError{"--random-pairs: must come with --material and --wavelengths"};
     static_cast<void>(spectrum(options, *described));  // names the option where the material is not known
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
@@ -208,6 +206,9 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
+    require_one_of(options.mueller || options.detail || !options.polarisation.empty(),
+                   options.random_pairs.has_value(),
+                   "--random-pairs and --mueller, --detail or --polarisation");
     if (options.transmission &&
         (options.mueller || options.detail || options.compensate || !options.polarisation.empty() ||
          !options.plan.empty() || options.random_pairs)) {
@@ -247,9 +248,10 @@ void add_eval(CLI::App& program) {
         "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
     verb->add_option("--random-pairs", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
-                     "the BRDF at all wavelengths in one call; prints mean and speed");
+                     "the BRDF at all wavelengths in one call; prints mean and speed")
+        ->check(whole_number(1, 1'000'000'000));
     verb->add_option("--seed", options->seed, "of the random pairs")
-        ->check(CLI::NonNegativeNumber)
+        ->check(seed_number())
         ->capture_default_str();
     verb->footer(help);
     verb->callback([options] { run(*options); });

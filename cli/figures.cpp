@@ -9,6 +9,7 @@
 #include "cli/figure_files.hpp"
 #include "cli/figures.hpp"
 #include "cli/folder.hpp"
+#include "cli/options.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
 #include "validation/he_figures.hpp"
@@ -69,7 +70,9 @@ void add_figures(CLI::App& program) {
     std::vector<std::string> names;
     for (const PaperFigures& each : papers) names.emplace_back(each.paper);
     verb->add_option("paper", options->paper, "whose figures")->required()->check(CLI::IsMember(names));
-    verb->add_option("-o,--output", options->folder, "folder for pictures and numbers")->required();
+    verb->add_option("-o,--output", options->folder, "folder for pictures and numbers")
+        ->required()
+        ->check(path_to_write());
     verb->add_flag("--json", options->json, "the numbers as JSON too");
     verb->footer(help);
     verb->callback([options] { run(*options); });

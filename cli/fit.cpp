@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/curve_argument.hpp"
 #include "cli/fit_report.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
@@ -13,7 +14,6 @@
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/text.hpp"
-#include "validation/built_in_curves.hpp"
 #include "validation/fit_table.hpp"
 
 namespace hts::cli {
@@ -91,10 +91,12 @@ FitRequest request(const FitOptions& options) {
                       .loss_scale = options.loss_scale,
                       .followed_starts = options.followed_starts};
     for (const std::string& text : options.fixed) {
-        if (text.starts_with("index="))
+        if (text.starts_with("index=")) {
+            if (!options.index.empty()) throw UsageError{"--fix index: must not come with --index"};
             result.index = json_of(text.substr(6));
-        else
+        } else {
             result.fixed.insert(assignment("--fix", text));
+        }
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
     result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
@@ -103,11 +105,21 @@ FitRequest request(const FitOptions& options) {
     return result;
 }
 
+/// A request that cannot be is wrong usage.
+Fit fit_of(const FitRequest& request, const validation::FitData& data) {
+    try {
+        return validation::fitted(request, data);
+    } catch (const validation::RequestError& error) {
+        throw UsageError{error.what()};
+    }
+}
+
 void fit_one(const FitOptions& options) {
-    const CurveSet set = validation::curves_named(options.curves.front());
+    const CurveSet set = curves_from_argument(options.curves.front());
     FitRequest asked = request(options);
-    if (set.scale == validation::Scale::unknown) asked.freed.emplace_back("scale");
-    const Fit fit = validation::fitted(asked, validation::fit_data(set, selection(options)));
+    if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
+        asked.freed.emplace_back("scale");
+    const Fit fit = fit_of(asked, validation::fit_data(set, selection(options)));
     if (!options.output.empty()) {
         write_file(options.output, fit.material);
         if (const double scale = fit.parameter("scale").value; scale != 1) {
@@ -144,7 +156,7 @@ void fit_all_models(const FitOptions& options) {
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
     for (const std::string& name : expanded(options.curves)) {
-        const CurveSet set = validation::curves_named(name);
+        const CurveSet set = curves_from_argument(name);
         const auto fits = validation::fits_of(
             validation::compared_models(), set,
             {residual(options), selection(options), json_of(options.index), options.followed_starts});
@@ -179,29 +191,44 @@ void add_fit(CLI::App& program) {
     verb->add_option("curves", options->curves,
                      "curve set: a file or a name of hts curves list; with --all-models several, or folders")
         ->required();
-    verb->add_option("--model", options->model, "he, beckmann, ggx, kurt, ward, …")->capture_default_str();
-    verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")->capture_default_str();
+    std::vector<CLI::Option*> of_one{
+        verb->add_option("--model", options->model,
+                         "he, beckmann, ggx, kurt, ward, … (a wrong one lists all)")
+            ->capture_default_str(),
+        verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")
+            ->check(whole_number(1, 3))
+            ->capture_default_str(),
+        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
+        verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
+            ->delimiter(','),
+        verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
+        verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
+        verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
+            ->check(number_within(1e-9, 1e9))
+            ->capture_default_str(),
+        verb->add_option("--report", options->report, "everything about the fit (JSON)")
+            ->check(path_to_write())};
     verb->add_option("--index", options->index,
                      "optical constants: a built-in name, or JSON as in a material file");
-    verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al");
-    verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
-        ->delimiter(',');
-    verb->add_option("--start", options->starts, "the only start of a parameter: name=value");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
         ->capture_default_str();
-    verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str();
-    verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
-        ->capture_default_str();
-    verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg]")
+    verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg], 0 ... 90")
+        ->check(number_within(0, 90))
         ->capture_default_str();
     verb->add_option("--most-points", options->most_points, "thin the data out to so many; 0: all")
+        ->check(whole_number(0, 1'000'000'000))
         ->capture_default_str();
-    verb->add_option("--rings", options->nodes, "of nodes over each cone, 0 ... 8")->capture_default_str();
-    verb->add_option("--starts", options->followed_starts, "how many of the best starts are followed")
+    verb->add_option("--rings", options->nodes, "rings of nodes over each cone, 0 ... 8")
+        ->check(whole_number(0, 8))
         ->capture_default_str();
-    verb->add_flag("--all-models", options->all_models, "a table of all models");
-    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table");
-    verb->add_option("--report", options->report, "everything about the fit (JSON)");
+    verb->add_option("--starts", options->followed_starts,
+                     "how many of the most promising starts are followed, 1 ... 512")
+        ->check(whole_number(1, 512))
+        ->capture_default_str();
+    auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
+    for (CLI::Option* option : of_one) all->excludes(option);
+    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
+        ->check(path_to_write());
     verb->add_flag("--json", options->json, "print JSON");
     verb->footer(help);
     verb->callback([options] { run(*options); });

@@ -10,6 +10,7 @@
 #include "cli/folder.hpp"
 #include "cli/furnace_script.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/options.hpp"
 #include "cli/parallel.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/verbs.hpp"
@@ -153,7 +154,9 @@ void add_furnace(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("furnace", "map of the energy the model gains and loses, SVG by gnuplot");
     auto options = std::make_shared<FurnaceOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for the map and its table")->required();
+    verb->add_option("-o,--output", options->folder, "folder for the map and its table")
+        ->required()
+        ->check(path_to_write());
     verb->add_flag("--quick", options->quick, "a coarser map");
     verb->add_flag("--compensate-energy", options->compensate, "map the optional energy compensation, too");
     verb->footer(help);

@@ -1,6 +1,8 @@
 #include "cli/options.hpp"
 
+#include <charconv>
 #include <iostream>
+#include <limits>
 
 #include "cli/csv_reader.hpp"
 #include "cli/usage.hpp"
@@ -26,7 +28,46 @@ Stokes stokes_from_numbers(const std::string& text) {
     return {s[0], s[1], s[2], s[3]};
 }
 
+/// "" where `legal` holds, else what is wrong; the command line puts the option's name in front.
+template <class Legal>
+CLI::Validator must_be(const std::string& range, Legal&& legal) {
+    return {[range, legal](const std::string& text) {
+                return legal(text) ? std::string{} : spectral::in_quotes(text) + ": must be " + range;
+            },
+            ""};
+}
+
+template <class Number>
+bool within(const std::string& text, Number first, Number last) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    return problem == std::errc{} && stop == end && value >= first && value <= last;
+}
+
 }  // namespace
+
+CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
+    const std::string range = "a whole number from " + std::to_string(first) + " to " + std::to_string(last);
+    return must_be(range, [=](const std::string& text) { return within(text, first, last); });
+}
+
+CLI::Validator number_within(double first, double last) {
+    const std::string range = "a number from " + shortest(first) + " to " + shortest(last);
+    return must_be(range, [=](const std::string& text) { return within(text, first, last); });
+}
+
+CLI::Validator seed_number() {
+    return whole_number(0, std::numeric_limits<std::uint64_t>::max());
+}
+
+CLI::Validator path_to_write() {
+    return must_be("a name", [](const std::string& path) { return !path.empty(); });
+}
+
+CLI::Validator svg_file() {
+    return must_be("a file .svg", [](const std::string& path) { return path.ends_with(".svg"); });
+}
 
 void DirectionOptions::add_to(CLI::App& verb) {
     verb.add_option("--theta-i", theta_i, "polar angle of the light [deg], 0 ... 90");
@@ -57,6 +98,7 @@ spectral::DirectionPair DirectionOptions::pair() const {
 
 void OutputOptions::add_to(CLI::App& verb) {
     verb.add_option("--output,-o", path, "file to write, - for standard output; .json gives JSON")
+        ->check(path_to_write())
         ->capture_default_str();
     verb.add_flag("--json", json, "write JSON instead of CSV");
 }

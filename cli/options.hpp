@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,17 @@ struct MaterialOptions {
 
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
 [[nodiscard]] Stokes stokes_from_option(const std::string& text);
+
+/// For `check`: a whole number, a number from `first` to `last`. What is neither (-1, 1.5, nan) is wrong usage, with the range in
+/// the message.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
+[[nodiscard]] CLI::Validator number_within(double first, double last);
+/// For `check` of seeds: any whole number of 64 bits.
+[[nodiscard]] CLI::Validator seed_number();
+/// For `check` of files and folders to write: no empty name.
+[[nodiscard]] CLI::Validator path_to_write();
+/// For `check` of pictures: a name that ends in .svg.
+[[nodiscard]] CLI::Validator svg_file();
 
 /// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
 void require_angles(const std::string& option, const std::vector<double>& degrees);

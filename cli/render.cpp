@@ -65,6 +65,7 @@ Gallery chosen(const RenderOptions& options) {
     if (shape == shapes.end()) {
         if (!options.material.path.empty())
             throw UsageError{"--material: must not come with " + options.scene};
+        if (options.turn != 0) throw UsageError{"--turn: must not come with " + options.scene};
         return *named(validation::galleries(), options.scene);
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
@@ -107,17 +108,18 @@ void add_render(CLI::App& program) {
     verb->add_option("scene", options->scene, "which")->required()->check(CLI::IsMember(scene_names()));
     verb->add_option("-o,--output", options->output, "picture, a .png file")->required();
     options->material.add_to(*verb);
-    verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg]")
+    verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg], -360 ... 360")
+        ->check(number_within(-360, 360))
         ->capture_default_str();
     verb->add_option("--size", options->size, "width of the picture, 16 ... 4096")
         ->capture_default_str()
-        ->check(CLI::Range(16, 4096));
+        ->check(whole_number(16, 4096));
     verb->add_option("--samples", options->samples, "rays or paths per pixel, 1 ... 65536")
         ->capture_default_str()
-        ->check(CLI::Range(1, 65536));
+        ->check(whole_number(1, 65536));
     verb->add_option("--exposure", options->exposure, "factor of brightness, 0.001 ... 1000")
         ->capture_default_str()
-        ->check(CLI::Range(0.001, 1000.0));
+        ->check(number_within(0.001, 1000));
     verb->add_flag("--path-trace", options->path_trace, "paths instead of equation (12)");
     verb->footer(help);
     verb->callback([options] { run(*options); });

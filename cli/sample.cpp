@@ -163,14 +163,15 @@ void add_sample(CLI::App& program) {
     verb->add_option("--wavelength", options->wavelength, "wavelength [um]")->required();
     verb->add_option("--theta-i", options->theta_i, "polar angle of the light [deg], 0 ... 90")->required();
     verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg]")->capture_default_str();
-    verb->add_option("--count", options->count, "number of draws, at least 1")
-        ->check(CLI::PositiveNumber)
+    verb->add_option("--count", options->count, "number of draws, 1 ... 1000000000")
+        ->check(whole_number(1, 1'000'000'000))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of the random numbers")
-        ->check(CLI::NonNegativeNumber)
+        ->check(seed_number())
         ->capture_default_str();
     options->output.add_to(*verb);
-    verb->add_option("--plot", options->plot, "draw the directions as SVG (needs gnuplot)");
+    verb->add_option("--plot", options->plot, "draw the directions as SVG (needs gnuplot)")
+        ->check(svg_file());
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

@@ -166,7 +166,7 @@ void add_spectrum(CLI::App& program) {
     verb->add_flag("--compensate-energy", options->compensate,
                    "with the optional energy compensation, which is not part of the published model he");
     options->output.add_to(*verb);
-    verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)");
+    verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)")->check(svg_file());
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

@@ -7,6 +7,7 @@
 #include "bench/stability.hpp"
 #include "bench/stability_report.hpp"
 #include "cli/folder.hpp"
+#include "cli/options.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
@@ -86,7 +87,8 @@ void add_stability(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("stability", "where methods for the model fail, and this one not");
     auto options = std::make_shared<StabilityOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for stability.html and stability.csv");
+    verb->add_option("-o,--output", options->folder, "folder for stability.html and stability.csv")
+        ->check(path_to_write());
     verb->add_flag("--json", options->json, "JSON instead of the table");
     verb->footer(help);
     verb->callback([options] { run(*options); });

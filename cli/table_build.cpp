@@ -100,15 +100,18 @@ void add_table_build(CLI::App& table) {
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--tolerance", options->request.tolerance, "largest error, 1e-9 ... 0.5")
+        ->check(number_within(1e-9, 0.5))
         ->capture_default_str();
     verb->add_flag("--mueller", options->request.polarised, "the Mueller matrix too (model he)");
     verb->add_option("--shard", options->shard, "compute part k of N only, as k/N");
     verb->add_option("--seed", options->request.seed, "of the directions it is measured on, 0 ... 2^52")
-        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 52))
+        ->check(whole_number(0, std::uint64_t{1} << 52))
         ->capture_default_str();
-    verb->add_option("--largest-bytes", options->request.largest_bytes, "stop where a table would be larger")
+    verb->add_option("--largest-bytes", options->request.largest_bytes,
+                     "stop where a table would be larger, 1024 ... 2^52")
+        ->check(whole_number(1024, std::uint64_t{1} << 52))
         ->capture_default_str();
-    verb->add_option("--output,-o", options->output, "file to write")->required();
+    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
     verb->footer(help);
     verb->callback([options] { run(*options); });
 }

@@ -56,11 +56,13 @@ void add_table_chart(CLI::App& table) {
     options->material.add_to(*verb)->required();
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
-    verb->add_option("--samples", options->pairs, "pairs of directions")
-        ->check(CLI::Range(std::size_t{100}, std::size_t{1'000'000}))
+    verb->add_option("--samples", options->pairs, "pairs of directions, 100 ... 1000000")
+        ->check(whole_number(100, 1'000'000))
         ->capture_default_str();
-    verb->add_option("--seed", options->seed, "of the random directions")->capture_default_str();
-    verb->add_option("--plot", options->plot, "draw the sizes as SVG (needs gnuplot)");
+    verb->add_option("--seed", options->seed, "of the random directions")
+        ->check(seed_number())
+        ->capture_default_str();
+    verb->add_option("--plot", options->plot, "draw the sizes as SVG (needs gnuplot)")->check(svg_file());
     options->output.add_to(*verb);
     verb->footer(help);
     verb->callback([options] { run(*options); });

@@ -60,10 +60,12 @@ void add_table_check(CLI::App& table) {
     auto options = std::make_shared<CheckOptions>();
     constexpr std::uint64_t most = 100'000'000;
     verb->add_option("table", options->table, "file to check")->required();
-    verb->add_option("--samples", options->samples, "pairs of directions")
-        ->check(CLI::Range(std::uint64_t{1}, most))
+    verb->add_option("--samples", options->samples, "pairs of directions, 1 ... 100000000")
+        ->check(whole_number(1, most))
         ->capture_default_str();
-    verb->add_option("--seed", options->seed, "of the random directions")->capture_default_str();
+    verb->add_option("--seed", options->seed, "of the random directions")
+        ->check(seed_number())
+        ->capture_default_str();
     options->output.add_to(*verb);
     verb->footer(help);
     verb->callback([options] { run(*options); });

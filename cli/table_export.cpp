@@ -92,7 +92,7 @@ void add_table_export(CLI::App& table) {
     for (const TableFormat& format : table_formats()) names.push_back(format.name);
     verb->add_option("source", options->source, "material file (JSON) or table (.htst)")->required();
     verb->add_option("--format,-f", options->format, "of the file")->required()->check(CLI::IsMember(names));
-    verb->add_option("--output,-o", options->output, "file to write")->required();
+    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
     verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
     auto* specular = verb->add_option("--specular", options->specular, "what becomes of the specular delta")
@@ -101,10 +101,10 @@ void add_table_export(CLI::App& table) {
     verb->add_option("--solid-angle", options->solid_angle, "of the box [sr]")
         ->needs(specular)
         ->capture_default_str();
-    verb->add_option("--pairs", options->pairs, "pairs of directions to compare at")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+    verb->add_option("--pairs", options->pairs, "pairs of directions to compare at, 1 ... 100000000")
+        ->check(whole_number(1, 100'000'000))
         ->capture_default_str();
-    verb->add_option("--seed", options->seed, "of those pairs")->capture_default_str();
+    verb->add_option("--seed", options->seed, "of those pairs")->check(seed_number())->capture_default_str();
     verb->add_flag("--json", options->json, "the report as JSON");
     verb->footer(help());
     verb->callback([options] { run(*options); });

@@ -116,8 +116,8 @@ void add_table_import(CLI::App& table) {
     verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised")
         ->check(CLI::IsMember(names));
     verb->add_option("--wavelengths", options->wavelengths, "what the channels are called, a,b,c [um]");
-    verb->add_option("--output,-o", options->output, "material file to write (JSON)");
-    verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV");
+    verb->add_option("--output,-o", options->output, "material file to write (JSON)")->check(path_to_write());
+    verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV")->check(path_to_write());
     verb->add_flag("--json", options->json, "what it holds as JSON");
     verb->footer(help());
     verb->callback([options] { run(*options); });

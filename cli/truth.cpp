@@ -6,6 +6,7 @@
 
 #include "cli/figure_files.hpp"
 #include "cli/folder.hpp"
+#include "cli/options.hpp"
 #include "cli/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/output.hpp"
@@ -28,7 +29,7 @@ rays     Rays through explicit surfaces of mirrors: shadowing, the lobe of the r
          and the light reflected more than once.
 
 Into the folder go the tables (.csv, with the command that writes them) and the pictures
-(.svg, .gnuplot). On one core moments takes some 10 minutes, the others one or two; with
+(.svg, .gnuplot). On one core moments takes some 8 minutes, the others one or two; with
 --quick fewer cases and realisations, and each some seconds. The numbers are the same for
 any number of threads. Exit code 1 if a check fails.
 
@@ -88,7 +89,9 @@ void add_truth(CLI::App& program) {
     names.reserve(studies.size());
     for (const Truth& each : studies) names.emplace_back(each.name);
     verb->add_option("study", options->study, "which")->required()->check(CLI::IsMember(names));
-    verb->add_option("-o,--output", options->folder, "folder for tables and pictures")->required();
+    verb->add_option("-o,--output", options->folder, "folder for tables and pictures")
+        ->required()
+        ->check(path_to_write());
     verb->add_flag("--quick", options->quick, "few cases and realisations");
     verb->footer(help);
     verb->callback([options] { run(*options); });

@@ -11,6 +11,7 @@
 #include "bench/machine.hpp"
 #include "cli/figure_files.hpp"
 #include "cli/folder.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/table_writer.hpp"
 #include "cli/validation_parts.hpp"
@@ -118,7 +119,9 @@ void add_validate(CLI::App& program) {
     auto options = std::make_shared<ValidateOptions>();
     std::vector<std::string> names;
     for (const ValidationPart& part : validation_parts()) names.emplace_back(part.name);
-    verb->add_option("-o,--output", options->folder, "folder for the report")->required();
+    verb->add_option("-o,--output", options->folder, "folder for the report")
+        ->required()
+        ->check(path_to_write());
     verb->add_option("--only", options->only, "parts, apart by commas")
         ->delimiter(',')
         ->check(CLI::IsMember(names));

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -111,6 +112,16 @@ void write_file(const std::string& path, std::string_view text) {
     Output output{path};
     output.write(text);
     output.commit();
+}
+
+void write_files(const std::vector<TextFile>& files) {
+    std::vector<std::unique_ptr<Output>> outputs;
+    for (const TextFile& file : files) {
+        outputs.push_back(std::make_unique<Output>(file.path));
+        outputs.back()->write(file.text);
+        outputs.back()->flush();
+    }
+    for (const auto& output : outputs) output->commit();
 }
 
 }  // namespace hts::spectral

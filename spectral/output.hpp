@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hts::spectral {
 
@@ -21,10 +22,11 @@ class Output {
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
     /// Throws hts::Error if the medium refuses, as `commit` does.
     void write(std::string_view text);
+    /// Hands all that was written to the medium.
+    void flush();
     void commit();
 
   private:
-    void flush();
     void discard() noexcept;
     [[noreturn]] void fail() const;
 
@@ -37,5 +39,13 @@ class Output {
 
 /// Writes a whole file, as Output does.
 void write_file(const std::string& path, std::string_view text);
+
+/// A path and what the file is to hold.
+struct TextFile {
+    std::string path, text;
+};
+
+/// Writes all of them or none: no file gets its name before the medium holds every one.
+void write_files(const std::vector<TextFile>& files);
 
 }  // namespace hts::spectral

@@ -247,16 +247,18 @@ void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
     const std::vector<std::string> texts = zemax_texts(brdf);
     if (texts.size() == 1 && path.extension() != ".json")
         return spectral::write_file(path.string(), texts.front());
+    std::vector<spectral::TextFile> files;
     std::string index = "{\"zemax_files\": [";
     for (std::size_t k = 0; k < texts.size(); ++k) {
         std::string nanometres;
         append_rounded(nanometres, 1000 * wavelengths[k], 9);
         const auto file = path.parent_path() / (path.stem().string() + "_" + nanometres + "nm.bsdf");
-        spectral::write_file(file.string(), texts[k]);
+        files.push_back({file.string(), texts[k]});
         index.append(k == 0 ? "\n" : ",\n").append("  {\"wavelength_um\": ").append(shortest(wavelengths[k]));
         index.append(", \"file\": ").append(spectral::in_quotes(file.filename().string())).append("}");
     }
-    spectral::write_file(path.string(), index + "\n]}\n");
+    files.push_back({path.string(), index + "\n]}\n"});
+    spectral::write_files(files);
 }
 
 std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path,

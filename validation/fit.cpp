@@ -92,7 +92,7 @@ std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const 
     std::map<std::string, double> known;
     for (std::size_t i = 0; i < found.size(); ++i) known[address(smaller.places()[i].parameter)] = found[i];
     std::vector<std::vector<double>> result;
-    for (const std::size_t variant : {1, 3}) {
+    for (const std::size_t variant : {1U, 3U}) {
         auto values = problem.values({});
         for (std::size_t i = 0; i < values.size(); ++i) {
             const FitParameter& parameter = problem.places()[i].parameter;

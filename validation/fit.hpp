@@ -114,8 +114,8 @@ struct Fit {
     [[nodiscard]] const FittedParameter& parameter(const std::string& name) const;
 };
 
-/// hts::Error that names what is wrong: an unknown model or parameter, a start or fixed value out of bounds, fewer data than
-/// free parameters, uncertainties that are needed and not there, a value of 0 where its logarithm is needed.
+/// RequestError that names an unknown model or parameter, one both freed and fixed, a start or fixed value out of bounds;
+/// hts::Error for fewer data than free parameters, uncertainties that are needed and not there, a value of 0 where its logarithm is needed.
 [[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data);
 
 /// The fitted material as a model, without the scale.

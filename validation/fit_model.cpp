@@ -89,8 +89,8 @@ const FitFamily& family_named(const std::string& name) {
     if (found != all.end()) return *found;
     std::vector<std::string> names;
     for (const FitFamily& family : all) names.push_back(family.name);
-    throw Error{"model " + spectral::in_quotes(name) + " is not known: must be one of " +
-                spectral::joined(names)};
+    throw RequestError{"model " + spectral::in_quotes(name) + " is not known: must be one of " +
+                       spectral::joined(names)};
 }
 
 }  // namespace
@@ -135,25 +135,37 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
         throw Error{"fit: as many channels as wavelengths, and at least one, must be given"};
     }
     if (layout_.lobes < 1 || layout_.lobes > 3) {
-        throw Error{"fit: " + std::to_string(layout_.lobes) + " lobes: must be 1 ... 3"};
+        throw RequestError{"fit: " + std::to_string(layout_.lobes) + " lobes: must be 1 ... 3"};
     }
     if (family_.lobe.empty() && layout_.lobes > 1) {
-        throw Error{"fit: model " + spectral::in_quotes(family) + " has no lobes: must be fitted with 1"};
+        throw RequestError{"fit: model " + spectral::in_quotes(family) +
+                           " has no lobes: must be fitted with 1"};
     }
     if (!family_.has_index && !layout_.index.empty()) {
-        throw Error{"fit: model " + spectral::in_quotes(family) + " has no index"};
+        throw RequestError{"fit: model " + spectral::in_quotes(family) + " has no index"};
     }
     for (const ParameterRange& range : family_.parameters) {
         const bool of_index = family_.has_index && (range.key == "n" || range.key == "k");
         if (of_index && !layout_.index.empty()) continue;
         place(range, of_index ? "/index/" + range.key : "/" + range.key, "");
     }
-    if (family_.lobe.empty()) return;
-    for (int lobe = 0; lobe < layout_.lobes; ++lobe) {
+    for (int lobe = 0; lobe < (family_.lobe.empty() ? 0 : layout_.lobes); ++lobe) {
         for (const ParameterRange& range : family_.lobe) {
             place(range, "/lobes/" + std::to_string(lobe) + "/" + range.key,
                   layout_.lobes > 1 ? std::to_string(lobe + 1) : "");
         }
+    }
+    if (!layout_.index.empty()) try_index();
+}
+
+void FitModel::try_index() const {
+    std::vector<double> values;
+    for (const FitParameter& parameter : parameters_) values.push_back(parameter.range.starts.front());
+    try {
+        static_cast<void>(spectral::JsonValue::parse(layout_.index, "fit: index"));
+        static_cast<void>(reflector(values));
+    } catch (const Error& error) {
+        throw RequestError{error.what()};
     }
 }
 

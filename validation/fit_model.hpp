@@ -11,10 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "hts/error.hpp"
 #include "spectral/any_reflector.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::validation {
+
+/// What was asked of a fit cannot be, whatever the data: a model or parameter that is not known, a value out of bounds.
+class RequestError : public Error {
+  public:
+    using Error::Error;
+};
 
 /// How a parameter moves.
 enum class Motion {
@@ -78,7 +85,7 @@ struct FitLayout {
 /// A model with places for numbers. Immutable; calls may run on any thread.
 class FitModel {
   public:
-    /// hts::Error that names the model or layout that is not known or not possible.
+    /// RequestError that names the model, lobes or index that is not known or not possible.
     FitModel(const std::string& family, FitLayout layout);
 
     [[nodiscard]] const std::string& name() const noexcept { return family_.name; }
@@ -92,6 +99,8 @@ class FitModel {
     [[nodiscard]] spectral::AnyReflector reflector(std::span<const double> values) const;
 
   private:
+    /// The index read once, so that a wrong one is found before a search.
+    void try_index() const;
     void place(const ParameterRange& range, const std::string& pointer, const std::string& suffix);
 
     FitFamily family_;

@@ -28,8 +28,9 @@ double value_at(const ParameterRange& range, double coordinate) {
 void require_within(const FitParameter& parameter, const char* what, double value) {
     const ParameterRange& range = parameter.range;
     if (value >= range.lowest && value <= range.highest) return;
-    throw Error{parameter.name + ": " + what + " " + shortest(value) + " " + range.unit + ": must be " +
-                shortest(range.lowest) + " ... " + shortest(range.highest)};
+    const std::string unit = range.unit == "1" ? "" : " " + range.unit;
+    throw RequestError{parameter.name + ": " + what + " " + shortest(value) + unit + ": must be " +
+                       shortest(range.lowest) + " ... " + shortest(range.highest) + unit};
 }
 
 /// sign(r) s sqrt(rho((r/s)^2)), whose square is what r counts for.
@@ -54,7 +55,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
       model_{request.model, layout(request, data)},
       separable_{data.affine && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
     if (!(request.loss_scale > 0))
-        throw Error{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
+        throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
     places_.push_back({{scale_range, "", "scale"}});
     assign_roles();
@@ -86,9 +87,13 @@ std::vector<std::size_t> FitProblem::named(const std::string& name) const {
         }
     }
     if (!found.empty()) return found;
-    throw Error{"parameter " + spectral::in_quotes(name) + " of model " +
-                spectral::in_quotes(request_.model) + " is not known: must be one of " +
-                spectral::joined(names)};
+    if (!request_.index.empty() && (name == "n" || name == "k")) {
+        throw RequestError{"parameter " + spectral::in_quotes(name) +
+                           ": must not be asked for where the index is given, which holds it"};
+    }
+    throw RequestError{"parameter " + spectral::in_quotes(name) + " of model " +
+                       spectral::in_quotes(request_.model) + " is not known: must be one of " +
+                       spectral::joined(names)};
 }
 
 void FitProblem::assign_roles() {
@@ -107,6 +112,8 @@ void FitProblem::assign_roles() {
     for (const auto& [name, value] : request_.fixed) {
         for (const std::size_t i : named(name)) {
             require_within(places_[i].parameter, "fixed at", value);
+            if (std::ranges::find(request_.freed, name) != request_.freed.end())
+                throw RequestError{name + ": freed and fixed: must be one of both"};
             places_[i].role = Role::fixed;
             places_[i].value = value;
         }

@@ -1,6 +1,5 @@
 // Whatever is wrong with the input: one line that names it, the right exit code, nothing left behind.
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
@@ -8,29 +7,15 @@
 
 #include "command.hpp"
 
-using hts::cli::testing::Result;
+using hts::cli::testing::check_complaint;
 using hts::cli::testing::Workplace;
 
 namespace {
 
 constexpr int data_failed = 1;
-constexpr int wrong_usage = 2;
 
 const std::string point = " --wavelength 0.5 --theta-i 30 --theta-r 40 --phi 170";
 const std::string points_header = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
-
-/// One line on standard error that holds every one of `parts`.
-void check_complaint(const Result& result, int exit_code, const std::vector<std::string>& parts) {
-    INFO(result.errors);
-    CHECK(result.exit_code == exit_code);
-    CHECK(result.output.empty());
-    CHECK(result.errors.starts_with("hts: "));
-    CHECK(std::count(result.errors.begin(), result.errors.end(), '\n') == 1);
-    for (const std::string& part : parts) {
-        INFO("must name: " << part);
-        CHECK(result.errors.find(part) != std::string::npos);
-    }
-}
 
 std::string material(const std::string& roughness, const std::string& correlation, const std::string& rest) {
     return R"({"model": "he", "rms_roughness_um": )" + roughness + R"(, "correlation_length_um": )" +
@@ -154,42 +139,4 @@ TEST_CASE("a file in the way is kept when the run fails") {
     check_complaint(place.hts("eval --material m.json --points p.csv --output answer.csv"), data_failed,
                     {"p.csv:3"});
     CHECK(place.read("answer.csv") == "precious");
-}
-
-TEST_CASE("wrong usage") {
-    const Workplace place;
-    place.file("m.json", material("0.28", "1.77", R"("index": "Al")"));
-    const std::vector<std::pair<std::string, std::vector<std::string>>> bad{
-        {"", {"verb", "eval"}},
-        {"rendr", {"rendr", "eval"}},
-        {"render", {"scene is required"}},
-        {"eval", {"--points"}},
-        {"eval" + point, {"--material"}},
-        {"eval --material m.json --wavelength 0.5 --theta-i 30 --phi 170", {"--theta-r"}},
-        {"eval --material m.json --wavelength 0.5 --theta-i 95 --theta-r 40 --phi 170",
-         {"95", "0 to 90 deg"}},
-        {"eval --material m.json --wavelength -1 --theta-i 30 --theta-r 40 --phi 170", {"-1", "um", "> 0"}},
-        {"eval --material m.json --wavelength green --theta-i 30 --theta-r 40 --phi 170", {"green"}},
-        {"eval --material m.json --wavelengths 0.7:0.4:3 --theta-i 30 --theta-r 40 --phi 170",
-         {"0.7", "0.4"}},
-        {"eval --materiel m.json" + point, {"--materiel"}},
-        {"phi --g -1 --t 2", {"g", "-1"}},
-        {"phi --g 1", {"--t"}},
-        {"spectrum --material m.json --theta-i 30", {"--theta-r"}},
-        {"polar --material m.json --theta-i 30 --wavelength 0", {"0", "um", "> 0"}},
-        {"albedo --material m.json --theta-i 30,95", {"--theta-i", "95", "0 to 90 deg"}},
-        {"albedo --material m.json --steepest -1", {"--steepest", "-1", "0 to 90 deg"}},
-        {"albedo --material m.json --measured 0.9", {"--measured", "one wavelength"}},
-        {"albedo", {"--material"}},
-        {"furnace --quick", {"--output"}},
-        {"materials unobtainium", {"unobtainium", "Al"}},
-        {"info", {"material"}},
-        {"info m.json --theta 0,91", {"--theta", "91", "0 to 90 deg"}},
-        {"info m.json --wavelengths 0.7:0.4:3", {"--wavelengths", "0.7", "0.4"}},
-    };
-    for (const auto& [arguments, named] : bad) {
-        INFO("hts " << arguments);
-        check_complaint(place.hts(arguments), wrong_usage, named);
-    }
-    CHECK(place.names() == std::vector<std::string>{"m.json"});
 }

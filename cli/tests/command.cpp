@@ -60,6 +60,18 @@ std::vector<std::string> Workplace::names() const {
     return names;
 }
 
+void check_complaint(const Result& result, int exit_code, const std::vector<std::string>& parts) {
+    INFO(result.errors);
+    CHECK(result.exit_code == exit_code);
+    CHECK(result.output.empty());
+    CHECK(result.errors.starts_with("hts: "));
+    CHECK(std::count(result.errors.begin(), result.errors.end(), '\n') == 1);
+    for (const std::string& part : parts) {
+        INFO("must name: " << part);
+        CHECK(result.errors.find(part) != std::string::npos);
+    }
+}
+
 std::vector<std::vector<std::string>> cells(const std::string& csv) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines{csv};

@@ -36,6 +36,9 @@ class Workplace {
     std::filesystem::path folder_;
 };
 
+/// Checks this exit code, and nothing but one line on standard error, which holds every one of `parts`.
+void check_complaint(const Result& result, int exit_code, const std::vector<std::string>& parts);
+
 /// Cells of a CSV text, the header first.
 [[nodiscard]] std::vector<std::vector<std::string>> cells(const std::string& csv);
 

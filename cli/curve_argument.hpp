@@ -1,0 +1,19 @@
+/// The curve set that an argument names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/usage.hpp"
+#include "validation/built_in_curves.hpp"
+
+namespace hts::cli {
+
+/// A file, or a set that comes with the program; UsageError that lists those if it is a bare word and neither.
+[[nodiscard]] inline validation::CurveSet curves_from_argument(const std::string& argument) {
+    if (argument.find_first_of("./") != std::string::npos || std::filesystem::exists(argument))
+        return validation::curves_named(argument);
+    return from_option("curves", [&] { return validation::built_in_curves(argument); });
+}
+
+}  // namespace hts::cli
