@@ -10,6 +10,7 @@
 #include "spectral/csv.hpp"
 #include "spectral/display_colour.hpp"
 #include "spectral/text.hpp"
+#include "tables/astm.hpp"
 #include "tables/channels.hpp"
 #include "tables/scatter_points.hpp"
 
@@ -177,47 +178,6 @@ class CsvPoints {
     std::optional<std::size_t> phi_i_;
 };
 
-// The columns of an ASTM file.
-struct AstmColumns {
-    std::optional<std::size_t> theta_i, phi_i, theta_s, phi_s;
-    std::vector<std::size_t> channels;
-    std::vector<std::string> names;
-    std::size_t count = 0;
-};
-
-AstmColumns astm_columns(std::string_view variables, const std::string& place) {
-    AstmColumns columns;
-    for (const std::string_view piece : spectral::split(variables, ',')) {
-        const std::string name{spectral::trimmed(piece)};
-        const std::size_t i = columns.count++;
-        auto* angle = name == "theta_i"   ? &columns.theta_i
-                      : name == "phi_i"   ? &columns.phi_i
-                      : name == "theta_s" ? &columns.theta_s
-                      : name == "phi_s"   ? &columns.phi_s
-                                          : nullptr;
-        if (angle != nullptr) {
-            *angle = i;
-        } else {
-            columns.channels.push_back(i);
-            columns.names.push_back(name);
-        }
-    }
-    if (!columns.theta_i || !columns.theta_s || !columns.phi_s || columns.channels.empty())
-        throw Error{place + ": VARS: must name theta_i, phi_i, theta_s, phi_s and a channel"};
-    return columns;
-}
-
-std::vector<double> numbers_in(std::string_view line, std::size_t count, const std::string& place) {
-    std::vector<double> numbers;
-    for (const std::string_view piece : spectral::split(line, ','))
-        numbers.push_back(spectral::located(place, [piece] { return spectral::number_in(piece); }));
-    if (numbers.size() != count) {
-        throw Error{place + ": " + std::to_string(numbers.size()) + " numbers: must be " +
-                    std::to_string(count) + " as in VARS"};
-    }
-    return numbers;
-}
-
 double checked_degrees(double radians, double most, const std::string& place) {
     const double degrees = radians * 180 / std::numbers::pi;
     if (std::abs(degrees - 90) < 1e-4) return std::min(degrees, most);  // pi/2 in few digits
@@ -234,39 +194,19 @@ ScatterPoints points_of_csv(std::string_view text, const std::string& name,
 
 ScatterPoints points_of_astm(std::string_view text, const std::string& name,
                              const std::optional<WavelengthGrid>& wavelengths) {
-    std::optional<AstmColumns> columns;
-    std::optional<ChannelColumns> channels;
-    std::optional<double> announced;
-    ScatterPoints points{rgb_wavelengths(), {}, {}};
-    std::size_t number = 0;
-    for (const std::string_view whole : spectral::split(text, '\n')) {
-        const std::string place = name + ":" + std::to_string(++number);
-        const std::string_view line = spectral::trimmed(whole);
-        if (line.empty()) continue;
-        if (!columns) {
-            const auto end = std::min(line.find_first_of(" \t"), line.size());
-            const std::string_view key = line.substr(0, end), value = line.substr(end);
-            if (key == "NUM_POINTS")
-                announced = spectral::located(place, [value] { return spectral::number_in(value); });
-            if (key != "VARS") continue;
-            columns = astm_columns(value, place);
-            channels = channels_named(name, columns->names, wavelengths);
-            points.wavelengths = channels->wavelengths;
-            continue;
-        }
-        const std::vector<double> row = numbers_in(line, columns->count, place);
-        points.angles.push_back({checked_degrees(row[*columns->theta_i], 90, place),
-                                 columns->phi_i ? checked_degrees(row[*columns->phi_i], 1e6, place) : 0,
-                                 checked_degrees(row[*columns->theta_s], 90, place),
-                                 checked_degrees(row[*columns->phi_s], 1e6, place)});
+    const AstmFile file = astm_file(text, name);
+    const ChannelColumns channels = channels_named(name, file.channel_names, wavelengths);
+    ScatterPoints points{channels.wavelengths, {}, {}};
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        const auto row = file.row(i);
+        const std::string place = name + ":" + std::to_string(file.lines[i]);
+        points.angles.push_back({checked_degrees(row[file.theta_i], 90, place),
+                                 file.phi_i ? checked_degrees(row[*file.phi_i], 1e6, place) : 0,
+                                 checked_degrees(row[file.theta_s], 90, place),
+                                 checked_degrees(row[file.phi_s], 1e6, place)});
         std::vector<double> values;
-        for (const std::size_t channel : columns->channels) values.push_back(row[channel]);
-        append_values(points.values, values, *channels);
-    }
-    if (!columns) throw Error{name + ": no line VARS, which names the columns"};
-    if (announced && *announced != static_cast<double>(points.angles.size())) {
-        throw Error{name + ": " + std::to_string(points.angles.size()) + " points: NUM_POINTS says " +
-                    shortest(*announced)};
+        for (const std::size_t channel : file.channels) values.push_back(row[channel]);
+        append_values(points.values, values, channels);
     }
     return points;
 }

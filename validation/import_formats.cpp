@@ -8,6 +8,7 @@
 #include "hts/error.hpp"
 #include "spectral/csv.hpp"
 #include "spectral/text.hpp"
+#include "tables/astm.hpp"
 
 namespace hts::validation {
 namespace {
@@ -114,45 +115,6 @@ class CsvDirections {
 
 // ---- ASTM
 
-/// "VARS theta_i,phi_i,theta_s,phi_s,450nm,550nm" and what stands above it.
-struct AstmHeader {
-    std::size_t first_row = 0;  // in the list of lines
-    std::vector<std::string> channels{};
-    std::size_t stated_points = 0;
-};
-
-/// The number after NUM_POINTS.
-std::size_t stated_points(const Line& line, const std::string& place) {
-    const double count = spectral::located(place, [&] { return spectral::number_in(line.words[1]); });
-    if (count >= 1 && count <= 1e8 && count == std::floor(count)) return static_cast<std::size_t>(count);
-    throw Error{place + ": NUM_POINTS " + std::string{line.words[1]} + ": must be a whole number from 1"};
-}
-
-/// The channels after the four angles.
-std::vector<std::string> channels_in(const Line& line, const std::string& place) {
-    const std::vector<std::string_view> first{"theta_i", "phi_i", "theta_s", "phi_s"};
-    const auto names = spectral::split(line.words[1], ',');
-    if (line.words.size() != 2 || names.size() <= first.size() ||
-        !std::equal(first.begin(), first.end(), names.begin()))
-        throw Error{place + ": VARS: must be theta_i,phi_i,theta_s,phi_s and channels, without blanks"};
-    return {names.begin() + 4, names.end()};
-}
-
-AstmHeader astm_header(const std::vector<Line>& lines, const fs::path& path) {
-    AstmHeader header;
-    for (std::size_t i = 0; i < lines.size() && header.first_row == 0; ++i) {
-        const Line& line = lines[i];
-        if (line.words.size() < 2) continue;
-        const std::string place = where(path, line.number);
-        if (line.words[0] == "NUM_POINTS") header.stated_points = stated_points(line, place);
-        if (line.words[0] != "VARS") continue;
-        header.first_row = i + 1;
-        header.channels = channels_in(line, place);
-    }
-    if (header.first_row == 0) throw Error{path.string() + ": no line VARS: must name the columns"};
-    return header;
-}
-
 /// Wavelength of a channel: that of the recipe, or in the name, "450nm".
 Band channel_band(const std::string& channel, const std::optional<Band>& of_recipe, const fs::path& path) {
     if (of_recipe) return *of_recipe;
@@ -172,28 +134,31 @@ struct AstmChannel {
     Band band;
 };
 
-std::vector<AstmChannel> astm_channels(const AstmHeader& header, const ImportRecipe& recipe,
+std::vector<AstmChannel> astm_channels(const tables::AstmFile& file, const ImportRecipe& recipe,
                                        const fs::path& path) {
     std::vector<AstmChannel> result;
     std::vector<ValueColumn> wanted = recipe.values;
+    const auto& names = file.channel_names;
     if (wanted.empty())
-        for (const std::string& channel : header.channels) wanted.push_back({channel});
+        for (const std::string& channel : names) wanted.push_back({channel});
     for (const ValueColumn& value : wanted) {
-        const auto found = std::find(header.channels.begin(), header.channels.end(), value.column);
-        if (found == header.channels.end())
+        const auto found = std::find(names.begin(), names.end(), value.column);
+        if (found == names.end())
             throw Error{path.string() + ": no channel " + spectral::in_quotes(value.column) +
-                        ": must be one of " + spectral::joined(header.channels)};
-        result.push_back({static_cast<std::size_t>(found - header.channels.begin()),
+                        ": must be one of " + spectral::joined(names)};
+        result.push_back({file.channels[static_cast<std::size_t>(found - names.begin())],
                           channel_band(*found, value.band, path)});
     }
     return result;
 }
 
-std::vector<double> numbers_in(const Line& line, char separator, const fs::path& path) {
+// ---- FRED
+
+std::vector<double> numbers_in(const Line& line, const fs::path& path) {
     std::vector<double> result;
     spectral::located(where(path, line.number), [&] {
         for (const std::string_view word : line.words)
-            for (const std::string_view piece : spectral::split(word, separator))
+            for (const std::string_view piece : spectral::split(word, ','))
                 if (!piece.empty()) result.push_back(spectral::number_in(piece));
     });
     return result;
@@ -233,7 +198,7 @@ std::vector<ImportedPoint> read_fred_points(const fs::path& path, const ImportRe
     std::vector<ImportedPoint> points;
     std::optional<std::array<double, 2>> light;
     for (std::size_t i = head.size(); i < lines.size(); ++i) {
-        const auto numbers = numbers_in(lines[i], ',', path);
+        const auto numbers = numbers_in(lines[i], path);
         if (numbers.size() == 2) light = {numbers[0], numbers[1]};
         if (numbers.size() == 2) continue;
         if (numbers.size() != 3)
@@ -250,26 +215,16 @@ std::vector<ImportedPoint> read_fred_points(const fs::path& path, const ImportRe
 }
 
 std::vector<ImportedPoint> read_astm_points(const fs::path& path, const ImportRecipe& recipe) {
-    const std::string text = spectral::read_text_file(path);
-    const auto lines = lines_of(text);
-    const AstmHeader header = astm_header(lines, path);
-    const auto channels = astm_channels(header, recipe, path);
-    const std::size_t rows = lines.size() - header.first_row;
-    if (header.stated_points != 0 && header.stated_points != rows)
-        throw Error{path.string() + ": " + std::to_string(rows) + " points: must be " +
-                    std::to_string(header.stated_points) + ", as NUM_POINTS says"};
+    const tables::AstmFile file = tables::astm_file(spectral::read_text_file(path), path.string());
     constexpr double degrees = 180 / std::numbers::pi;
     std::vector<ImportedPoint> points;
-    for (const AstmChannel& channel : channels) {
-        for (std::size_t i = header.first_row; i < lines.size(); ++i) {
-            const auto n = numbers_in(lines[i], ',', path);
-            if (n.size() != header.channels.size() + 4)
-                throw wrong_count(path, lines[i].number, n.size(),
-                                  std::to_string(header.channels.size() + 4));
-            const CurvePoint point =
-                full_point(recipe, {degrees * n[0], degrees * n[1], degrees * n[2], degrees * n[3]},
-                           n[4 + channel.column]);
-            points.push_back({channel.band, flattened(point, recipe.sweep), lines[i].number});
+    for (const AstmChannel& channel : astm_channels(file, recipe, path)) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const auto n = file.row(i);
+            const std::array angles{degrees * n[file.theta_i], file.phi_i ? degrees * n[*file.phi_i] : 0,
+                                    degrees * n[file.theta_s], degrees * n[file.phi_s]};
+            const CurvePoint point = full_point(recipe, angles, n[channel.column]);
+            points.push_back({channel.band, flattened(point, recipe.sweep), file.lines[i]});
         }
     }
     return points;

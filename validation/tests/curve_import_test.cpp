@@ -202,12 +202,11 @@ TEST_CASE("an ASTM file is imported exactly, a curve per channel") {
 }
 
 TEST_CASE("bad ASTM files are refused") {
-    refuses(astm_recipe, "a.astm", with(astm, "NUM_POINTS 3", "NUM_POINTS 4"),
-            "3 points: must be 4, as NUM_POINTS says");
+    refuses(astm_recipe, "a.astm", with(astm, "NUM_POINTS 3", "NUM_POINTS 4"), "3 points: NUM_POINTS says 4");
     refuses(astm_recipe, "a.astm", with(astm, "NUM_POINTS 3", "NUM_POINTS -3"),
             ":2: NUM_POINTS -3: must be a whole number from 1");
-    refuses(astm_recipe, "a.astm", with(astm, "theta_s,phi_s", "phi_s,theta_s"),
-            ":3: VARS: must be theta_i,phi_i,theta_s,phi_s");
+    refuses(astm_recipe, "a.astm", with(astm, "theta_s,phi_s", "theta_s,phi"),
+            ":3: VARS: must name theta_i, phi_i, theta_s, phi_s and a channel");
     refuses(astm_recipe, "a.astm", with(astm, "VARS", "COLUMNS"), "no line VARS");
     refuses(astm_recipe, "a.astm", with(astm, "450nm", "blue"), "channel \"blue\" names no wavelength");
     refuses(astm_recipe, "a.astm", with(astm, "0.5,0,0.75,0,3,4", "0.5,0,0.75,0,3"),
