@@ -11,9 +11,10 @@
 namespace hts::bench {
 namespace {
 
-std::string printed(double value, std::chars_format format, int digits) {
+std::string whole(double value) {
     std::array<char, 400> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits).ptr;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 0).ptr;
     return {text.data(), end};
 }
 
@@ -45,7 +46,7 @@ void StabilityRow::compare(const Contestant& method, double computed, double exp
     if (outcome.verdict == Verdict::ok && effort.amount > effort.limit) {
         outcome = {Verdict::too_slow, effort.amount, "too slow"};
     }
-    if (effort.amount > 0) outcome.detail += ", " + printed(effort.amount, std::chars_format::fixed, 0);
+    if (effort.amount > 0) outcome.detail += ", " + whole(effort.amount);
     if (!effort.unit.empty()) outcome.detail += (effort.amount > 0 ? " " : ", ") + effort.unit;
     judge(method, outcome, where);
 }
@@ -76,10 +77,6 @@ std::vector<StabilityResult> StabilityRow::results() const {
     std::vector<StabilityResult> sorted = results_;
     std::stable_partition(sorted.begin(), sorted.end(), [](const auto& result) { return result.engine; });
     return sorted;
-}
-
-std::string brief(double value, int digits) {
-    return printed(value, std::chars_format::general, digits);
 }
 
 std::string place(const std::vector<Named>& inputs) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/stability.hpp"
+#include "spectral/text.hpp"
 
 namespace hts::bench {
 
@@ -57,7 +58,9 @@ class StabilityRow {
 };
 
 /// "3.2e-05", two digits or as many as asked for.
-[[nodiscard]] std::string brief(double value, int digits = 2);
+[[nodiscard]] inline std::string brief(double value, int digits = 2) {
+    return spectral::brief(value, digits);
+}
 
 /// "sigma0/tau = 0.1, theta = 89 deg" from {{"sigma0/tau", 0.1}, …}.
 struct Named {
