@@ -1,5 +1,6 @@
 #include "validation/comparison.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -120,6 +121,25 @@ TEST_CASE("criteria pass for the data themselves and fail for a model that is of
         CHECK_FALSE(bad.front().passed);
     }
     CHECK(criteria(small_set(), comparison(small_set(), {1, 2, 3})).empty());
+}
+
+TEST_CASE("a maximum in the wrong place fails its criterion alone") {
+    const CurveSet set = built_in_curves("mwir-aluminium-sandblasted");
+    std::vector<double> model;
+    for (const Curve& curve : set.curves) {
+        const std::size_t first = model.size();
+        double largest = 0;
+        for (const CurvePoint& p : curve.points) {
+            model.push_back(p.value);
+            largest = std::max(largest, p.value);
+        }
+        model[first] = 1.1 * largest;  // far on the side of the light
+    }
+    const auto found = criteria(set, comparison(set, model));
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].passed);
+    CHECK(mentions(found[1].claim, "maxima"));
+    CHECK_FALSE(found[1].passed);
 }
 
 TEST_CASE("the measured maxima of sandblasted aluminium are where they were reported") {
