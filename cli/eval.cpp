@@ -19,10 +19,10 @@ namespace {
 constexpr auto help = R"(
 Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
-albedo, which go before the material's (model he alone). Without wavelength_um every row is evaluated at
---wavelength or --wavelengths. Other columns are repeated and not used. The answer
-repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr] and
-specular_reflectance [1]. All directions point away from the surface; the mirror
+albedo, which go before the material's (model he alone). Without wavelength_um every row
+is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
+The answer repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr]
+and specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of
 polarisation are those of model he; others have neither.
 With --transmission the view is behind the surface, theta_r counts from the inward normal,

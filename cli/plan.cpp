@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/plan_cost.hpp"
 #include "cli/plan_tables.hpp"
@@ -261,12 +262,13 @@ void add_plan(CLI::App& program) {
         program.add_subcommand("plan", "the cheapest evaluators that a scene's tolerance allows");
     auto options = std::make_shared<PlanOptions>();
     verb->add_option("scene", options->scene, "scene file (JSON)");
-    verb->add_option("--output,-o", options->output, "plan file to write (JSON)");
+    verb->add_option("--output,-o", options->output, "plan file to write (JSON)")->check(path_to_write());
     verb->add_option("--tolerance", options->tolerance, "instead of the scene's, in its measure");
     verb->add_option("--check", options->check, "plan file to measure again");
     verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
-        ->check(CLI::Range(0., 0x1p53));
-    verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192");
+        ->check(whole_number(0, std::uint64_t{1} << 53));
+    verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192")
+        ->check(whole_number(1, 100'000'000));
     verb->add_flag("--tables", options->tables,
                    "try a lookup table for each material, some seconds to minutes; those that are\n"
                    "quicker and within the tolerance, as measured, are written beside the plan");

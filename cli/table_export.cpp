@@ -30,10 +30,11 @@ std::string help() {
     std::string text = "\nFormats:\n";
     for (const TableFormat& format : table_formats()) text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
-The source is a material file or a table (.htst), which has its own wavelengths. The file holds the diffuse terms; the specular delta is left
-out and its reflectance written beside the file, as FILE.json, together with what the numbers
-mean. --specular box spreads it over --solid-angle instead. Then the file is read back and
-compared with the model at random pairs of directions: the report goes to standard output.
+The source is a material file or a table (.htst), which has its own wavelengths. The file
+holds the diffuse terms; the specular delta is left out and its reflectance written beside
+the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
+--solid-angle instead. Then the file is read back and compared with the model at random
+pairs of directions: the report goes to standard output.
 
 Examples:
   hts table export aluminium.json --format rgl --output aluminium.bsdf

@@ -30,8 +30,8 @@ std::string help() {
         text.append("  ").append(format.name).append(": ").append(format.what).append("\n");
     return text + R"(
 Says what the file holds and how much of the light from 0, 30 and 60 degrees it reflects at
-each wavelength [um]. --output writes a material file with the model "measured", which eval, polar,
-sample and the others take.
+each wavelength [um]. --output writes a material file with the model "measured", which
+eval, polar, sample and the others take.
 
 Examples:
   hts table import nickel.binary --output nickel.json

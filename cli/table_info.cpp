@@ -74,6 +74,7 @@ void add_table_info(CLI::App& table) {
     auto options = std::make_shared<InfoOptions>();
     verb->add_option("table", options->table, "file to read")->required();
     options->output.add_to(*verb);
+    verb->get_option("--json")->description("write JSON instead of text");
     verb->footer("\nExample:\n  hts table info m.htst");
     verb->callback([options] { run(*options); });
 }
