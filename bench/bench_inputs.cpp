@@ -83,25 +83,4 @@ OpticalConstants bench_constants(int wavelengths) {
     return constants;
 }
 
-WalterSpectrum::WalterSpectrum(const FacetDistribution& facets, int wavelengths)
-    : facets_{facets}, first_{facets, {1, 0}} {
-    const auto [n, k] = bench_constants(wavelengths);
-    for (std::size_t i = 0; i < n.size(); ++i) indices_.push_back({n[i], k[i]});
-    first_ = {facets, indices_.front()};
-}
-
-void WalterSpectrum::brdf(const spectral::DirectionPair& directions,
-                          std::span<double> result) const noexcept {
-    const FacetLobe lobe = facet_lobe(facets_, directions.in, directions.out);
-    for (std::size_t i = 0; i < indices_.size(); ++i) {
-        result[i] = lobe.value * facet_reflectance(lobe.cos_in, indices_[i]);
-    }
-}
-
-WalterSpectrum bench_walter(FacetShape shape, int wavelengths) {
-    const double alpha = bench_reflector().surface.slope_width();
-    return {shape == FacetShape::ggx ? FacetDistribution::ggx(alpha) : FacetDistribution::beckmann(alpha),
-            wavelengths};
-}
-
 }  // namespace hts::bench

@@ -7,7 +7,6 @@
 
 #include "bench/accuracy_sweep.hpp"
 #include "bench/ggx.hpp"
-#include "hts/microfacet/walter.hpp"
 #include "spectral/reflectance.hpp"
 
 namespace hts::bench {
@@ -55,25 +54,5 @@ template <class Conductor = RoughConductor>
     const auto [n, k] = bench_constants(wavelengths);
     return {bench_reflector().surface.slope_width(), n, k};
 }
-
-/// Facets of Walter et al. 2007 of the same metal and width at those wavelengths: one lobe, a Fresnel reflectance each.
-class WalterSpectrum {
-  public:
-    WalterSpectrum(const FacetDistribution& facets, int wavelengths);
-
-    [[nodiscard]] std::size_t size() const noexcept { return indices_.size(); }
-    /// BRDF of a pair [1/sr], into `result` of size() values.
-    void brdf(const spectral::DirectionPair& directions, std::span<double> result) const noexcept;
-    /// A direction with its density.
-    [[nodiscard]] DrawnDirection draw(const Direction& in, const Uniforms& u) const noexcept {
-        return first_.sample(in, u);
-    }
-
-  private:
-    FacetDistribution facets_;
-    std::vector<RefractiveIndex> indices_;
-    WalterBrdf first_;
-};
-[[nodiscard]] WalterSpectrum bench_walter(FacetShape shape, int wavelengths);
 
 }  // namespace hts::bench

@@ -18,14 +18,11 @@ void register_spectral();
 /// wavelengths, without weights, and the density of a given pair.
 void register_sampling();
 
-/// eval/<model>/4, sample/<model>/4 of the models of hts/microfacet/ at 4 wavelengths.
+/// eval/<model>/4, eval/<model>/31, sample/<model>/4 of the models of hts/microfacet/ at 4 and 31 wavelengths.
 void register_microfacet();
 
 /// lookup/he/n: one pair of directions at n wavelengths from a table of tolerance 1e-3, beside eval/he/n and eval_batch/he/n.
 void register_tables();
-
-/// eval/ashikhmin/4, sample/ashikhmin/4: microfacets with a coupled diffuse term, 4 wavelengths that differ in its albedo.
-void register_ashikhmin();
 
 /// Counters after the loop: items per second and time per item.
 inline void report_items(benchmark::State& state, std::size_t items_per_iteration) {

@@ -81,23 +81,11 @@ void register_sampling() {
         static const GgxSampler sampler = ggx_sampler();
         return sampler.draw(in, {u[1], u[2]});
     };
-    static const auto walter = [](const Direction& in, const Uniforms& u) {
-        static const WalterSpectrum sampler = bench_walter(FacetShape::beckmann, 1);
-        return sampler.draw(in, u);
-    };
-    static const auto walter_ggx = [](const Direction& in, const Uniforms& u) {
-        static const WalterSpectrum sampler = bench_walter(FacetShape::ggx, 1);
-        return sampler.draw(in, u);
-    };
     const auto add = [](const char* name, void (*run)(benchmark::State&)) {
         benchmark::RegisterBenchmark(name, run);
     };
     add("sample/he/4", [](benchmark::State& s) { sample(s, bench_he_torrance(4), he); });
     add("sample/ggx/4", [](benchmark::State& s) { sample(s, bench_conductor(4), ggx); });
-    add("sample/walter/4",
-        [](benchmark::State& s) { sample(s, bench_walter(FacetShape::beckmann, 4), walter); });
-    add("sample/walter_ggx/4",
-        [](benchmark::State& s) { sample(s, bench_walter(FacetShape::ggx, 4), walter_ggx); });
     add("draw/he", [](benchmark::State& s) { draw_only(s, he); });
     add("draw/ggx", [](benchmark::State& s) { draw_only(s, ggx); });
     add("pdf/he", [](benchmark::State& s) { pdf(s, he_sampler()); });

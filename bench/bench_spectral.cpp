@@ -81,10 +81,6 @@ void register_spectral() {
         add("specular/he", n, [](benchmark::State& s, int w) { specular(s, bench_he_torrance(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
     }
-    add("eval/walter", 4,
-        [](benchmark::State& s, int w) { evaluate(s, bench_walter(FacetShape::beckmann, w)); });
-    add("eval/walter_ggx", 4,
-        [](benchmark::State& s, int w) { evaluate(s, bench_walter(FacetShape::ggx, w)); });
     add("eval/he_first_order", 4,
         [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::first_order)); });
     add("eval/he_rough_limit", 4,

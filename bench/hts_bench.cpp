@@ -23,7 +23,6 @@ int main(int argc, char** argv) {
     hts::bench::register_microfacet();
     hts::bench::register_tables();
     hts::bench::register_sampling();
-    hts::bench::register_ashikhmin();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::AddCustomContext("hts", hts::bench::machine().text());

@@ -17,8 +17,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 struct MakeAshikhminShirley {
-    [[nodiscard]] AshikhminShirley operator()(double rd, double f0, double nx, double ny) const {
-        return {rd, {f0, nx, ny}};
+    [[nodiscard]] AshikhminShirley operator()(double rd, double ks, double f0, double nx, double ny) const {
+        return {rd, {f0, nx, ny}, ks};
     }
 };
 
@@ -42,23 +42,6 @@ FacetDistribution facets_from(const JsonValue& file) {
 
 }  // namespace
 
-/// Reflects as WalterBrdf does, and where its material is transparent lets the rest through.
-class RoughInterface : public WalterBrdf {
-  public:
-    RoughInterface(const FacetDistribution& facets, const RefractiveIndex& index, double exterior_index)
-        : WalterBrdf{facets, {index.n() / exterior_index, index.k() / exterior_index}} {
-        if (index.k() == 0) glass_.emplace(facets, exterior_index, index.n());
-    }
-    [[nodiscard]] bool transmits() const noexcept { return glass_.has_value(); }
-    [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept {
-        return glass_ ? glass_->bsdf({Side::front, in}, {Side::back, behind}) : 0;
-    }
-
-  private:
-    std::optional<WalterBsdf> glass_;
-};
-static_assert(TransmittingModel<RoughInterface>);
-
 AnyReflector read_walter(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "distribution", "alpha", "exponent", "index", "exterior_index"});
@@ -69,7 +52,7 @@ AnyReflector read_walter(const MaterialFile& file) {
                                   }};
     return AnyReflector{[=](const Wavelength& wavelength, OutsideRange policy) {
         return AnyModel{
-            RoughInterface{facets, material.index(wavelength, policy), exterior(wavelength, policy)}};
+            WalterInterface{facets, material.index(wavelength, policy), exterior(wavelength, policy)}};
     }};
 }
 
@@ -107,8 +90,9 @@ const std::vector<ModelEntry>& built_in_models() {
         model_of_lobes<BlinnPhongLobe>("blinn_phong", "Blinn 1977", {{"exponent", 1}}),
         model_of_lobes<LafortuneLobe>("lafortune", "Lafortune, Foo, Torrance, Greenberg 1997",
                                       {{"cx", -1}, {"cy", -1}, {"exponent", 1}}),
-        model_made_by<MakeAshikhminShirley, 4>("ashikhmin_shirley", "Ashikhmin, Shirley 2000",
-                                               {{{"rd", 0}, {"f0", 1}, {"nx", 1}, {"ny", 1}}}),
+        model_made_by<MakeAshikhminShirley, 5>(
+            "ashikhmin_shirley", "Ashikhmin, Shirley 2000",
+            {{{"rd", 0}, {"ks", 1, 1, 1.0}, {"f0", 1}, {"nx", 1}, {"ny", 1}}}),
     };
     return models;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct NumberKey {
     double
         legal;  ///< any value that is allowed: the other keys are checked beside it, so that a message names one key
     double unit = 1;  ///< of the file's number in the library's unit: pi/180 for degrees
+    std::optional<double>
+        otherwise{};  ///< the file's number where the key is left out; else it must be there
 };
 
 /// A value made from numbers of a file, whatever the wavelength: Make{}(double …) returns it or throws hts::Error.
@@ -43,12 +46,17 @@ class ValueOfNumbers {
         std::array<double, N> legal;
         for (std::size_t i = 0; i < N; ++i) legal[i] = keys[i].legal * keys[i].unit;
         for (std::size_t i = 0; i < N; ++i) {
-            numbers_.emplace_back(object[keys[i].name], [&](double value) {
+            const auto checked = [&](double value) {
                 auto tried = legal;
                 tried[i] = value * keys[i].unit;
                 static_cast<void>(made(tried));
                 return tried[i];
-            });
+            };
+            if (keys[i].otherwise) {
+                numbers_.emplace_back(object, keys[i].name, *keys[i].otherwise * keys[i].unit, checked);
+            } else {
+                numbers_.emplace_back(object[keys[i].name], checked);
+            }
         }
     }
 

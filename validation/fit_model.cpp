@@ -118,7 +118,7 @@ const std::vector<FitFamily>& fit_families() {
         {"ashikhmin_shirley",
          "ashikhmin_shirley",
          {},
-         {linear("rd", "rd", 1), f0, exponent("nx"), exponent("ny", "nx")}},
+         {linear("rd", "rd", 1), ks, f0, exponent("nx"), exponent("ny", "nx")}},
         {"lambert", "lambert", {}, {albedo}},
         {"oren_nayar", "oren_nayar", {}, {albedo, slope_angle}},
     };

@@ -11,6 +11,7 @@
 #include "hts/error.hpp"
 #include "hts/microfacet/hemisphere_table.hpp"
 #include "hts/microfacet/lobes.hpp"
+#include "hts/microfacet/walter.hpp"
 
 namespace hts {
 namespace {
@@ -64,7 +65,7 @@ FacetFresnel FacetFresnel::exact(const RefractiveIndex& index) {
 }
 
 double FacetFresnel::operator()(double cosine) const noexcept {
-    if (index_) return fresnel(cosine, *index_).unpolarised_reflectance();
+    if (index_) return facet_reflectance(cosine, *index_);
     return hts::schlick(f0_, cosine);
 }
 
@@ -106,7 +107,10 @@ struct AshikhminFacets::Data {
         return smooth_positive_part(dot(density.mean(), k), std::sqrt(x * x + y * y));
     }
 
-    [[nodiscard]] double area(Vector3 k) const noexcept { return area_over_guess(k) * area_guess(k); }
+    [[nodiscard]] double area(Vector3 k, const HemisphereTable::Position& at) const noexcept {
+        return area_over_guess(at) * area_guess(k);
+    }
+    [[nodiscard]] double area(Vector3 k) const noexcept { return area(k, area_over_guess.position(k)); }
 
     /// P_12/(cos cos <h.n>), by (13) or (14): what remains of (10), finite on the horizon.
     [[nodiscard]] double visible(Vector3 in, double g_in, Vector3 out, double g_out) const noexcept {
@@ -114,6 +118,16 @@ struct AshikhminFacets::Data {
         if (shadowing == FacetShadowing::uncorrelated) return apart;
         const double t = correlation(in, out);
         return (1 - t) * apart + t / std::fmax(std::fmax(out.z * g_in, in.z * g_out), 1e-290);
+    }
+
+    /// Of directions above the horizon at these positions.
+    [[nodiscard]] FacetPair pair(Vector3 in, const HemisphereTable::Position& at_in, Vector3 out,
+                                 const HemisphereTable::Position& at_out) const noexcept {
+        const Vector3 sum = in + out;
+        const double length = std::sqrt(dot(sum, sum));
+        const double p = density((1 / length) * sum);
+        const double lobe = p > 0 ? p / 4 * visible(in, area(in, at_in), out, area(out, at_out)) : 0;
+        return {std::min(length / 2, 1.0), lobe};
     }
 
     [[nodiscard]] Pair sums(const std::vector<WeightedNormal>& normals, Vector3 k, const FacetFresnel& first,
@@ -141,6 +155,16 @@ struct AshikhminFacets::Data {
         }
         return coarse;
     }
+};
+
+/// What tables say of a direction.
+struct AshikhminFacets::Seen {
+    HemisphereTable::Position at;
+    double zero, one;  // R(k) at f0 = 0 and 1
+
+    Seen(const Data& data, Vector3 k)
+        : at{data.area_over_guess.position(k)}, zero{data.reflectance[0](at)}, one{data.reflectance[1](at)} {}
+    [[nodiscard]] double reflectance(double f0) const noexcept { return zero + f0 * (one - zero); }
 };
 
 AshikhminFacets::AshikhminFacets(NormalDensity density, FacetShadowing shadowing)
@@ -180,12 +204,9 @@ double AshikhminFacets::visibility(const Direction& k) const noexcept {
 
 FacetPair AshikhminFacets::pair(const Direction& in, const Direction& out) const noexcept {
     if (!(in.cos_theta() > 0 && out.cos_theta() > 0)) return {0, 0};
-    const Vector3 k_in = in.vector(), k_out = out.vector(), sum = k_in + k_out;
-    const double length = std::sqrt(dot(sum, sum));
-    const double p = data_->density((1 / length) * sum);
-    const double cosine = std::fmin(length / 2, 1);
-    if (!(p > 0)) return {cosine, 0};
-    return {cosine, p / 4 * data_->visible(k_in, data_->area(k_in), k_out, data_->area(k_out))};
+    const Vector3 k_in = in.vector(), k_out = out.vector();
+    const HemisphereTable& table = data_->area_over_guess;
+    return data_->pair(k_in, table.position(k_in), k_out, table.position(k_out));
 }
 
 double AshikhminFacets::integrated_reflectance(const Direction& k, const FacetFresnel& fresnel) const {
@@ -193,7 +214,7 @@ double AshikhminFacets::integrated_reflectance(const Direction& k, const FacetFr
 }
 
 double AshikhminFacets::reflectance(const Direction& k, double f0) const noexcept {
-    return std::lerp(data_->reflectance[0](k.vector()), data_->reflectance[1](k.vector()), f0);
+    return Seen{*data_, k.vector()}.reflectance(f0);
 }
 
 // The model
@@ -208,7 +229,7 @@ AshikhminBrdf::AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, doubl
         exact_reflectance_ = std::make_shared<HemisphereTable>(facets_.data_->table_of_reflectance(
             [&](Vector3 k) { return facets_.data_->integrated(k, fresnel_, fresnel_)[0]; }));
     }
-    const double left = cosine_integral([&](Vector3 k) { return left_over(Direction::from_vector(k)); });
+    const double left = cosine_integral([&](Vector3 k) { return left_over({*facets_.data_, k}); });
     c_ = left > 0 ? 1 / left : 0;
 }
 
@@ -219,33 +240,37 @@ AshikhminBrdf AshikhminBrdf::metal(AshikhminFacets facets, double f0) {
     return {std::move(facets), FacetFresnel::schlick(f0), f0, f0};
 }
 
-double AshikhminBrdf::facets_reflectance(const Direction& k) const noexcept {
-    return exact_reflectance_ ? (*exact_reflectance_)(k.vector())
-                              : facets_.reflectance(k, fresnel_.at_normal());
+double AshikhminBrdf::facets_reflectance(const AshikhminFacets::Seen& k) const noexcept {
+    return exact_reflectance_ ? (*exact_reflectance_)(k.at) : k.reflectance(fresnel_.at_normal());
 }
 
-double AshikhminBrdf::left_over(const Direction& k) const noexcept {
-    return std::fmax(top_ - facets_reflectance(k), 0);
+double AshikhminBrdf::left_over(const AshikhminFacets::Seen& k) const noexcept {
+    return std::max(top_ - facets_reflectance(k), 0.0);
 }
 
-double AshikhminBrdf::brdf(const Direction& in, const Direction& out) const noexcept {
-    return brdf(facets_.pair(in, out), in, out);
-}
-
-double AshikhminBrdf::brdf(const FacetPair& pair, const Direction& in, const Direction& out) const noexcept {
-    if (!(in.cos_theta() > 0 && out.cos_theta() > 0)) return 0;
-    const double mirrored = fresnel_(pair.cos_theta_d) * pair.lobe;
-    return c_ == 0 ? mirrored : mirrored + c_ * diffuse_albedo_ * (left_over(in) * left_over(out));
+void AshikhminBrdf::brdf(std::span<const AshikhminBrdf> alike, const Direction& in, const Direction& out,
+                         std::span<double> result) noexcept {
+    if (!(in.cos_theta() > 0 && out.cos_theta() > 0)) return std::fill(result.begin(), result.end(), 0.0);
+    const AshikhminFacets::Data& data = *alike.front().facets_.data_;
+    const AshikhminFacets::Seen lit{data, in.vector()}, seen{data, out.vector()};
+    const FacetPair pair = data.pair(in.vector(), lit.at, out.vector(), seen.at);
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+        const AshikhminBrdf& one = alike[i];
+        result[i] = pair.lobe > 0 ? one.fresnel_(pair.cos_theta_d) * pair.lobe : 0;
+        if (one.c_ != 0)
+            result[i] += one.c_ * one.diffuse_albedo_ * (one.left_over(lit) * one.left_over(seen));
+    }
 }
 
 double AshikhminBrdf::albedo(const Direction& in) const noexcept {
-    const double diffuse = c_ == 0 ? 0 : diffuse_albedo_ * left_over(in);
-    return facets_reflectance(in) + diffuse;
+    const AshikhminFacets::Seen lit{*facets_.data_, in.vector()};
+    return facets_reflectance(lit) + (c_ == 0 ? 0 : diffuse_albedo_ * left_over(lit));
 }
 
 double AshikhminBrdf::facets_probability(const Direction& in) const noexcept {
     if (c_ == 0) return 1;
-    const double mirrored = facets_reflectance(in), diffuse = diffuse_albedo_ * left_over(in);
+    const AshikhminFacets::Seen lit{*facets_.data_, in.vector()};
+    const double mirrored = facets_reflectance(lit), diffuse = diffuse_albedo_ * left_over(lit);
     if (!(diffuse > 0)) return 1;
     return std::clamp(mirrored / (mirrored + diffuse), 0.1, 0.9);
 }

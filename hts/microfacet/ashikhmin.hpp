@@ -16,6 +16,7 @@
 
 #include "hts/fresnel.hpp"
 #include "hts/microfacet/normal_density.hpp"
+#include "hts/microfacet/spectrum.hpp"
 
 namespace hts {
 
@@ -91,6 +92,7 @@ class AshikhminFacets {
   private:
     friend class AshikhminBrdf;
     struct Data;
+    struct Seen;
     std::shared_ptr<const Data> data_;
 };
 
@@ -112,10 +114,14 @@ class AshikhminBrdf {
     [[nodiscard]] static AshikhminBrdf metal(AshikhminFacets facets, double f0);
 
     /// [1/sr], 0 on the horizon.
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
-    /// The same from a pair's geometry, common to all wavelengths.
-    [[nodiscard]] double brdf(const FacetPair& pair, const Direction& in,
-                              const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    static void brdf(std::span<const AshikhminBrdf> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool shares_geometry(const AshikhminBrdf& other) const noexcept {
+        return facets_.data_ == other.facets_.data_;
+    }
     /// Density in solid angle of `sample` [1/sr].
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
@@ -127,9 +133,10 @@ class AshikhminBrdf {
   private:
     AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, double diffuse_albedo, double top);
 
+    /// R(k).
+    [[nodiscard]] double facets_reflectance(const AshikhminFacets::Seen& k) const noexcept;
     /// (t - R(k))+.
-    [[nodiscard]] double left_over(const Direction& k) const noexcept;
-    [[nodiscard]] double facets_reflectance(const Direction& k) const noexcept;
+    [[nodiscard]] double left_over(const AshikhminFacets::Seen& k) const noexcept;
     [[nodiscard]] double facets_probability(const Direction& in) const noexcept;
 
     AshikhminFacets facets_;
@@ -157,6 +164,6 @@ class LambertianFacets {
     std::shared_ptr<const std::vector<double>> table_;
 };
 
-static_assert(ReflectanceModel<AshikhminBrdf> && ReflectanceModel<LambertianFacets>);
+static_assert(GeometrySharingModel<AshikhminBrdf> && ReflectanceModel<LambertianFacets>);
 
 }  // namespace hts

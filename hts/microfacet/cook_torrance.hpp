@@ -27,8 +27,11 @@ class CookTorranceLobe : public SlopeLobe {
     [[nodiscard]] double m() const noexcept { return slopes().mx(); }
 
     ///   error   accuracy::cook_torrance
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] double strength(const Direction& in) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).brdf(f0_);
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double strength(const Direction& in) const noexcept { return schlick_strength(f0_, in); }
 
   private:
     double f0_;

@@ -1,5 +1,6 @@
 #include "hts/microfacet/cosine_lobes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hts/error.hpp"
@@ -25,8 +26,8 @@ BlinnPhongLobe::BlinnPhongLobe(double exponent)
     : exponent_{checked_exponent("exponent", exponent)},
       peak_{(exponent + 2) * (exponent + 4) / (8 * pi * (std::exp2(-exponent / 2) + exponent))} {}
 
-double BlinnPhongLobe::brdf(const Direction& in, const Direction& out) const noexcept {
-    return peak_ * std::exp(exponent_ * log_cosine(half_direction(in, out)));
+LobeGeometry BlinnPhongLobe::geometry(const Direction& in, const Direction& out) const noexcept {
+    return {peak_ * std::exp(exponent_ * log_cosine(half_direction(in, out))), 0};
 }
 
 double BlinnPhongLobe::pdf(const Direction& in, const Direction& out) const noexcept {
@@ -55,10 +56,10 @@ double AshikhminShirleyLobe::density(const HalfDirection& half) const noexcept {
     return std::sqrt((nx_ + 1) * (ny_ + 1)) / (2 * pi) * std::exp(power);
 }
 
-double AshikhminShirleyLobe::brdf(const Direction& in, const Direction& out) const noexcept {
+LobeGeometry AshikhminShirleyLobe::geometry(const Direction& in, const Direction& out) const noexcept {
     const HalfDirection half = half_direction(in, out);
-    return schlick(f0_, half.cos_theta_d) * density(half) /
-           (4 * half.cos_theta_d * std::fmax(in.cos_theta(), out.cos_theta()));
+    const double higher = std::max(in.cos_theta(), out.cos_theta());
+    return LobeGeometry::of(density(half) / (4 * half.cos_theta_d * higher), half.cos_theta_d);
 }
 
 double AshikhminShirleyLobe::pdf(const Direction& in, const Direction& out) const noexcept {
@@ -91,10 +92,10 @@ Vector3 LafortuneLobe::axis(const Direction& in) const noexcept {
     return {cx_ * v.x, cy_ * v.y, v.z};
 }
 
-double LafortuneLobe::brdf(const Direction& in, const Direction& out) const noexcept {
+LobeGeometry LafortuneLobe::geometry(const Direction& in, const Direction& out) const noexcept {
     const double cosine = dot(axis(in), out.vector());
-    if (!(cosine > 0)) return 0;
-    return std::fmin((exponent_ + 2) / (2 * pi) * std::pow(cosine, exponent_), 1e300);
+    if (!(cosine > 0)) return {0, 0};
+    return {std::min((exponent_ + 2) / (2 * pi) * std::pow(cosine, exponent_), 1e300), 0};
 }
 
 double LafortuneLobe::pdf(const Direction& in, const Direction& out) const noexcept {
@@ -118,15 +119,21 @@ double LafortuneLobe::strength(const Direction& in) const noexcept {
     return in.cos_theta() > 0 ? 1 : 0;
 }
 
-AshikhminShirley::AshikhminShirley(double rd, const AshikhminShirleyLobe& lobe)
-    : parts_{checked_reflectance("diffuse reflectance rd", rd) * (1 - lobe.f0()), {{1, lobe}}} {}
+AshikhminShirley::AshikhminShirley(double rd, const AshikhminShirleyLobe& lobe, double ks)
+    : parts_{checked_reflectance("diffuse reflectance rd", rd) * (1 - lobe.f0()), {{ks, lobe}}} {}
 
-double AshikhminShirley::brdf(const Direction& in, const Direction& out) const noexcept {
-    if (!above_horizon(in, out)) return 0;
+void AshikhminShirley::brdf(std::span<const AshikhminShirley> alike, const Direction& in,
+                            const Direction& out, std::span<double> result) noexcept {
+    if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
     // 1 - (1 - c/2)^5, which Schlick's term is for f0 = 0
     const auto below = [](double cosine) { return 1 - schlick(0, cosine / 2); };
-    const double diffuse = 28 * parts_.kd() / (23 * pi) * below(in.cos_theta()) * below(out.cos_theta());
-    return diffuse + parts_.lobes().front().shape.brdf(in, out);
+    const double diffuse = 28 / (23 * pi) * below(in.cos_theta()) * below(out.cos_theta());
+    const LobeGeometry geometry = alike.front().parts_.lobes().front().shape.geometry(in, out);
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+        const auto& parts = alike[i].parts_;
+        const auto& [ks, lobe] = parts.lobes().front();
+        result[i] = parts.kd() * diffuse + ks * geometry.brdf(lobe.f0());
+    }
 }
 
 }  // namespace hts

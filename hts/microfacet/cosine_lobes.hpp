@@ -22,7 +22,14 @@ class BlinnPhongLobe {
     [[nodiscard]] double exponent() const noexcept { return exponent_; }
 
     ///   error   accuracy::cosine_lobes
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).mirrors;
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] bool same_facets(const BlinnPhongLobe& other) const noexcept {
+        return exponent_ == other.exponent_;
+    }
+    [[nodiscard]] double f0() const noexcept { return 1; }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
     [[nodiscard]] double strength(const Direction& in) const noexcept;
@@ -46,7 +53,13 @@ class AshikhminShirleyLobe {
     [[nodiscard]] double ny() const noexcept { return ny_; }
 
     ///   error   accuracy::cosine_lobes
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).brdf(f0_);
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] bool same_facets(const AshikhminShirleyLobe& other) const noexcept {
+        return nx_ == other.nx_ && ny_ == other.ny_;
+    }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
     [[nodiscard]] double strength(const Direction& in) const noexcept;
@@ -74,7 +87,14 @@ class LafortuneLobe {
     [[nodiscard]] double exponent() const noexcept { return exponent_; }
 
     ///   range   finite, at most 1e300      error   accuracy::cosine_lobes
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).mirrors;
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] bool same_facets(const LafortuneLobe& other) const noexcept {
+        return cx_ == other.cx_ && cy_ == other.cy_ && exponent_ == other.exponent_;
+    }
+    [[nodiscard]] double f0() const noexcept { return 1; }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] Vector3 draw(const Direction& in, double u1, double u2) const noexcept;
     [[nodiscard]] double strength(const Direction& in) const noexcept;
@@ -89,16 +109,24 @@ class LafortuneLobe {
 using BlinnPhong = DiffuseAndLobes<BlinnPhongLobe>;
 using Lafortune = DiffuseAndLobes<LafortuneLobe>;
 
-/// Ashikhmin and Shirley's model: their lobe and their own diffuse term,
+/// Ashikhmin and Shirley's model: ks times their lobe and their own diffuse term,
 ///   28 rd/(23 pi) (1 - f0) (1 - (1 - cos theta_i/2)^5) (1 - (1 - cos theta_r/2)^5),
-/// which leaves room for the lobe's Fresnel reflectance.
+/// which leaves room for the lobe's Fresnel reflectance. The paper has no ks, which is 1; fits to measurements
+/// take it for every lobe alike [Ngan, Durand, Matusik 2005; Kurt10 section 5.1].
 class AshikhminShirley {
   public:
-    ///   rd   diffuse reflectance, 0 ... 1, else hts::Error
-    AshikhminShirley(double rd, const AshikhminShirleyLobe& lobe);
+    ///   rd   diffuse reflectance, 0 ... 1      ks   specular reflectivity, 0 ... 1e6; else hts::Error
+    AshikhminShirley(double rd, const AshikhminShirleyLobe& lobe, double ks = 1);
 
     ///   error   accuracy::cosine_lobes
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    static void brdf(std::span<const AshikhminShirley> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool shares_geometry(const AshikhminShirley& other) const noexcept {
+        return parts_.shares_geometry(other.parts_);
+    }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         return parts_.pdf(in, out);
     }
@@ -109,5 +137,7 @@ class AshikhminShirley {
   private:
     DiffuseAndLobes<AshikhminShirleyLobe> parts_;  // with (1 - f0) rd for the diffuse albedo
 };
+
+static_assert(GeometrySharingModel<AshikhminShirley> && GeometrySharingModel<BlinnPhong>);
 
 }  // namespace hts

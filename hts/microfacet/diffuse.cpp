@@ -1,5 +1,6 @@
 #include "hts/microfacet/diffuse.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hts/error.hpp"
@@ -42,12 +43,15 @@ OrenNayar::OrenNayar(double albedo, double slope_angle)
       a_{1 - 0.5 * slope_angle * slope_angle / (slope_angle * slope_angle + 0.33)},
       b_{0.45 * slope_angle * slope_angle / (slope_angle * slope_angle + 0.09)} {}
 
-double OrenNayar::brdf(const Direction& in, const Direction& out) const noexcept {
-    if (!above_horizon(in, out)) return 0;
+void OrenNayar::brdf(std::span<const OrenNayar> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept {
+    if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
     const double cos_between = in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi();
     // sin of the larger angle, tan of the smaller
-    const double product = in.sin_theta() * out.sin_theta() / std::fmax(in.cos_theta(), out.cos_theta());
-    return albedo_ / pi * (a_ + b_ * std::fmax(0, cos_between) * product);
+    const double product = in.sin_theta() * out.sin_theta() / std::max(in.cos_theta(), out.cos_theta());
+    const OrenNayar& one = alike.front();
+    const double shape = (one.a_ + one.b_ * std::max(0.0, cos_between) * product) / pi;
+    for (std::size_t i = 0; i < alike.size(); ++i) result[i] = alike[i].albedo_ * shape;
 }
 
 double OrenNayar::pdf(const Direction& in, const Direction& out) const noexcept {

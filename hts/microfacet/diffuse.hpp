@@ -2,7 +2,7 @@
 /// (hts/lambert.hpp is something else: Lambert's W function.)
 #pragma once
 
-#include "hts/microfacet/model.hpp"
+#include "hts/microfacet/spectrum.hpp"
 
 namespace hts {
 
@@ -41,7 +41,14 @@ class OrenNayar {
     [[nodiscard]] double slope_angle() const noexcept { return slope_angle_; }
 
     ///   error   accuracy::oren_nayar
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    static void brdf(std::span<const OrenNayar> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool shares_geometry(const OrenNayar& other) const noexcept {
+        return slope_angle_ == other.slope_angle_;
+    }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept;
 

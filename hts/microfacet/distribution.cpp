@@ -35,6 +35,7 @@ double scaled_cotangent(const Direction& v, double alpha) {
 
 /// 1 + Lambda of Gaussian slopes, the reciprocal of (26).
 double gaussian_obstruction(double a) {
+    if (a > 6) return 1;  // to the last bit
     return (1 + std::erf(a) + std::exp(-a * a) * inv_sqrtpi / a) / 2;
 }
 

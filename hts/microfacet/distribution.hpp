@@ -60,6 +60,7 @@ class FacetDistribution {
     ///   alpha   width [1]   1e-6 ... 1e3, else hts::Error
     [[nodiscard]] static FacetDistribution ggx(double alpha);
 
+    [[nodiscard]] bool operator==(const FacetDistribution&) const noexcept = default;
     [[nodiscard]] FacetShape shape() const noexcept { return shape_; }
     /// The width; of Phong that of the Beckmann distribution like it, sqrt(2/(exponent + 2)).
     [[nodiscard]] double alpha() const noexcept { return alpha_; }

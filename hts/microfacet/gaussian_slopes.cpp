@@ -7,6 +7,9 @@
 namespace hts {
 namespace {
 
+// Where exp(-power) is 0.
+constexpr double beyond_range = 750;
+
 double checked_width(const char* quantity, double value) {
     if (!(value >= 1e-6 && value <= 1e3)) throw out_of_range(quantity, value, "", "from 1e-06 to 1000");
     return value;
@@ -20,7 +23,8 @@ GaussianSlopes::GaussianSlopes(double mx, double my)
 double GaussianSlopes::shape(const HalfDirection& half) const noexcept {
     const double x = half.slope_x / mx_;
     const double y = half.slope_y / my_;
-    return std::exp(-(x * x + y * y));
+    const double power = x * x + y * y;
+    return power < beyond_range ? std::exp(-power) : 0;
 }
 
 double GaussianSlopes::density(const HalfDirection& half) const noexcept {

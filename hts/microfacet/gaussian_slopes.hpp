@@ -13,6 +13,7 @@ class GaussianSlopes {
 
     [[nodiscard]] double mx() const noexcept { return mx_; }
     [[nodiscard]] double my() const noexcept { return my_; }
+    [[nodiscard]] bool operator==(const GaussianSlopes&) const noexcept = default;
 
     /// q = exp(-tan^2 theta_h (cos^2 phi_h/mx^2 + sin^2 phi_h/my^2)) [Kurt10 (4)].
     [[nodiscard]] double shape(const HalfDirection& half) const noexcept;
@@ -34,6 +35,7 @@ class SlopeLobe {
     SlopeLobe(double mx, double my) : slopes_{mx, my} {}
 
     [[nodiscard]] const GaussianSlopes& slopes() const noexcept { return slopes_; }
+    [[nodiscard]] bool same_facets(const SlopeLobe& other) const noexcept { return slopes_ == other.slopes_; }
     /// [Kurt10 (20)].
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     /// [Kurt10 (16)-(19)].

@@ -55,21 +55,25 @@ Vector3 HemisphereTable::node(std::size_t row, std::size_t column) const {
     return {sine * cos_phi, sine * sin_phi, 2 * up * scale};
 }
 
-double HemisphereTable::operator()(Vector3 k) const noexcept {
+HemisphereTable::Position HemisphereTable::position(Vector3 k) const noexcept {
     const double x = width_x_ * k.x, y = width_y_ * k.y;
     const double sine = std::sqrt(k.x * k.x + k.y * k.y), w = std::sqrt(x * x + y * y);  // w(phi) sin theta
-    if (!(w > 0)) return values_[rows_ - 1];
-    const double up = k.z * (sine + w) / (k.z * sine + w * (1 + sine)) * static_cast<double>(rows_ - 1);
+    if (!(w > 0)) return {1, 0};
+    return {k.z * (sine + w) / (k.z * sine + w * (1 + sine)), symmetry_.isotropic ? 0 : turn(x, y)};
+}
+
+double HemisphereTable::operator()(const Position& at) const noexcept {
+    const double up = at.up * static_cast<double>(rows_ - 1);
     const auto row = std::min(static_cast<std::size_t>(up), rows_ - 2);
-    const auto along_column = [&](std::size_t column) {
-        const double* const from = &values_[column * rows_ + row];
-        return from[0] + (up - static_cast<double>(row)) * (from[1] - from[0]);
-    };
-    if (columns_ == 1) return along_column(0);
-    const double around = turn(x, y) * static_cast<double>(columns_per_quarter_);
+    const double part = up - static_cast<double>(row);
+    const double* const from = &values_[row];
+    if (columns_ == 1) return from[0] + part * (from[1] - from[0]);
+    const double around = at.around * static_cast<double>(columns_per_quarter_);
     const auto column = std::min(static_cast<std::size_t>(around), columns_ - 2);
-    const double low = along_column(column);
-    return low + (around - static_cast<double>(column)) * (along_column(column + 1) - low);
+    const double* const low = from + column * rows_;
+    const double* const high = low + rows_;
+    const double first = low[0] + part * (low[1] - low[0]), second = high[0] + part * (high[1] - high[0]);
+    return first + (around - static_cast<double>(column)) * (second - first);
 }
 
 }  // namespace hts

@@ -16,18 +16,26 @@ namespace hts {
 
 class HemisphereTable {
   public:
+    /// Where a direction lies in all tables of a density.
+    struct Position {
+        double up;      ///< from the horizon, 0 ... 1
+        double around;  ///< in quarter turns from the first column
+    };
+
     /// The value of `function` at every node; the density says symmetry and widths.
     ///   rows   >= 2     columns_per_quarter   >= 1
     HemisphereTable(const NormalDensity& density, std::size_t rows, std::size_t columns_per_quarter,
                     const std::function<double(Vector3)>& function);
 
-    /// Interpolated.    k   unit vector, k.z >= 0
-    [[nodiscard]] double operator()(Vector3 k) const noexcept;
+    /// Of a direction.    k   unit vector, k.z >= 0
+    [[nodiscard]] Position position(Vector3 k) const noexcept;
+    /// Interpolated.    at   by this table or another of the same density
+    [[nodiscard]] double operator()(const Position& at) const noexcept;
 
     [[nodiscard]] std::size_t size() const noexcept { return values_.size(); }
 
   private:
-    /// In quarter turns from the first column; x and y stretched by the widths, not both 0.
+    /// Position::around; x and y stretched by the widths, not both 0.
     [[nodiscard]] double turn(double x, double y) const noexcept;
     [[nodiscard]] Vector3 node(std::size_t row, std::size_t column) const;
 

@@ -18,14 +18,11 @@ double checked_alpha(double alpha) {
 KurtLobe::KurtLobe(double f0, double mx, double my, double alpha)
     : SlopeLobe{mx, my}, f0_{checked_reflectance("reflectance f0", f0)}, alpha_{checked_alpha(alpha)} {}
 
-double KurtLobe::brdf(const Direction& in, const Direction& out) const noexcept {
+LobeGeometry KurtLobe::geometry(const Direction& in, const Direction& out) const noexcept {
     const HalfDirection half = half_direction(in, out);
-    const double cosines = std::pow(in.cos_theta() * out.cos_theta(), alpha_);
-    return schlick(f0_, half.cos_theta_d) * slopes().density(half) / (4 * half.cos_theta_d * cosines);
-}
-
-double KurtLobe::strength(const Direction& in) const noexcept {
-    return schlick_strength(f0_, in);
+    const double cosines = in.cos_theta() * out.cos_theta();
+    const double visible = alpha_ == 0 ? 1 : std::pow(cosines, alpha_);
+    return LobeGeometry::of(slopes().density(half) / (4 * half.cos_theta_d * visible), half.cos_theta_d);
 }
 
 Kurt::Kurt(double kd, std::vector<WeightedLobe<KurtLobe>> lobes) : parts_{kd, std::move(lobes)} {}
@@ -36,11 +33,15 @@ Kurt Kurt::coupled(double kd, WeightedLobe<KurtLobe> lobe) {
     return model;
 }
 
-double Kurt::brdf(const Direction& in, const Direction& out) const noexcept {
-    const double sum = parts_.brdf(in, out);
-    if (!coupled_ || sum == 0) return sum;
-    const double f0 = parts_.lobes().front().shape.f0();
-    return sum - parts_.kd() * schlick(f0, half_direction(in, out).cos_theta_d) / std::numbers::pi;
+void Kurt::brdf(std::span<const Kurt> alike, const Direction& in, const Direction& out,
+                std::span<double> result) noexcept {
+    DiffuseAndLobes<KurtLobe>::brdf(alike, &Kurt::parts_, in, out, result);
+    if (!alike.front().coupled_ || !above_horizon(in, out)) return;
+    const LobeGeometry mirror = LobeGeometry::of(std::numbers::inv_pi, half_direction(in, out).cos_theta_d);
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+        const auto& parts = alike[i].parts_;
+        result[i] -= parts.kd() * mirror.brdf(parts.lobes().front().shape.f0());
+    }
 }
 
 std::span<const KurtPreset> kurt_presets() {

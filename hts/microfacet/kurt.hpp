@@ -39,8 +39,14 @@ class KurtLobe : public SlopeLobe {
 
     /// F D/(4 cos theta_d (cos theta_i cos theta_r)^alpha) [1/sr].
     ///   error   accuracy::kurt
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] double strength(const Direction& in) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).brdf(f0_);
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] bool same_facets(const KurtLobe& other) const noexcept {
+        return alpha_ == other.alpha_ && SlopeLobe::same_facets(other);
+    }
+    [[nodiscard]] double strength(const Direction& in) const noexcept { return schlick_strength(f0_, in); }
 
   private:
     double f0_;
@@ -56,7 +62,14 @@ class Kurt {
     /// [Kurt10 (13)]: the diffuse term gets what the facets let through.
     [[nodiscard]] static Kurt coupled(double kd, WeightedLobe<KurtLobe> lobe);
 
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    static void brdf(std::span<const Kurt> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool shares_geometry(const Kurt& other) const noexcept {
+        return coupled_ == other.coupled_ && parts_.shares_geometry(other.parts_);
+    }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         return parts_.pdf(in, out);
     }
@@ -68,6 +81,8 @@ class Kurt {
     DiffuseAndLobes<KurtLobe> parts_;
     bool coupled_ = false;
 };
+
+static_assert(GeometrySharingModel<Kurt>);
 
 /// A material of the paper's Table 2, fitted to measurements of Matusik et al. with (11).
 struct KurtPreset {

@@ -37,11 +37,6 @@ Vector3 cosine_vector(double u1, double u2) noexcept {
     return cosine_power_vector(1 - u1, 1, std::cos(phi), std::sin(phi));
 }
 
-bool above_horizon(const Direction& in, const Direction& out) noexcept {
-    constexpr double on_horizon = 1e-30;
-    return in.cos_theta() > on_horizon && out.cos_theta() > on_horizon;
-}
-
 double checked_reflectance(const char* quantity, double value) {
     if (!(value >= 0 && value <= 1)) throw out_of_range(quantity, value, "", "from 0 to 1");
     return value;

@@ -5,12 +5,15 @@
 /// theta_d, cos theta_d = in.h = out.h. A density p(h) of normals is one of p/(4 cos theta_d) of outgoing directions.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <functional>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "hts/microfacet/model.hpp"
+#include "hts/microfacet/spectrum.hpp"
 
 namespace hts {
 
@@ -43,7 +46,10 @@ struct HalfDirection {
 [[nodiscard]] Vector3 cosine_vector(double u1, double u2) noexcept;
 
 /// Whether both are above the horizon; a cosine below 1e-30 counts as on it, so that no product of cosines underflows.
-[[nodiscard]] bool above_horizon(const Direction& in, const Direction& out) noexcept;
+[[nodiscard]] inline bool above_horizon(const Direction& in, const Direction& out) noexcept {
+    constexpr double on_horizon = 1e-30;
+    return in.cos_theta() > on_horizon && out.cos_theta() > on_horizon;
+}
 
 /// Checks of parameters; each returns its value or throws hts::Error naming the quantity.
 [[nodiscard]] double checked_reflectance(const char* quantity, double value);   ///< 0 ... 1
@@ -78,6 +84,32 @@ concept LobeShape = requires(const Shape& shape, const Direction& in, const Dire
     noexcept->std::same_as<double>;
 };
 
+/// What lobes that differ in their reflectance alone share.
+struct LobeGeometry {
+    double mirrors;    ///< BRDF of the lobe for facets that reflect all light [1/sr]
+    double incidence;  ///< (1 - cos theta_d)^5, which Schlick's reflectance takes
+
+    [[nodiscard]] static LobeGeometry of(double mirrors, double cos_theta_d) noexcept {
+        const double rest = 1 - cos_theta_d, square = rest * rest;
+        return {mirrors, square * square * rest};
+    }
+    /// The lobe's BRDF for Schlick's reflectance [1/sr].   f0   at normal incidence; 1 of lobes without
+    [[nodiscard]] double brdf(double f0) const noexcept { return (f0 + (1 - f0) * incidence) * mirrors; }
+};
+
+/// A lobe that is its geometry times Schlick's reflectance, so that many wavelengths cost little more than one.
+///   same_facets   whether the geometry of two lobes is the same
+template <class Shape>
+concept FacetLobeShape = LobeShape<Shape> &&
+    requires(const Shape& shape, const Direction& in, const Direction& out) {
+    { shape.geometry(in, out) }
+    noexcept->std::same_as<LobeGeometry>;
+    { shape.f0() }
+    noexcept->std::same_as<double>;
+    { shape.same_facets(shape) }
+    noexcept->std::same_as<bool>;
+};
+
 /// A lobe and its specular reflectivity.
 template <LobeShape Shape>
 struct WeightedLobe {
@@ -100,10 +132,39 @@ class DiffuseAndLobes {
     [[nodiscard]] const std::vector<WeightedLobe<Shape>>& lobes() const noexcept { return lobes_; }
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
-        if (!above_horizon(in, out)) return 0;
-        double sum = kd_ / pi;
-        for (const auto& lobe : lobes_) sum += lobe.ks * lobe.shape.brdf(in, out);
-        return sum;
+        return spectral_brdf(*this, in, out);
+    }
+
+    [[nodiscard]] bool shares_geometry(const DiffuseAndLobes& other) const noexcept requires
+        FacetLobeShape<Shape> {
+        return std::ranges::equal(lobes_, other.lobes_,
+                                  [](const auto& a, const auto& b) { return a.shape.same_facets(b.shape); });
+    }
+    static void brdf(std::span<const DiffuseAndLobes> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept {
+        brdf(alike, std::identity{}, in, out, result);
+    }
+    /// The same for models that hold such parts: parts(model) or model.*parts.
+    template <class Model, class Parts>
+    static void brdf(std::span<const Model> alike, Parts parts, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept {
+        if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
+        for (std::size_t i = 0; i < alike.size(); ++i) result[i] = std::invoke(parts, alike[i]).kd_ / pi;
+        const auto& lobes = std::invoke(parts, alike.front()).lobes_;
+        for (std::size_t l = 0; l < lobes.size(); ++l) {
+            const auto add = [&](const auto& value) {
+                for (std::size_t i = 0; i < alike.size(); ++i) {
+                    const WeightedLobe<Shape>& lobe = std::invoke(parts, alike[i]).lobes_[l];
+                    result[i] += lobe.ks * value(lobe.shape);
+                }
+            };
+            if constexpr (FacetLobeShape<Shape>) {
+                const LobeGeometry geometry = lobes[l].shape.geometry(in, out);
+                add([&](const Shape& shape) { return geometry.brdf(shape.f0()); });
+            } else {
+                add([&](const Shape& shape) { return shape.brdf(in, out); });
+            }
+        }
     }
 
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {

@@ -1,12 +1,16 @@
 #include "hts/microfacet/walter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "hts/error.hpp"
 
 namespace hts {
 namespace {
+
+constexpr double smallest = std::numeric_limits<double>::min();
 
 constexpr Facet no_facet{{0, 0, -1}, 0, 0, 0};
 
@@ -68,6 +72,45 @@ double transmittance(double cos_in, double cos_out, double eta_in, double eta_ou
     return 2 * eta_in * eta_out * cos_in * cos_out * (1 / (s * s) + 1 / (p * p));
 }
 
+/// (|F_s|^2 + |F_p|^2)/2 in real arithmetic. With N = n + ik, d = N^2 - 1, sqrt(N^2 - sin^2) = A + iB, M = A^2 + B^2:
+///   |F_s|^2 = |d|^2/(M + c^2 + 2Ac)^2,   |F_p|^2 = |F_s|^2 (M c^2 + s^4 - 2Ac s^2)/(M c^2 + s^4 + 2Ac s^2)
+/// Without branches, so that a loop over wavelengths runs in vectors.
+inline double reflectance(double c, double n, double k) {
+    const double c2 = c * c;
+    const double s2 = (1 - c) * (1 + c);
+    const double nk = n * k;
+    const double d_real = (n - 1) * (n + 1) - k * k;
+    const double real = d_real + c2;  // of N^2 - sin^2
+    const double modulus = std::sqrt(real * real + 4 * (nk * nk));
+    const double larger = std::sqrt((modulus + std::abs(real)) / 2);
+    const double smaller = nk / larger;  // of A and B, without cancellation
+    const double ac = c * (real >= 0 ? larger : smaller);
+    const double p = modulus * c2 + s2 * s2;
+    const double s_below = modulus + c2 + 2 * ac;
+    const double below = s_below * s_below * (p + 2 * ac * s2);
+    const double kept = (d_real * d_real + 4 * (nk * nk)) * p / std::max(below, smallest);
+    return std::min(kept, 1.0);
+}
+
+/// (20) of models with one lobe.
+template <class Model>
+void lobe_spectrum(std::span<const Model> alike, const Direction& in, const Direction& out,
+                   std::span<double> result) {
+    const FacetLobe lobe = alike.front().lobe(in, out);
+    if (!(lobe.value > 0)) return std::fill(result.begin(), result.end(), 0.0);
+    constexpr std::size_t block = 4;
+    for (std::size_t first = 0; first < alike.size(); first += block) {
+        std::array<double, block> n{}, k{}, kept{};
+        const std::size_t count = std::min(block, alike.size() - first);
+        for (std::size_t j = 0; j < count; ++j) {
+            n[j] = alike[first + j].index().n();
+            k[j] = alike[first + j].index().k();
+        }
+        for (std::size_t j = 0; j < block; ++j) kept[j] = reflectance(lobe.cos_in, n[j], k[j]);
+        for (std::size_t j = 0; j < count; ++j) result[first + j] = lobe.value * kept[j];
+    }
+}
+
 Side opposite(Side side) {
     return side == Side::front ? Side::back : Side::front;
 }
@@ -82,22 +125,7 @@ Facet mirror_facet(const Direction& in, const Direction& out) noexcept {
 }
 
 double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept {
-    const double n = index.n();
-    const double k = index.k();
-    const double c = cos_in;
-    const double real = (n - 1) * (n + 1) - k * k + c * c;  // of N^2 - sin^2 = (a + ib)^2
-    const double modulus = std::sqrt(real * real + 4 * n * n * k * k);
-    const double larger = std::sqrt((modulus + std::abs(real)) / 2);
-    if (larger == 0) return n == 1 ? 0 : 1;  // r = 0: no surface seen grazing, or the critical angle
-    const double smaller = n * k / larger;
-    const double a = real >= 0 ? larger : smaller;
-    const double b = real >= 0 ? smaller : larger;
-    const auto square = [](double x) { return x * x; };
-    const double s2 = (1 - c) * (1 + c);
-    const double s = (square(c - a) + b * b) / (square(c + a) + b * b);
-    const double p =
-        (square(a * c - s2) + square(b * c)) / (square(a * c + s2) + square(b * c));  // |F_p/F_s|^2
-    return s * (1 + p) / 2;
+    return reflectance(cos_in, index.n(), index.k());
 }
 
 FacetLobe facet_lobe(const FacetDistribution& facets, const Direction& in, const Direction& out) noexcept {
@@ -106,9 +134,9 @@ FacetLobe facet_lobe(const FacetDistribution& facets, const Direction& in, const
     return {facet.cos_in, lobe(facets, facet, in, out)};
 }
 
-double WalterBrdf::brdf(const Direction& in, const Direction& out) const noexcept {
-    const FacetLobe lobe = facet_lobe(facets_, in, out);
-    return lobe.value > 0 ? lobe.value * facet_reflectance(lobe.cos_in, index_) : 0;
+void WalterBrdf::brdf(std::span<const WalterBrdf> alike, const Direction& in, const Direction& out,
+                      std::span<double> result) noexcept {
+    lobe_spectrum(alike, in, out, result);
 }
 
 double WalterBrdf::pdf(const Direction& in, const Direction& out) const noexcept {
@@ -201,6 +229,17 @@ DrawnScattering WalterBsdf::sample(const SidedDirection& known, const Uniforms& 
     const double ratio = from == PathFrom::eye && !reflected ? here.eta_in / here.eta_out : 1;
     return {drawn, ratio * ratio * weight(facets_, facet, in, drawn.direction, normal_pdf),
             share(facet, here, reflected) * normal_pdf * facet.jacobian};
+}
+
+WalterInterface::WalterInterface(const FacetDistribution& facets, const RefractiveIndex& index,
+                                 double exterior_index)
+    : WalterBrdf{facets, {index.n() / exterior_index, index.k() / exterior_index}} {
+    if (index.k() == 0) glass_.emplace(facets, exterior_index, index.n());
+}
+
+void WalterInterface::brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,
+                           std::span<double> result) noexcept {
+    lobe_spectrum(alike, in, out, result);
 }
 
 WalterBsdf MeasuredGlass::bsdf(FacetShape shape) const {

@@ -17,10 +17,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <span>
 
 #include "hts/fresnel.hpp"
 #include "hts/microfacet/distribution.hpp"
-#include "hts/microfacet/model.hpp"
+#include "hts/microfacet/spectrum.hpp"
 
 namespace hts {
 
@@ -47,10 +49,7 @@ struct Facet {
 ///   error    accuracy::facet_reflectance, absolute, away from the critical angle
 [[nodiscard]] double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept;
 
-/// Reflection by one side of a rough surface. Its value at many wavelengths costs little more than at one:
-///
-///     const hts::FacetLobe lobe = facet_lobe(facets, in, out);
-///     for (...) brdf[i] = facet_reflectance(lobe.cos_in, index[i]) * lobe.value;
+/// Reflection by one side of a rough surface, times facet_reflectance(cos_in, index) at each wavelength.
 struct FacetLobe {
     double cos_in;  ///< cosine of incidence on the facet
     double value;   ///< G D / (4 (i.n)(o.n)), the BRDF for F = 1 [1/sr]; 0 on the horizon
@@ -71,12 +70,25 @@ class WalterBrdf {
         : facets_{facets}, index_{index}, normals_{normals} {}
 
     /// f_r [1/sr]; reciprocal.    error   accuracy::microfacet
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    static void brdf(std::span<const WalterBrdf> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool shares_geometry(const WalterBrdf& other) const noexcept {
+        return facets_ == other.facets_;
+    }
     /// Density of `sample` [1/sr], normal_pdf times the Jacobian (38).
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     /// Mirrors `in` at a normal drawn with uniforms 0 and 1 (39). Weight F G |i.m| D/((i.n) p_m), which is (41) times F for
     /// NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction falls below the horizon.
     [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
+
+    [[nodiscard]] const RefractiveIndex& index() const noexcept { return index_; }
+    /// Of the facets alone.
+    [[nodiscard]] FacetLobe lobe(const Direction& in, const Direction& out) const noexcept {
+        return facet_lobe(facets_, in, out);
+    }
 
   private:
     FacetDistribution facets_;
@@ -84,7 +96,7 @@ class WalterBrdf {
     NormalDraw normals_;
 };
 
-static_assert(ReflectanceModel<WalterBrdf>);
+static_assert(GeometrySharingModel<WalterBrdf>);
 
 /// The side of an interface that a direction points to; its front is where the outward normal +z points.
 enum class Side { front, back };
@@ -167,6 +179,27 @@ class WalterBsdf {
     Media front_, back_;
     NormalDraw normals_;
 };
+
+/// Reflects as WalterBrdf does, and where the material is transparent lets the rest through: a TransmittingModel.
+class WalterInterface : public WalterBrdf {
+  public:
+    ///   index            of the material, transparent if k = 0: then as WalterBsdf wants it
+    ///   exterior_index   of the transparent medium in front
+    WalterInterface(const FacetDistribution& facets, const RefractiveIndex& index, double exterior_index);
+
+    using WalterBrdf::brdf;
+    static void brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept;
+    [[nodiscard]] bool transmits() const noexcept { return glass_.has_value(); }
+    [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept {
+        return glass_ ? glass_->bsdf({Side::front, in}, {Side::back, behind}) : 0;
+    }
+
+  private:
+    std::optional<WalterBsdf> glass_;
+};
+
+static_assert(GeometrySharingModel<WalterInterface> && TransmittingModel<WalterInterface>);
 
 /// A glass that the paper measured: widths fitted at normal incidence with index 1.51, and the scale from the fitted
 /// model to its relative measurements (its Fig. 12).

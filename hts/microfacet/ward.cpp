@@ -13,12 +13,12 @@ double height(const GaussianSlopes& slopes, const Direction& in, const Direction
 
 }  // namespace
 
-double WardLobe::brdf(const Direction& in, const Direction& out) const noexcept {
-    return height(slopes(), in, out) / std::sqrt(in.cos_theta() * out.cos_theta());
+LobeGeometry WardLobe::geometry(const Direction& in, const Direction& out) const noexcept {
+    return {height(slopes(), in, out) / std::sqrt(in.cos_theta() * out.cos_theta()), 0};
 }
 
-double WardDuerLobe::brdf(const Direction& in, const Direction& out) const noexcept {
-    return height(slopes(), in, out) / (in.cos_theta() * out.cos_theta());
+LobeGeometry WardDuerLobe::geometry(const Direction& in, const Direction& out) const noexcept {
+    return {height(slopes(), in, out) / (in.cos_theta() * out.cos_theta()), 0};
 }
 
 }  // namespace hts

@@ -24,7 +24,11 @@ class WardLobe : public SlopeLobe {
     using SlopeLobe::SlopeLobe;
 
     ///   error   accuracy::ward
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).mirrors;
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double f0() const noexcept { return 1; }
     [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
 };
 
@@ -34,7 +38,11 @@ class WardDuerLobe : public SlopeLobe {
     using SlopeLobe::SlopeLobe;
 
     ///   error   accuracy::ward
-    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return geometry(in, out).mirrors;
+    }
+    [[nodiscard]] LobeGeometry geometry(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] double f0() const noexcept { return 1; }
     [[nodiscard]] double strength(const Direction& /*in*/) const noexcept { return 1; }
 };
 
