@@ -33,10 +33,20 @@ class OneWavelength {
         if (index > 0 && high_ > low_) share_ = (wavelength_um - nodes[low_]) / (nodes[high_] - nodes[low_]);
     }
 
-    [[nodiscard]] double operator()(const Direction& in, const Direction& out) const noexcept {
-        std::array<double, most_channels> spectrum;
-        brdf_->brdf({in, out}, std::span{spectrum}.first(brdf_->wavelengths().size()));
+    using Spectrum = std::array<double, most_channels>;
+
+    [[nodiscard]] bool same_file(const OneWavelength& other) const noexcept { return brdf_ == other.brdf_; }
+    /// At the wavelengths of the file.
+    void spectrum(const Direction& in, const Direction& out, Spectrum& result) const noexcept {
+        brdf_->brdf({in, out}, std::span{result}.first(brdf_->wavelengths().size()));
+    }
+    [[nodiscard]] double operator()(const Spectrum& spectrum) const noexcept {
         return std::lerp(spectrum[low_], spectrum[high_], share_);
+    }
+    [[nodiscard]] double operator()(const Direction& in, const Direction& out) const noexcept {
+        Spectrum all;
+        spectrum(in, out, all);
+        return (*this)(all);
     }
 
   private:
@@ -132,7 +142,18 @@ class MeasuredModel {
     explicit MeasuredModel(OneWavelength brdf) : prepared_{std::make_shared<Prepared>(std::move(brdf))} {}
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
-        return above_horizon(in, out) ? prepared_->brdf(in, out) : 0;
+        return spectral_brdf(*this, in, out);
+    }
+    // Reads the file's spectrum once.
+    static void brdf(std::span<const MeasuredModel> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept {
+        if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
+        OneWavelength::Spectrum spectrum;
+        alike.front().prepared_->brdf.spectrum(in, out, spectrum);
+        for (std::size_t i = 0; i < alike.size(); ++i) result[i] = alike[i].prepared_->brdf(spectrum);
+    }
+    [[nodiscard]] bool shares_geometry(const MeasuredModel& other) const noexcept {
+        return prepared_->brdf.same_file(other.prepared_->brdf);
     }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         if (!above_horizon(in, out)) return 0;

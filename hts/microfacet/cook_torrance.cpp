@@ -11,8 +11,8 @@ LobeGeometry CookTorranceLobe::geometry(const Direction& in, const Direction& ou
     const HalfDirection half = half_direction(in, out);
     const double lower = std::min(in.cos_theta(), out.cos_theta());
     const double visible = std::min(1.0, 2 * half.normal.z * lower / half.cos_theta_d);
-    return LobeGeometry::of(slopes().density(half) * visible / (4 * in.cos_theta() * out.cos_theta()),
-                            half.cos_theta_d);
+    return {slopes().density(half) * visible / (4 * in.cos_theta() * out.cos_theta()),
+            schlick(0, half.cos_theta_d)};
 }
 
 }  // namespace hts

@@ -59,7 +59,7 @@ double AshikhminShirleyLobe::density(const HalfDirection& half) const noexcept {
 LobeGeometry AshikhminShirleyLobe::geometry(const Direction& in, const Direction& out) const noexcept {
     const HalfDirection half = half_direction(in, out);
     const double higher = std::max(in.cos_theta(), out.cos_theta());
-    return LobeGeometry::of(density(half) / (4 * half.cos_theta_d * higher), half.cos_theta_d);
+    return {density(half) / (4 * half.cos_theta_d * higher), schlick(0, half.cos_theta_d)};
 }
 
 double AshikhminShirleyLobe::pdf(const Direction& in, const Direction& out) const noexcept {

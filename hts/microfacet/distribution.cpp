@@ -35,7 +35,6 @@ double scaled_cotangent(const Direction& v, double alpha) {
 
 /// 1 + Lambda of Gaussian slopes, the reciprocal of (26).
 double gaussian_obstruction(double a) {
-    if (a > 6) return 1;  // to the last bit
     return (1 + std::erf(a) + std::exp(-a * a) * inv_sqrtpi / a) / 2;
 }
 
@@ -55,19 +54,27 @@ double rational_shadowing(double a) {
     return a < 1.6 ? a * (3.535 + 2.181 * a) / (1 + a * (2.276 + 2.577 * a)) : 1;
 }
 
-/// (34), multiplied out so that it holds at the horizon.
-double ggx_shadowing(const Direction& v, double alpha) {
-    return 2 * v.cos_theta() /
-           (v.cos_theta() + std::sqrt(square(v.cos_theta()) + square(alpha * v.sin_theta())));
+/// (26) over cos theta, multiplied out: finite at the horizon and along the normal.
+double beckmann_visibility(const Direction& v, double alpha) {
+    const double reach = alpha * v.sin_theta();
+    if (v.cos_theta() > 6 * reach) return 1 / v.cos_theta();  // to the last bit
+    const double a = v.cos_theta() / reach;
+    return 2 / (v.cos_theta() * (1 + std::erf(a)) + reach * std::exp(-a * a) * inv_sqrtpi);
+}
+
+/// (34) over cos theta, multiplied out alike.
+double ggx_visibility(const Direction& v, double alpha) {
+    return 2 / (v.cos_theta() + std::sqrt(square(v.cos_theta()) + square(alpha * v.sin_theta())));
 }
 
 // Where exp(-tan^2/alpha^2) is 0.
 constexpr double beyond_range = 750;
 
 double beckmann_density(double tan_squared, double alpha) {
-    const double exponent = tan_squared / square(alpha);
+    const double inverse = 1 / square(alpha);
+    const double exponent = tan_squared * inverse;
     if (exponent > beyond_range) return 0;
-    return std::exp(-exponent) * square(1 + tan_squared) * inv_pi / square(alpha);
+    return std::exp(-exponent) * square(1 + tan_squared) * (inv_pi * inverse);
 }
 
 double phong_density(double tan_squared, double exponent) {
@@ -156,8 +163,10 @@ FacetDistribution FacetDistribution::ggx(double alpha) {
 }
 
 double FacetDistribution::density(Vector3 normal) const noexcept {
-    if (!(normal.z > 0)) return 0;
-    const double tan_squared = square(normal.x / normal.z) + square(normal.y / normal.z);
+    constexpr double on_horizon = 1e-300;
+    if (!(normal.z > on_horizon)) return 0;
+    const double inverse = 1 / normal.z;
+    const double tan_squared = square(normal.x * inverse) + square(normal.y * inverse);
     switch (shape_) {
         case FacetShape::beckmann:
             return beckmann_density(tan_squared, alpha_);
@@ -168,11 +177,13 @@ double FacetDistribution::density(Vector3 normal) const noexcept {
     }
 }
 
-double FacetDistribution::shadowing(const Direction& v) const noexcept {
-    if (shape_ == FacetShape::ggx) return ggx_shadowing(v, alpha_);
-    if (form_ == SmithForm::rational) return rational_shadowing(scaled_cotangent(v, alpha_));
-    return 1 / (shape_ == FacetShape::phong ? phong_obstruction(v, exponent_)
-                                            : gaussian_obstruction(scaled_cotangent(v, alpha_)));
+double FacetDistribution::shadowing_over_cosine(const Direction& v) const noexcept {
+    if (shape_ == FacetShape::ggx) return ggx_visibility(v, alpha_);
+    if (form_ == SmithForm::rational) {
+        return rational_shadowing(scaled_cotangent(v, alpha_)) / v.cos_theta();
+    }
+    return shape_ == FacetShape::phong ? 1 / (phong_obstruction(v, exponent_) * v.cos_theta())
+                                       : beckmann_visibility(v, alpha_);
 }
 
 FacetDistribution FacetDistribution::widened_for(const Direction& v) const noexcept {

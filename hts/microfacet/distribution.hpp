@@ -72,7 +72,11 @@ class FacetDistribution {
     /// G_1(v), the part of the facets turned towards v that no other hides from it [1].
     ///   range   (0, 1], 1 along the normal, 0 at the horizon    error   accuracy::facet_shadowing,
     ///           phong_shadowing or rational_smith
-    [[nodiscard]] double shadowing(const Direction& v) const noexcept;
+    [[nodiscard]] double shadowing(const Direction& v) const noexcept {
+        return v.cos_theta() > 0 ? v.cos_theta() * shadowing_over_cosine(v) : 0;
+    }
+    /// G_1(v)/(v.n), as reflection has it [1].    v   above the horizon
+    [[nodiscard]] double shadowing_over_cosine(const Direction& v) const noexcept;
 
     /// A unit normal drawn for light from v.
     ///   u0, u1   independent, uniform in [0, 1)

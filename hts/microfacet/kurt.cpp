@@ -22,7 +22,7 @@ LobeGeometry KurtLobe::geometry(const Direction& in, const Direction& out) const
     const HalfDirection half = half_direction(in, out);
     const double cosines = in.cos_theta() * out.cos_theta();
     const double visible = alpha_ == 0 ? 1 : std::pow(cosines, alpha_);
-    return LobeGeometry::of(slopes().density(half) / (4 * half.cos_theta_d * visible), half.cos_theta_d);
+    return {slopes().density(half) / (4 * half.cos_theta_d * visible), schlick(0, half.cos_theta_d)};
 }
 
 Kurt::Kurt(double kd, std::vector<WeightedLobe<KurtLobe>> lobes) : parts_{kd, std::move(lobes)} {}
@@ -37,7 +37,7 @@ void Kurt::brdf(std::span<const Kurt> alike, const Direction& in, const Directio
                 std::span<double> result) noexcept {
     DiffuseAndLobes<KurtLobe>::brdf(alike, &Kurt::parts_, in, out, result);
     if (!alike.front().coupled_ || !above_horizon(in, out)) return;
-    const LobeGeometry mirror = LobeGeometry::of(std::numbers::inv_pi, half_direction(in, out).cos_theta_d);
+    const LobeGeometry mirror{std::numbers::inv_pi, schlick(0, half_direction(in, out).cos_theta_d)};
     for (std::size_t i = 0; i < alike.size(); ++i) {
         const auto& parts = alike[i].parts_;
         result[i] -= parts.kd() * mirror.brdf(parts.lobes().front().shape.f0());

@@ -1,5 +1,6 @@
 #include "hts/microfacet/lobes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hts/error.hpp"
@@ -9,21 +10,16 @@ namespace hts {
 HalfDirection half_direction(const Direction& in, const Direction& out) noexcept {
     const Vector3 sum = in.vector() + out.vector();
     const double length = std::sqrt(dot(sum, sum));
-    return {1 / length * sum, sum.x / sum.z, sum.y / sum.z, std::fmin(1, length / 2)};
+    const double flat = 1 / sum.z;
+    return {1 / length * sum, flat * sum.x, flat * sum.y, std::min(1.0, length / 2)};
 }
 
 Vector3 mirrored(const Direction& in, Vector3 normal) noexcept {
     return 2 * dot(in.vector(), normal) * normal - in.vector();
 }
 
-double schlick(double f0, double cosine) noexcept {
-    const double rest = 1 - cosine;
-    const double square = rest * rest;
-    return f0 + (1 - f0) * square * square * rest;
-}
-
 double schlick_strength(double f0, const Direction& in) noexcept {
-    return std::fmax(0.05, schlick(f0, in.cos_theta()));
+    return std::max(0.05, schlick(f0, in.cos_theta()));
 }
 
 Vector3 cosine_power_vector(double base, double exponent, double cos_phi, double sin_phi) noexcept {

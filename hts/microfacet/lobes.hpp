@@ -31,7 +31,10 @@ struct HalfDirection {
 [[nodiscard]] Vector3 mirrored(const Direction& in, Vector3 normal) noexcept;
 
 /// Schlick's approximation of the Fresnel reflectance, f0 + (1 - f0)(1 - cos)^5 [Kurt10 (12)].
-[[nodiscard]] double schlick(double f0, double cosine) noexcept;
+[[nodiscard]] inline double schlick(double f0, double cosine) noexcept {
+    const double rest = 1 - cosine, square = rest * rest;
+    return f0 + (1 - f0) * square * square * rest;
+}
 
 /// The strength (see LobeShape) of a lobe with Schlick's reflectance: that at the angle of incidence, at least 0.05, since
 /// facets at other angles reflect even where this one is 0.
@@ -87,12 +90,8 @@ concept LobeShape = requires(const Shape& shape, const Direction& in, const Dire
 /// What lobes that differ in their reflectance alone share.
 struct LobeGeometry {
     double mirrors;    ///< BRDF of the lobe for facets that reflect all light [1/sr]
-    double incidence;  ///< (1 - cos theta_d)^5, which Schlick's reflectance takes
+    double incidence;  ///< schlick(0, cos theta_d)
 
-    [[nodiscard]] static LobeGeometry of(double mirrors, double cos_theta_d) noexcept {
-        const double rest = 1 - cos_theta_d, square = rest * rest;
-        return {mirrors, square * square * rest};
-    }
     /// The lobe's BRDF for Schlick's reflectance [1/sr].   f0   at normal incidence; 1 of lobes without
     [[nodiscard]] double brdf(double f0) const noexcept { return (f0 + (1 - f0) * incidence) * mirrors; }
 };

@@ -21,8 +21,8 @@ bool lit_and_seen(const Direction& in, const Direction& out) {
 
 /// G |i.m| D / ((i.n)(o.n)) times the Jacobian: (20) and (21) but for F and 1 - F.
 double lobe(const FacetDistribution& facets, const Facet& facet, const Direction& in, const Direction& out) {
-    return facet.cos_in * facet.jacobian * facets.density(facet.normal) *
-           (facets.shadowing(in) / in.cos_theta()) * (facets.shadowing(out) / out.cos_theta());
+    return facet.cos_in * facet.jacobian * facets.density(facet.normal) * facets.shadowing_over_cosine(in) *
+           facets.shadowing_over_cosine(out);
 }
 
 /// G |i.m| D / ((i.n) p_m): the weight (41), for any density of normals.
@@ -74,7 +74,8 @@ double transmittance(double cos_in, double cos_out, double eta_in, double eta_ou
 
 /// (|F_s|^2 + |F_p|^2)/2 in real arithmetic. With N = n + ik, d = N^2 - 1, sqrt(N^2 - sin^2) = A + iB, M = A^2 + B^2:
 ///   |F_s|^2 = |d|^2/(M + c^2 + 2Ac)^2,   |F_p|^2 = |F_s|^2 (M c^2 + s^4 - 2Ac s^2)/(M c^2 + s^4 + 2Ac s^2)
-/// Without branches, so that a loop over wavelengths runs in vectors.
+/// A is the larger of A and B, or nk over it; u is that divisor or 1, so that there is one division. Nothing cancels and no
+/// branch keeps a loop over wavelengths from vectors.
 inline double reflectance(double c, double n, double k) {
     const double c2 = c * c;
     const double s2 = (1 - c) * (1 + c);
@@ -83,12 +84,12 @@ inline double reflectance(double c, double n, double k) {
     const double real = d_real + c2;  // of N^2 - sin^2
     const double modulus = std::sqrt(real * real + 4 * (nk * nk));
     const double larger = std::sqrt((modulus + std::abs(real)) / 2);
-    const double smaller = nk / larger;  // of A and B, without cancellation
-    const double ac = c * (real >= 0 ? larger : smaller);
+    const double u = real >= 0 ? 1 : larger;
+    const double two_acu = 2 * c * (real >= 0 ? larger : nk);
     const double p = modulus * c2 + s2 * s2;
-    const double s_below = modulus + c2 + 2 * ac;
-    const double below = s_below * s_below * (p + 2 * ac * s2);
-    const double kept = (d_real * d_real + 4 * (nk * nk)) * p / std::max(below, smallest);
+    const double s_below = (modulus + c2) * u + two_acu;
+    const double below = s_below * s_below * (p * u + two_acu * s2);
+    const double kept = (d_real * d_real + 4 * (nk * nk)) * p * (u * u * u) / std::max(below, smallest);
     return std::min(kept, 1.0);
 }
 
@@ -98,16 +99,16 @@ void lobe_spectrum(std::span<const Model> alike, const Direction& in, const Dire
                    std::span<double> result) {
     const FacetLobe lobe = alike.front().lobe(in, out);
     if (!(lobe.value > 0)) return std::fill(result.begin(), result.end(), 0.0);
-    constexpr std::size_t block = 4;
+    constexpr std::size_t block = 32;
     for (std::size_t first = 0; first < alike.size(); first += block) {
-        std::array<double, block> n{}, k{}, kept{};
+        std::array<double, block> n, k;
         const std::size_t count = std::min(block, alike.size() - first);
         for (std::size_t j = 0; j < count; ++j) {
             n[j] = alike[first + j].index().n();
             k[j] = alike[first + j].index().k();
         }
-        for (std::size_t j = 0; j < block; ++j) kept[j] = reflectance(lobe.cos_in, n[j], k[j]);
-        for (std::size_t j = 0; j < count; ++j) result[first + j] = lobe.value * kept[j];
+        for (std::size_t j = 0; j < count; ++j)
+            result[first + j] = lobe.value * reflectance(lobe.cos_in, n[j], k[j]);
     }
 }
 
@@ -130,8 +131,9 @@ double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept {
 
 FacetLobe facet_lobe(const FacetDistribution& facets, const Direction& in, const Direction& out) noexcept {
     if (!lit_and_seen(in, out)) return {0, 0};
-    const Facet facet = mirror_facet(in, out);
-    return {facet.cos_in, lobe(facets, facet, in, out)};
+    const Vector3 sum = in.vector() + out.vector();  // along the normal, 2 cos_in long
+    return {std::min(1.0, std::sqrt(dot(sum, sum)) / 2),
+            facets.density(sum) / 4 * facets.shadowing_over_cosine(in) * facets.shadowing_over_cosine(out)};
 }
 
 void WalterBrdf::brdf(std::span<const WalterBrdf> alike, const Direction& in, const Direction& out,
