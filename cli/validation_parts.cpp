@@ -1,6 +1,7 @@
 #include "cli/validation_parts.hpp"
 
 #include "validation/comparison_section.hpp"
+#include "validation/dielectric_scattering.hpp"
 #include "validation/exact_scattering.hpp"
 #include "validation/fit_section.hpp"
 #include "validation/fourier_integral.hpp"
@@ -31,13 +32,15 @@ std::vector<Section> paper_figures(Effort effort, const std::filesystem::path& c
 }  // namespace
 
 const std::vector<ValidationPart>& validation_parts() {
-    static const std::vector<ValidationPart> parts{{"measurements", measurements},
-                                                   {"models", alone<validation::models_section>},
-                                                   {"moments", alone<validation::exact_scattering_section>},
-                                                   {"fourier", alone<validation::fourier_section>},
-                                                   {"rays", alone<validation::rays_section>},
-                                                   {"figures", paper_figures},
-                                                   {"pictures", alone<validation::renders_section>}};
+    static const std::vector<ValidationPart> parts{
+        {"measurements", measurements},
+        {"models", alone<validation::models_section>},
+        {"moments", alone<validation::exact_scattering_section>},
+        {"dielectric", alone<validation::dielectric_scattering_section>},
+        {"fourier", alone<validation::fourier_section>},
+        {"rays", alone<validation::rays_section>},
+        {"figures", paper_figures},
+        {"pictures", alone<validation::renders_section>}};
     return parts;
 }
 

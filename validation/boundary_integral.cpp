@@ -32,12 +32,6 @@ struct Corrections {
           neighbours{(4 * zeta_2 - zeta_4) / 3, (zeta_4 - zeta_2) / 12} {}
 };
 
-/// Both kernels between two nodes, with the coefficients of their logarithms.
-struct Kernels {
-    Complex te, tm, tm_back;  // G; dG/dn' |dr'/dt| at the second node, at the first
-    double log_te, log_tm, log_tm_back;
-};
-
 struct Distance {
     double length, flux,
         flux_back;  // |r - r'|; n'(r - r')/|r - r'| |dr'/dt| at the second node, at the first
@@ -48,27 +42,34 @@ struct Distance {
           flux_back{(c.dx[i] * (c.z[j] - c.z[i]) - c.dz[i] * (c.x[j] - c.x[i])) / length} {}
 };
 
-Kernels kernels(const Distance& distance, double k, const HankelTable& table) {
-    const Hankel h = table(k * distance.length);
-    const Complex normal = Complex{0, k / 4} * h.order_1;
-    const double log_normal = -k / (2 * pi) * h.order_1.real();
-    return {Complex{0, 0.25} * h.order_0, normal * distance.flux,     normal * distance.flux_back,
-            -h.order_0.real() / (2 * pi), log_normal * distance.flux, log_normal * distance.flux_back};
+/// G between two nodes, and dG/dr.
+struct Kernels {
+    Complex value, slope;
+};
+
+Kernels kernels(const Hankel& h, Complex k) {
+    return {Complex{0, 0.25} * h.order_0, Complex{0, -0.25} * k * h.order_1};
 }
 
-/// Both systems; TE for u |dr/dt| as unknown, which makes it symmetric.
-struct Systems {
-    Matrix te, tm;
+/// Coefficients of the logarithms in them.
+Kernels logarithms(double distance, Complex k) {
+    const Bessel j = bessel(k * distance);
+    return {-j.order_0 / (2 * pi), k / (2 * pi) * j.order_1};
+}
+
+/// The operators of one side; S acts on u |dr/dt|, which makes it symmetric.
+struct Operators {
+    Matrix s, half_minus_k;
 };
 
 class Assembly {
   public:
-    Assembly(const Contour& contour, double k)
-        : contour_{contour}, k_{k}, table_{k * diameter(contour)}, corrections_{contour.step} {}
+    Assembly(const Contour& contour, Complex k)
+        : contour_{contour}, k_{k}, table_{diameter(contour), k}, corrections_{contour.step} {}
 
-    [[nodiscard]] Systems systems() const {
+    [[nodiscard]] Operators operators() const {
         const auto n = static_cast<Index>(contour_.size());
-        Systems result{Matrix(n, n), Matrix(n, n)};
+        Operators result{Matrix(n, n), Matrix(n, n)};
         for (std::size_t j = 0; j < contour_.size(); ++j) {
             for (std::size_t i = 0; i < j; ++i) set_pair(result, i, j);
             set_own(result, j);
@@ -83,33 +84,43 @@ class Assembly {
         return std::hypot(*right - *left, *high - *low);
     }
 
-    [[nodiscard]] double correction(std::size_t i, std::size_t j) const {
+    /// With the correction of the rule near the singular node.
+    [[nodiscard]] Kernels corrected(double distance, std::size_t i, std::size_t j) const {
+        Kernels kernel = kernels(table_(distance), k_);
         const std::size_t apart = contour_.closed ? std::min(j - i, i + contour_.size() - j) : j - i;
-        return apart <= 2 ? corrections_.neighbours[apart - 1] : 0;
+        if (apart <= 2) {
+            const Kernels logarithm = logarithms(distance, k_);
+            kernel.value += corrections_.neighbours[apart - 1] * logarithm.value;
+            kernel.slope += corrections_.neighbours[apart - 1] * logarithm.slope;
+        }
+        return kernel;
     }
 
-    void set_pair(Systems& systems, std::size_t i, std::size_t j) const {
-        const Kernels kernel = kernels(Distance{contour_, i, j}, k_, table_);
-        const double correct = correction(i, j), h = contour_.step;
+    void set_pair(Operators& operators, std::size_t i, std::size_t j) const {
+        const Distance distance{contour_, i, j};
+        const Kernels kernel = corrected(distance.length, i, j);
+        const double h = contour_.step;
         const auto a = static_cast<Index>(i), b = static_cast<Index>(j);
-        systems.te(a, b) = systems.te(b, a) = h * (kernel.te + correct * kernel.log_te);
-        systems.tm(a, b) = -h * (kernel.tm + correct * kernel.log_tm);
-        systems.tm(b, a) = -h * (kernel.tm_back + correct * kernel.log_tm_back);
+        operators.s(a, b) = operators.s(b, a) = h * kernel.value;
+        operators.half_minus_k(a, b) = h * distance.flux * kernel.slope;
+        operators.half_minus_k(b, a) = h * distance.flux_back * kernel.slope;
     }
 
     /// Limits of the kernels without their logarithm.
-    void set_own(Systems& systems, std::size_t i) const {
+    void set_own(Operators& operators, std::size_t i) const {
         const Contour& c = contour_;
         const double squared = c.dx[i] * c.dx[i] + c.dz[i] * c.dz[i];
-        const Complex te{-(std::log(k_ * std::sqrt(squared) / 2) + std::numbers::egamma) / (2 * pi), 0.25};
-        const double tm = (c.dx[i] * c.ddz[i] - c.dz[i] * c.ddx[i]) / (4 * pi * squared);
+        const Complex s =
+            Complex{0, 0.25} -
+            (std::log(k_ * std::sqrt(squared) / 2.0) + std::numbers::egamma + corrections_.own) / (2 * pi);
+        const double k = (c.dx[i] * c.ddz[i] - c.dz[i] * c.ddx[i]) / (4 * pi * squared);
         const auto n = static_cast<Index>(i);
-        systems.te(n, n) = c.step * (te - corrections_.own / (2 * pi));
-        systems.tm(n, n) = 0.5 - c.step * tm;
+        operators.s(n, n) = c.step * s;
+        operators.half_minus_k(n, n) = 0.5 - c.step * k;
     }
 
     const Contour& contour_;
-    double k_;
+    Complex k_;
     HankelTable table_;
     Corrections corrections_;
 };
@@ -129,48 +140,69 @@ std::vector<SurfaceField> columns_of(const Matrix& matrix) {
     return result;
 }
 
-std::vector<SurfaceField> transformed(const std::vector<Complex>& nodes_by_directions, std::size_t nodes,
-                                      const std::vector<SurfaceField>& fields) {
+using Factors = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
+
+/// A, the operator from psi to u on top of a ground, but for rho.
+Matrix admittance(const Contour& contour, Complex wave_number) {
+    Operators ground = Assembly{contour, wave_number}.operators();
+    Matrix half_plus_k = -ground.half_minus_k;
+    half_plus_k.diagonal().array() += 1;
+    return Factors{ground.s}.solve(half_plus_k);
+}
+
+/// Of one polarisation on a ground.
+SurfaceFields on_ground(Matrix&& system, const Matrix& a, const Matrix& waves) {
+    const Matrix psi = Factors{system}.solve(waves);
+    return {columns_of(psi), columns_of(a * psi)};
+}
+
+Eigen::Map<const Matrix> transform(const std::vector<Complex>& waves, std::size_t nodes) {
     const auto rows = static_cast<Index>(nodes);
-    const Eigen::Map<const Matrix> waves(nodes_by_directions.data(), rows,
-                                         static_cast<Index>(nodes_by_directions.size()) / rows);
-    return columns_of(waves.transpose() * matrix_of(fields));
+    return {waves.data(), rows, static_cast<Index>(waves.size()) / rows};
 }
 
 }  // namespace
 
-SurfaceFields surface_fields(const Contour& contour, double wave_number,
-                             std::span<const SurfaceField> incident) {
+PolarisedFields surface_fields(const Contour& contour, double wave_number,
+                               std::span<const SurfaceField> incident) {
     const Matrix waves = matrix_of(incident);
-    Systems systems = Assembly{contour, wave_number}.systems();
-    const Eigen::PartialPivLU<Eigen::Ref<Matrix>> te{systems.te};
-    const Eigen::PartialPivLU<Eigen::Ref<Matrix>> tm{systems.tm};
-    return {columns_of(te.solve(waves)), columns_of(tm.solve(waves))};
+    Operators above = Assembly{contour, wave_number}.operators();
+    const std::vector<SurfaceField> dark(incident.size(), SurfaceField(contour.size()));
+    return {{dark, columns_of(Factors{above.s}.solve(waves))},
+            {columns_of(Factors{above.half_minus_k}.solve(waves)), dark}};
+}
+
+PolarisedFields surface_fields(const Contour& contour, double wave_number,
+                               std::span<const SurfaceField> incident, Complex index) {
+    const Matrix waves = matrix_of(incident);
+    const Matrix a = admittance(contour, index * wave_number);
+    const Operators above = Assembly{contour, wave_number}.operators();
+    const Matrix s_a = above.s * a;
+    const Complex rho = index * index;
+    return {on_ground(above.half_minus_k + s_a, a, waves),
+            on_ground(above.half_minus_k + s_a / rho, a / rho, waves)};
 }
 
 FarField::FarField(const Contour& contour, double wave_number, std::span<const double> angles)
     : nodes_{contour.size()},
       directions_{angles.size()},
-      te_(nodes_ * directions_),
-      tm_(nodes_ * directions_) {
+      of_psi_(nodes_ * directions_),
+      of_u_(nodes_ * directions_) {
     for (std::size_t s = 0; s < directions_; ++s) {
         const double sine = std::sin(angles[s]), cosine = std::cos(angles[s]);
         for (std::size_t i = 0; i < nodes_; ++i) {
             const double path = contour.x[i] * sine + contour.z[i] * cosine;
             const Complex wave = std::polar(contour.step, -wave_number * path);
-            te_[s * nodes_ + i] = wave;
-            tm_[s * nodes_ + i] =
-                wave * Complex{0, -wave_number * (contour.dx[i] * cosine - contour.dz[i] * sine)};
+            of_u_[s * nodes_ + i] = wave;
+            of_psi_[s * nodes_ + i] =
+                wave * Complex{0, wave_number * (contour.dx[i] * cosine - contour.dz[i] * sine)};
         }
     }
 }
 
-std::vector<SurfaceField> FarField::te(const std::vector<SurfaceField>& u) const {
-    return transformed(te_, nodes_, u);
-}
-
-std::vector<SurfaceField> FarField::tm(const std::vector<SurfaceField>& psi) const {
-    return transformed(tm_, nodes_, psi);
+std::vector<SurfaceField> FarField::amplitudes(const SurfaceFields& fields) const {
+    return columns_of(transform(of_u_, nodes_).transpose() * matrix_of(fields.u) +
+                      transform(of_psi_, nodes_).transpose() * matrix_of(fields.psi));
 }
 
 }  // namespace hts::validation

@@ -1,12 +1,14 @@
-/// Exact scattering in two dimensions: fields on the surface of a perfect conductor, from the integral equations
-/// by the method of moments.
+/// Exact scattering in two dimensions: fields on the surface of a perfect conductor or of a ground that light enters,
+/// from the integral equations by the method of moments.
 ///
-/// Time factor exp(-i omega t). The conductor is a cylinder along y whose cross-section is a curve in the (x, z)
-/// plane; psi is the field component along y, G = (i/4) H_0(k |r - r'|) [Tsang00, chapter 4].
-///   TE, E along y   psi = 0 on the curve. Electric-field equation for u = d psi/dn:
-///                   integral G(r, r') u(r') dl' = psi_in(r)
-///   TM, H along y   d psi/dn = 0. Magnetic-field equation for psi:
-///                   psi(r)/2 - PV integral psi(r') dG/dn'(r, r') dl' = psi_in(r)
+/// Time factor exp(-i omega t). The scatterer is a cylinder along y whose cross-section is a curve in the (x, z)
+/// plane; psi is the field component along y, u = d psi/dn, G = (i/4) H_0(k |r - r'|) [Tsang00, chapter 4],
+/// S u = integral G u dl', K psi = PV integral psi dG/dn' dl'.
+///   TE, E along y   perfect conductor: psi = 0, electric-field equation S u = psi_in
+///   TM, H along y   perfect conductor: u = 0, magnetic-field equation psi/2 - K psi = psi_in
+///   ground          psi/2 - K psi + S u = psi_in above, psi/2 + K' psi - rho S' u = 0 below, with K' and S' of the wave
+///                   number n k in the ground; rho = 1 in TE and n^2 in TM. The second gives u = (1/rho) A psi, with the
+///                   same A for both
 ///
 /// The trapezoidal rule in the curve's parameter is corrected for the logarithm of the kernels at the singular node
 /// and two to each side ([Navot62], with zeta'(0), zeta'(-2) and zeta'(-4)), so that the error falls with the
@@ -28,32 +30,41 @@ struct Contour {
     [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
 };
 
+/// A quantity at the nodes.
 using SurfaceField = std::vector<std::complex<double>>;
 
-/// Surface fields of one polarisation, a column per incident field: u |dr/dt| for TE and psi for TM, at the nodes.
+/// psi and u |dr/dt| of one polarisation, a column per incident field.
 struct SurfaceFields {
-    std::vector<SurfaceField> te, tm;
+    std::vector<SurfaceField> psi, u;
+};
+struct PolarisedFields {
+    SurfaceFields te, tm;
 };
 
-/// Solves both equations.
-///   incident   psi_in at the nodes, a column per incident field      wave_number   2 pi/lambda, per unit of length
+/// Fields on a perfect conductor.
+///   incident   psi_in at the nodes, a column per incident field      wave_number   k, 2 pi/lambda, per unit of length
 ///   cost       two complex LU decompositions, 0.2 s for 500 nodes on one core
-[[nodiscard]] SurfaceFields surface_fields(const Contour& contour, double wave_number,
-                                           std::span<const SurfaceField> incident);
+[[nodiscard]] PolarisedFields surface_fields(const Contour& contour, double wave_number,
+                                             std::span<const SurfaceField> incident);
+/// Fields on a ground of refractive index n; the step must resolve the wavelength in the ground or, if that is less, the
+/// depth to which light enters, with 8 nodes or more to 2 pi/|n k|.
+///   cost   four times as much
+[[nodiscard]] PolarisedFields surface_fields(const Contour& contour, double wave_number,
+                                             std::span<const SurfaceField> incident,
+                                             std::complex<double> index);
 
-/// Amplitude N(theta) of the scattered far field, |psi_s|^2 r = |N|^2/(8 pi k), in each direction
-/// (sin theta, cos theta): TE integral u exp(-i k_s r) dl, TM -i integral psi (n k_s) exp(-i k_s r) dl.
-/// Rows are directions, then fields.
+/// Amplitude N(theta) of the far field that surface fields radiate, integral psi dG/dn' - G u, in each direction
+/// (sin theta, cos theta): |psi_s|^2 r = |N|^2/(8 pi k), N = integral (u + i psi n k_s) exp(-i k_s r) dl.
 class FarField {
   public:
     FarField(const Contour& contour, double wave_number, std::span<const double> angles);
 
-    [[nodiscard]] std::vector<SurfaceField> te(const std::vector<SurfaceField>& u) const;
-    [[nodiscard]] std::vector<SurfaceField> tm(const std::vector<SurfaceField>& psi) const;
+    /// A column per incident field.
+    [[nodiscard]] std::vector<SurfaceField> amplitudes(const SurfaceFields& fields) const;
 
   private:
     std::size_t nodes_, directions_;
-    std::vector<std::complex<double>> te_, tm_;  // nodes x directions, column by column
+    std::vector<std::complex<double>> of_psi_, of_u_;  // nodes x directions, column by column
 };
 
 }  // namespace hts::validation

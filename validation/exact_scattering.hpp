@@ -12,16 +12,29 @@ namespace hts::validation {
 
 /// One row per surface and angle of incidence: energy and mirror of the exact solution, and for each model the
 /// distances from it in dB, columns "he_torrance_te_db", "he_torrance_db" (unpolarised) and so on.
-[[nodiscard]] FigureTable moment_map_table(const std::vector<MomentResult>& results);
+///   stem   of the table
+[[nodiscard]] FigureTable moment_map_table(const std::vector<MomentResult>& results, std::string stem);
 /// One row per angle of scattering, the lobes themselves.
-[[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results);
+[[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::string stem);
 
+/// That a map's energies are 1 to 1 %, in TE and in TM.
+[[nodiscard]] std::vector<Check> energy_checks(const FigureTable& map);
 /// Checks of a map against what is claimed of it.
 [[nodiscard]] std::vector<Check> moment_checks(const FigureTable& map);
 /// The map as a picture, a panel per model and angle.
 [[nodiscard]] Figure moment_map_figure(const FigureTable& map);
+
+/// Which lobes of a table are drawn, those that it has.
+struct LobePanels {
+    std::string what;  ///< "perfectly conducting"
+    std::vector<RoughnessStatistics> surfaces;
+    std::vector<double> theta_i_deg;
+};
 /// Lobes against their closed forms.
-[[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes);
+[[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& panels);
+
+/// First line of a provenance: "Exact scattering by random profiles, perfectly conducting: …".
+[[nodiscard]] std::string moment_provenance(const std::string& what, const MomentSettings& settings);
 
 /// Solves the surfaces of the grid. Quick: 3 surfaces, 40 realisations; full: all, 250 realisations.
 [[nodiscard]] GroundTruth exact_scattering_study(Effort effort);

@@ -92,11 +92,11 @@ struct LobePanel {
     double roughness, length, theta;
 };
 
-/// Steep and gentle, long and short, of those there are.
-std::vector<LobePanel> lobe_panels(const FigureTable& lobes) {
+std::vector<LobePanel> panels_of(const LobePanels& wanted, const FigureTable& lobes) {
     std::vector<LobePanel> panels;
-    for (const auto& [roughness, length] : {std::pair{0.1, 2.0}, {0.5, 2.0}, {0.25, 1.0}, {0.1, 0.35}}) {
-        for (const double theta : {30.0, 60.0}) panels.push_back({roughness, length, theta});
+    for (const RoughnessStatistics& surface : wanted.surfaces) {
+        for (const double theta : wanted.theta_i_deg)
+            panels.push_back({surface.rms_roughness, surface.correlation_length, theta});
     }
     std::erase_if(panels, [&](const LobePanel& panel) {
         return std::none_of(lobes.rows.begin(), lobes.rows.end(), [&](const auto& row) {
@@ -159,12 +159,13 @@ Figure moment_map_figure(const FigureTable& map) {
             "Distance of this model and of two others from the exact solution (method of moments), in dB."};
 }
 
-Figure moment_lobe_figure(const FigureTable& lobes) {
-    const auto panels = lobe_panels(lobes);
+Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& wanted) {
+    const auto panels = panels_of(wanted, lobes);
     const std::size_t columns = 2, rows = (panels.size() + 1) / columns;
     std::ostringstream out;
     out << page(1000, 170 + 230 * static_cast<int>(rows))
-        << page_label("Light scattered by random profiles: exact and by three models", 0.015, 0.975, 19)
+        << page_label("Light scattered by random profiles, " + wanted.what + ": exact and by three models",
+                      0.015, 0.975, 19)
         << page_label(
                "Incoherent power per angle [dB re 1/rad], averages over 5°; negative angles: the side of the "
                "source.",
@@ -189,7 +190,7 @@ Figure moment_lobe_figure(const FigureTable& lobes) {
         out << '\n' << (i == 0 ? "unset label\n" : "");
     }
     out << "unset multiplot\n";
-    return {"moment-method-lobes",
+    return {lobes.stem,
             {},
             out.str(),
             "Exact bistatic scattering (dots), averaged over realisations, and three closed forms."};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "validation/boundary_integral.hpp"
 #include "validation/tapered_beam.hpp"
 
 namespace hts::validation {
@@ -48,38 +49,72 @@ Contour contour_of(const RandomProfile& profile, std::size_t nodes) {
     return contour;
 }
 
-/// Incident fields and Kirchhoff's TE currents at the nodes, a column per beam.
-struct Lit {
-    std::vector<SurfaceField> field, twice_field, twice_derivative;
-};
-
-Lit lit(const Contour& contour, const std::vector<TaperedBeam>& beams) {
-    Lit result;
+/// The incident beams' fields at the nodes.
+SurfaceFields incident_fields(const Contour& contour, const std::vector<TaperedBeam>& beams) {
+    SurfaceFields result;
     for (const TaperedBeam& beam : beams) {
-        SurfaceField field, twice, derivative;
+        SurfaceField field, derivative;
         for (std::size_t i = 0; i < contour.size(); ++i) {
             const double x = contour.x[i], z = contour.z[i];
             field.push_back(beam.field(x, z));
-            twice.push_back(2.0 * field.back());
-            derivative.push_back(2.0 * beam.derivative(x, z, -contour.dz[i], contour.dx[i]));
+            derivative.push_back(beam.derivative(x, z, -contour.dz[i], contour.dx[i]));
         }
-        result.field.push_back(std::move(field));
-        result.twice_field.push_back(std::move(twice));
-        result.twice_derivative.push_back(std::move(derivative));
+        result.psi.push_back(std::move(field));
+        result.u.push_back(std::move(derivative));
     }
     return result;
 }
 
-/// Far fields of one realisation: per polarisation, per beam, per angle.
-struct Realisation {
-    std::array<std::vector<SurfaceField>, 2> exact, kirchhoff;
+std::vector<SurfaceField> combined(double a, const std::vector<SurfaceField>& first, double b,
+                                   const std::vector<SurfaceField>& second) {
+    std::vector<SurfaceField> result = first;
+    for (std::size_t column = 0; column < first.size(); ++column) {
+        for (std::size_t i = 0; i < first[column].size(); ++i)
+            result[column][i] = a * first[column][i] + b * second[column][i];
+    }
+    return result;
+}
+
+SurfaceFields combined(double a, const SurfaceFields& first, double b, const SurfaceFields& second) {
+    return {combined(a, first.psi, b, second.psi), combined(a, first.u, b, second.u)};
+}
+
+/// Power that enters the ground, per beam: integral -Im(psi* u)/k dl.
+std::vector<double> transmitted_power(const SurfaceFields& fields, double step) {
+    std::vector<double> powers;
+    for (std::size_t beam = 0; beam < fields.psi.size(); ++beam) {
+        double sum = 0;
+        for (std::size_t i = 0; i < fields.psi[beam].size(); ++i)
+            sum -= std::imag(std::conj(fields.psi[beam][i]) * fields.u[beam][i]);
+        powers.push_back(sum * step / k);
+    }
+    return powers;
+}
+
+/// Power in far fields at even angles that fill half a circle, per beam.
+std::vector<double> far_power(const std::vector<SurfaceField>& amplitudes) {
+    std::vector<double> powers;
+    for (const SurfaceField& beam : amplitudes) {
+        double sum = 0;
+        for (const Complex amplitude : beam) sum += std::norm(amplitude);
+        powers.push_back(sum * pi / static_cast<double>(beam.size()) / (8 * pi * k));
+    }
+    return powers;
+}
+
+/// One realisation in one polarisation, per beam: far fields per angle, and powers.
+struct Scattered {
+    std::vector<SurfaceField> exact, kirchhoff;
+    std::vector<double> past_ends, transmitted;
 };
+using Realisation = std::array<Scattered, 2>;
 
 class ProfileStudy {
   public:
     ProfileStudy(const RoughnessStatistics& surface, const std::vector<double>& theta_i_deg,
                  const MomentSettings& settings)
         : surface_{surface}, settings_{settings}, angles_{scattering_angles()} {
+        for (const double angle : angles_) below_.push_back(pi + angle);
         for (const double theta : theta_i_deg) beams_.emplace_back(theta * degree, settings.length / 4, k);
         nodes_ = static_cast<std::size_t>(std::lround(settings.length * settings.points_per_wavelength));
         const double margin = 8 * surface.correlation_length * settings.points_per_wavelength;
@@ -93,11 +128,17 @@ class ProfileStudy {
         const auto seed = seed_of(settings_.study, surface_number(), static_cast<std::uint64_t>(number));
         const double step = 1.0 / settings_.points_per_wavelength;
         const Contour contour = contour_of(random_profile(surface_, step, period_, seed), nodes_);
-        const Lit light = lit(contour, beams_);
-        const SurfaceFields fields = surface_fields(contour, k, light.field);
-        const FarField far{contour, k, angles_};
-        return {{far.te(fields.te), far.tm(fields.tm)},
-                {far.te(light.twice_derivative), far.tm(light.twice_field)}};
+        const SurfaceFields light = incident_fields(contour, beams_);
+        const PolarisedFields fields = solved(contour, light.psi);
+        const std::vector<SurfaceField> dark(beams_.size(), SurfaceField(contour.size()));
+        const FarField above{contour, k, angles_}, below{contour, k, below_};
+        const auto scattered = [&](const SurfaceFields& exact, const SurfaceFields& kirchhoff) {
+            return Scattered{above.amplitudes(exact), above.amplitudes(kirchhoff),
+                             far_power(below.amplitudes(combined(1, exact, -1, light))),
+                             transmitted_power(exact, step)};
+        };
+        return {scattered(fields.te, {dark, combined(2, light.u, 0, light.u)}),
+                scattered(fields.tm, {combined(2, light.psi, 0, light.psi), dark})};
     }
 
     [[nodiscard]] std::vector<Realisation> realisations() const {
@@ -108,6 +149,11 @@ class ProfileStudy {
     }
 
   private:
+    [[nodiscard]] PolarisedFields solved(const Contour& contour,
+                                         const std::vector<SurfaceField>& incident) const {
+        if (!settings_.index) return surface_fields(contour, k, incident);
+        return surface_fields(contour, k, incident, {settings_.index->n(), settings_.index->k()});
+    }
     /// A number for the surface, so that each has seeds of its own.
     [[nodiscard]] std::uint64_t surface_number() const {
         return static_cast<std::uint64_t>(std::lround(1e4 * surface_.rms_roughness)) * 1000000U +
@@ -116,7 +162,7 @@ class ProfileStudy {
 
     RoughnessStatistics surface_;
     MomentSettings settings_;
-    std::vector<double> angles_;
+    std::vector<double> angles_, below_;
     std::vector<TaperedBeam> beams_;
     std::size_t nodes_ = 0, period_ = 64;
 };
@@ -190,78 +236,123 @@ double decibels(double ratio) {
     return 10 * std::log10(ratio);
 }
 
-/// Standard error of the ratio of two lobes in a bin.
-double ratio_error_db(const Lobe& exact, const Lobe& kirchhoff, std::size_t bin) {
+/// One polarisation under one beam, or both.
+class PolarisedLobes {
+  public:
+    PolarisedLobes(const MomentCase& of, const std::vector<double>& angles, double power)
+        : of_{of}, power_{power}, exact_{angles.size()}, kirchhoff_{angles.size()} {
+        for (const double angle : angles) {
+            reflectances_.push_back(facet_reflectance(of, (of.theta_i_deg * degree + angle) / 2));
+            for (std::size_t m = 0; m < profile_models.size(); ++m)
+                lobes_[m].push_back(reflectances_.back() * profile_lobe(profile_models[m], of.surface,
+                                                                        of.theta_i_deg * degree, angle));
+        }
+    }
+
+    void add(std::size_t number, const Scattered& scattered, std::size_t beam) {
+        exact_.add(number, scattered.exact[beam]);
+        SurfaceField kirchhoff = scattered.kirchhoff[beam];
+        for (std::size_t i = 0; i < kirchhoff.size(); ++i) kirchhoff[i] *= std::sqrt(reflectances_[i]);
+        kirchhoff_.add(number, kirchhoff);
+        past_ends_ += scattered.past_ends[beam] / power_;
+        transmitted_ += scattered.transmitted[beam] / power_;
+        ++count_;
+    }
+
+    [[nodiscard]] MomentResult result() const {
+        const double per_radian = 1 / (8 * pi * k * power_), past = past_ends_ / count_,
+                     transmitted = transmitted_ / count_;
+        MomentResult result{of_,
+                            count_,
+                            pi * per_radian * exact_.mean() + past + transmitted,
+                            pi * per_radian * exact_.coherent(),
+                            past,
+                            transmitted,
+                            pi * per_radian * kirchhoff_.mean(),
+                            {}};
+        for (std::size_t bin = 0; bin < bin_count; ++bin) {
+            AngularBin one{(static_cast<double>(bin) + 0.5) * bin_width_deg - 90,
+                           per_radian * exact_.incoherent(bin),
+                           per_radian * kirchhoff_.incoherent(bin),
+                           {},
+                           0};
+            for (std::size_t m = 0; m < profile_models.size(); ++m) one.model[m] = model(m, bin);
+            result.bins.push_back(one);
+        }
+        return result;
+    }
+
+    /// Lobes in a bin without a block of the realisations.
+    [[nodiscard]] double exact(std::size_t bin, std::size_t left_out) const {
+        return exact_.incoherent(bin, left_out);
+    }
+    [[nodiscard]] double kirchhoff(std::size_t bin, std::size_t left_out) const {
+        return kirchhoff_.incoherent(bin, left_out);
+    }
+
+  private:
+    /// Closed form, averaged over the angles of a bin.
+    [[nodiscard]] double model(std::size_t m, std::size_t bin) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < angles_per_bin; ++i) sum += lobes_[m][bin * angles_per_bin + i];
+        return sum / angles_per_bin;
+    }
+
+    MomentCase of_;
+    double power_;
+    std::vector<double> reflectances_;  // per angle
+    std::array<std::vector<double>, profile_models.size()> lobes_;
+    Lobe exact_, kirchhoff_;
+    double past_ends_ = 0, transmitted_ = 0;
+    int count_ = 0;
+};
+
+/// Standard error of the ratio of two lobes in a bin, each summed over polarisations.
+double ratio_error_db(const std::vector<const PolarisedLobes*>& lobes, std::size_t bin) {
     std::array<double, jackknife_blocks> ratios{};
     double mean = 0, squares = 0;
     for (std::size_t b = 0; b < jackknife_blocks; ++b) {
-        ratios[b] = decibels(kirchhoff.incoherent(bin, b) / exact.incoherent(bin, b));
+        double kirchhoff = 0, exact = 0;
+        for (const PolarisedLobes* each : lobes) {
+            kirchhoff += each->kirchhoff(bin, b);
+            exact += each->exact(bin, b);
+        }
+        ratios[b] = decibels(kirchhoff / exact);
         mean += ratios[b] / jackknife_blocks;
     }
     for (const double ratio : ratios) squares += (ratio - mean) * (ratio - mean);
     return std::sqrt(squares * (jackknife_blocks - 1) / jackknife_blocks);
 }
 
-/// Closed form, averaged over the angles of a bin.
-double model_lobe(ProfileModel model, const MomentCase& of, const std::vector<double>& angles,
-                  std::size_t bin) {
-    double sum = 0;
-    for (std::size_t i = 0; i < angles_per_bin; ++i)
-        sum += profile_lobe(model, of.surface, of.theta_i_deg * degree, angles[bin * angles_per_bin + i]);
-    return sum / angles_per_bin;
-}
-
-/// Lobes of one polarisation under one beam.
-struct LobePair {
-    Lobe exact, kirchhoff;
-
-    LobePair(const std::vector<Realisation>& all, Polarisation polarisation, std::size_t beam,
-             std::size_t angles)
-        : exact{angles}, kirchhoff{angles} {
-        const auto p = static_cast<std::size_t>(polarisation);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            exact.add(i, all[i].exact[p][beam]);
-            kirchhoff.add(i, all[i].kirchhoff[p][beam]);
-        }
-    }
-};
-
-MomentResult result_of(const MomentCase& of, const LobePair& lobes, const std::vector<double>& angles,
-                       double power, int realisations) {
-    const double per_radian = 1 / (8 * pi * k * power);
-    MomentResult result{of,
-                        realisations,
-                        pi * per_radian * lobes.exact.mean(),
-                        pi * per_radian * lobes.exact.coherent(),
-                        pi * per_radian * lobes.kirchhoff.mean(),
-                        {}};
-    for (std::size_t bin = 0; bin < bin_count; ++bin) {
-        AngularBin one{(static_cast<double>(bin) + 0.5) * bin_width_deg - 90,
-                       per_radian * lobes.exact.incoherent(bin),
-                       per_radian * lobes.kirchhoff.incoherent(bin),
-                       {},
-                       ratio_error_db(lobes.exact, lobes.kirchhoff, bin)};
-        for (std::size_t m = 0; m < profile_models.size(); ++m)
-            one.model[m] = model_lobe(profile_models[m], of, angles, bin);
-        result.bins.push_back(one);
-    }
-    return result;
-}
-
 /// Half of each.
 MomentResult unpolarised(const MomentResult& te, const MomentResult& tm) {
     MomentResult both = te;
+    const auto halve = [](double& value, double other) { value = (value + other) / 2; };
     both.of.polarisation = Polarisation::unpolarised;
-    both.energy = (te.energy + tm.energy) / 2;
-    both.mirror = (te.mirror + tm.mirror) / 2;
-    both.kirchhoff_energy = (te.kirchhoff_energy + tm.kirchhoff_energy) / 2;
+    halve(both.energy, tm.energy);
+    halve(both.mirror, tm.mirror);
+    halve(both.past_ends, tm.past_ends);
+    halve(both.transmitted, tm.transmitted);
+    halve(both.kirchhoff_energy, tm.kirchhoff_energy);
     for (std::size_t i = 0; i < both.bins.size(); ++i) {
-        const AngularBin &a = te.bins[i], &b = tm.bins[i];
-        both.bins[i].exact = (a.exact + b.exact) / 2;
-        both.bins[i].kirchhoff = (a.kirchhoff + b.kirchhoff) / 2;
-        both.bins[i].ratio_error_db = (a.ratio_error_db + b.ratio_error_db) / 2;
+        halve(both.bins[i].exact, tm.bins[i].exact);
+        halve(both.bins[i].kirchhoff, tm.bins[i].kirchhoff);
+        for (std::size_t m = 0; m < profile_models.size(); ++m)
+            halve(both.bins[i].model[m], tm.bins[i].model[m]);
     }
     return both;
+}
+
+/// In the three polarisations.
+std::vector<MomentResult> results_of(const PolarisedLobes& te, const PolarisedLobes& tm) {
+    std::vector<MomentResult> results{te.result(), tm.result()};
+    results.push_back(unpolarised(results[0], results[1]));
+    const std::array<std::vector<const PolarisedLobes*>, 3> summed{{{&te}, {&tm}, {&te, &tm}}};
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        for (std::size_t bin = 0; bin < bin_count; ++bin)
+            results[i].bins[bin].ratio_error_db = ratio_error_db(summed[i], bin);
+    }
+    return results;
 }
 
 /// Weighted with the exact energy, and the median where it is bright.
@@ -277,6 +368,7 @@ Distance distance_of(const MomentResult& result, const std::function<double(cons
         sum += bin.exact * difference;
         squares += bin.exact * difference * difference;
     }
+    if (bright.empty()) return {0, 0, 0};
     const auto middle = bright.begin() + static_cast<std::ptrdiff_t>(bright.size() / 2);
     std::nth_element(bright.begin(), middle, bright.end());
     return {std::sqrt(squares / weight), *middle, sum / weight};
@@ -289,6 +381,19 @@ const char* name(Polarisation polarisation) noexcept {
     return names[static_cast<std::size_t>(polarisation)];
 }
 
+double facet_reflectance(const MomentCase& of, double theta_d) {
+    if (!of.index) return 1;
+    const FresnelAmplitudes amplitudes = fresnel(std::cos(theta_d), *of.index);
+    switch (of.polarisation) {
+        case Polarisation::te:
+            return std::norm(amplitudes.s);
+        case Polarisation::tm:
+            return std::norm(amplitudes.p);
+        default:
+            return amplitudes.unpolarised_reflectance();
+    }
+}
+
 std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
                                          const std::vector<double>& theta_i_deg,
                                          const MomentSettings& settings) {
@@ -299,12 +404,16 @@ std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
     const auto all = study.realisations();
     std::vector<MomentResult> results;
     for (std::size_t beam = 0; beam < theta_i_deg.size(); ++beam) {
-        for (const Polarisation polarisation : {Polarisation::te, Polarisation::tm}) {
-            const LobePair lobes{all, polarisation, beam, study.angles().size()};
-            results.push_back(result_of({surface, theta_i_deg[beam], polarisation}, lobes, study.angles(),
-                                        study.beams()[beam].power(), settings.realisations));
-        }
-        results.push_back(unpolarised(results[results.size() - 2], results.back()));
+        const auto lobes = [&](Polarisation polarisation) {
+            PolarisedLobes sums{{surface, theta_i_deg[beam], polarisation, settings.index},
+                                study.angles(),
+                                study.beams()[beam].power()};
+            for (std::size_t i = 0; i < all.size(); ++i)
+                sums.add(i, all[i][static_cast<std::size_t>(polarisation)], beam);
+            return sums;
+        };
+        const auto three = results_of(lobes(Polarisation::te), lobes(Polarisation::tm));
+        results.insert(results.end(), three.begin(), three.end());
     }
     return results;
 }

@@ -9,6 +9,7 @@
 #include "comparison.hpp"
 #include "hts/error.hpp"
 #include "spectral/validity.hpp"
+#include "validation/dielectric_scattering.hpp"
 #include "validation/exact_scattering.hpp"
 #include "validation/fourier_integral.hpp"
 #include "validation/ray_report.hpp"
@@ -16,8 +17,8 @@
 using namespace hts::validation;
 
 TEST_CASE("ground truth that is kept is whole, says how it was computed, and is refused under other names") {
-    for (const char* stem : {"moment-method-map", "moment-method-lobes", "fourier-integral", "ray-shadowing",
-                             "ray-bounces", "ray-lobes"}) {
+    for (const char* stem : {"moment-method-map", "moment-method-lobes", "dielectric-lobes",
+                             "fourier-integral", "ray-shadowing", "ray-bounces", "ray-lobes"}) {
         INFO(stem);
         CHECK(kept_table(stem).rows.size() > 20);
         CHECK(kept_provenance(stem).find("hts truth ") != std::string::npos);
@@ -74,8 +75,9 @@ TEST_CASE("the Fourier integral of explicit surfaces is the directional-diffuse 
 TEST_CASE(
     "each section of the ground truth has its checks, and pictures of what is kept (HTS_EXHAUSTIVE=1)") {
     if (!hts::testing::exhaustive()) return;
-    for (const Section& section : {exact_scattering_section(Effort::quick), fourier_section(Effort::quick),
-                                   rays_section(Effort::quick)}) {
+    for (const Section& section :
+         {exact_scattering_section(Effort::quick), dielectric_scattering_section(Effort::quick),
+          fourier_section(Effort::quick), rays_section(Effort::quick)}) {
         INFO(section.stem);
         CHECK(section.checks.size() >= 4);
         CHECK(section.checks.front().claim.starts_with("quick: "));

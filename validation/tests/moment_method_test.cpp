@@ -25,7 +25,7 @@ TEST_CASE("moment method: a flat plate mirrors everything") {
     for (const MomentResult& result : moment_results({0, 1}, {0, 40}, small())) {
         INFO(result.of.theta_i_deg << " " << name(result.of.polarisation));
         CHECK(result.energy == Approx(1).epsilon(2e-3));
-        CHECK(result.mirror == Approx(result.energy).epsilon(1e-9));
+        CHECK(result.mirror + result.past_ends == Approx(result.energy).epsilon(1e-9));
         CHECK(result.kirchhoff_energy == Approx(1).epsilon(2e-3));
         for (const AngularBin& bin : result.bins) CHECK(std::fabs(bin.exact) < 1e-9);
     }
@@ -42,11 +42,33 @@ TEST_CASE("moment method: a rough profile scatters all the light, gently sloped 
         double incoherent = 0;
         for (const AngularBin& bin : result.bins)
             incoherent += bin.exact * bin_width_deg * std::numbers::pi / 180;
-        CHECK(incoherent + result.mirror == Approx(result.energy).epsilon(1e-9));
+        CHECK(incoherent + result.mirror + result.past_ends == Approx(result.energy).epsilon(1e-9));
+        CHECK(result.past_ends < 1e-3);
+        CHECK(result.transmitted == 0);
     }
     // unpolarised is half of each
     CHECK(results[2].of.polarisation == Polarisation::unpolarised);
     CHECK(results[2].bins[20].exact == Approx((results[0].bins[20].exact + results[1].bins[20].exact) / 2));
+}
+
+TEST_CASE("moment method: a rough profile of glass reflects and transmits all the light") {
+    MomentSettings settings = small();
+    settings.length = 12;
+    settings.points_per_wavelength = 12;
+    settings.index = hts::RefractiveIndex{1.5, 0};
+    const auto results = moment_results({0.05, 1}, {40}, settings);
+    for (const MomentResult& result : results) {
+        INFO(name(result.of.polarisation));
+        CHECK(result.energy == Approx(1).epsilon(5e-3));
+        const double plane = facet_reflectance(result.of, 40 * std::numbers::pi / 180);
+        CHECK(1 - result.transmitted == Approx(plane).epsilon(0.15));  // a little rough
+        CHECK(result.kirchhoff_energy == Approx(plane).epsilon(0.15));
+        CHECK(distance(result, ProfileModel::kirchhoff).rms < 1.5);
+    }
+    CHECK(results[0].transmitted + 0.03 < results[1].transmitted);
+    CHECK(results[2].of.polarisation == Polarisation::unpolarised);
+    CHECK(results[2].bins[25].model[0] ==
+          Approx((results[0].bins[25].model[0] + results[1].bins[25].model[0]) / 2));
 }
 
 TEST_CASE("moment method: more points per wavelength change nothing that matters") {
