@@ -39,12 +39,41 @@ Section section() {
         {}};
 }
 
+struct Column {
+    const char* name;
+    int digits;
+};
+
+/// What a reader wants of the map.
+ReportTable distance_table(const FigureTable& map) {
+    constexpr std::array columns{
+        Column{"sigma0_over_lambda", 2}, Column{"tau_over_lambda", 0},   Column{"theta_i_deg", 0},
+        Column{"energy_te", 4},          Column{"energy_tm", 4},         Column{"transmitted_te", 3},
+        Column{"transmitted_tm", 3},     Column{"he_torrance_te_db", 2}, Column{"he_torrance_tm_db", 2},
+        Column{"he_torrance_db", 2},     Column{"kirchhoff_db", 2},      Column{"smith_db", 2},
+        Column{"chance_db", 2}};
+    ReportTable table{
+        "dielectric-distance",
+        "Power accounted for and transmitted, and distances from the exact lobe [dB]: this model in TE, TM "
+        "and unpolarised light, Kirchhoff and correlated Smith unpolarised, and what is chance.",
+        {},
+        {}};
+    for (const Column& column : columns) table.columns.emplace_back(column.name);
+    for (const auto& row : map.rows) {
+        table.rows.emplace_back();
+        for (const Column& column : columns)
+            table.rows.back().push_back(rounded(row[column_of(map, column.name)], column.digits));
+    }
+    return table;
+}
+
 void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
     for (Check& check : energy_checks(tables[0])) section.checks.push_back(std::move(check));
     Figure figure = moment_lobe_figure(
-        tables[1], {"of refractive index 1.5", {{0.1, 1}, {0.25, 2}, {0.25, 1}, {0.5, 2}}, {20, 60}});
+        tables[1], {"of refractive index 1.5", {{0.1, 1}, {0.25, 2}, {0.25, 1}, {0.5, 2}}, {20, 60}, true});
     figure.caption.append(" ").append(provenance);
     section.figures.push_back(std::move(figure));
+    section.tables = {distance_table(tables[0])};
 }
 
 }  // namespace

@@ -14,13 +14,14 @@ namespace hts::validation {
 /// distances from it in dB, columns "he_torrance_te_db", "he_torrance_db" (unpolarised) and so on.
 ///   stem   of the table
 [[nodiscard]] FigureTable moment_map_table(const std::vector<MomentResult>& results, std::string stem);
-/// One row per angle of scattering, the lobes themselves.
+/// One row per angle of scattering, the lobes themselves; those of models in unpolarised light, and on a ground this
+/// model's in TE and TM too.
 [[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::string stem);
 
 /// That a map's energies are 1 to 1 %, in TE and in TM.
 [[nodiscard]] std::vector<Check> energy_checks(const FigureTable& map);
-/// Checks of a map against what is claimed of it.
-[[nodiscard]] std::vector<Check> moment_checks(const FigureTable& map);
+/// Checks of a map and its lobes against what is claimed of them.
+[[nodiscard]] std::vector<Check> moment_checks(const std::vector<FigureTable>& map_and_lobes);
 /// The map as a picture, a panel per model and angle.
 [[nodiscard]] Figure moment_map_figure(const FigureTable& map);
 
@@ -29,6 +30,7 @@ struct LobePanels {
     std::string what;  ///< "perfectly conducting"
     std::vector<RoughnessStatistics> surfaces;
     std::vector<double> theta_i_deg;
+    bool polarised = false;  ///< this model in TE and TM, in place of the three models
 };
 /// Lobes against their closed forms.
 [[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& panels);

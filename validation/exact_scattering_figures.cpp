@@ -80,12 +80,24 @@ std::string legend() {
     return text;
 }
 
-constexpr const char* lobe_columns[] = {"exact_te", "exact_tm", "kirchhoff", "he_torrance", "smith"};
-constexpr const char* lobe_styles[] = {"with points pt 7 ps 0.45 lc rgb '#000000' title 'exact, TE'",
-                                       "with points pt 6 ps 0.5 lc rgb '#000000' title 'exact, TM'",
-                                       "with lines lw 2 dt 2 lc rgb '#009e73' title 'Kirchhoff'",
-                                       "with lines lw 2.6 lc rgb '#0072b2' title 'this model'",
-                                       "with lines lw 2 lc rgb '#d55e00' title 'Smith, correlated'"};
+struct LobeCurve {
+    const char* column;
+    const char* style;
+};
+std::vector<LobeCurve> lobe_curves(bool polarised) {
+    std::vector<LobeCurve> curves{{"exact_te", "with points pt 7 ps 0.45 lc rgb '#000000' title 'exact, TE'"},
+                                  {"exact_tm", "with points pt 6 ps 0.5 lc rgb '#000000' title 'exact, TM'"}};
+    const std::vector<LobeCurve> own{
+        {"he_torrance_te", "with lines lw 2.4 lc rgb '#0072b2' title 'this model, TE'"},
+        {"he_torrance_tm", "with lines lw 2.4 dt 2 lc rgb '#0072b2' title 'this model, TM'"}};
+    const std::vector<LobeCurve> models{
+        {"kirchhoff", "with lines lw 2 dt 2 lc rgb '#009e73' title 'Kirchhoff'"},
+        {"he_torrance", "with lines lw 2.6 lc rgb '#0072b2' title 'this model'"},
+        {"smith", "with lines lw 2 lc rgb '#d55e00' title 'Smith, correlated'"}};
+    const auto& lines = polarised ? own : models;
+    curves.insert(curves.end(), lines.begin(), lines.end());
+    return curves;
+}
 
 /// A surface and an angle whose lobe is drawn.
 struct LobePanel {
@@ -106,13 +118,14 @@ std::vector<LobePanel> panels_of(const LobePanels& wanted, const FigureTable& lo
     return panels;
 }
 
-std::vector<std::vector<double>> lobe_rows(const FigureTable& lobes, const LobePanel& panel) {
+std::vector<std::vector<double>> lobe_rows(const FigureTable& lobes, const LobePanel& panel,
+                                           const std::vector<LobeCurve>& curves) {
     std::vector<std::vector<double>> rows;
     for (const auto& row : lobes.rows) {
         if (row[0] != panel.roughness || row[1] != panel.length || row[2] != panel.theta) continue;
         rows.push_back({row[3]});
-        for (const char* column : lobe_columns)
-            rows.back().push_back(10 * std::log10(std::max(row[column_of(lobes, column)], 1e-9)));
+        for (const LobeCurve& curve : curves)
+            rows.back().push_back(10 * std::log10(std::max(row[column_of(lobes, curve.column)], 1e-9)));
     }
     return rows;
 }
@@ -161,20 +174,25 @@ Figure moment_map_figure(const FigureTable& map) {
 
 Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& wanted) {
     const auto panels = panels_of(wanted, lobes);
+    const auto curves = lobe_curves(wanted.polarised);
     const std::size_t columns = 2, rows = (panels.size() + 1) / columns;
+    const int height = 220 + 218 * static_cast<int>(rows);
+    const auto down = [height](int pixels) { return 1 - pixels / static_cast<double>(height); };
+    const std::string key =
+        "set key at screen 0.97," + shortest(down(90)) + " right bottom horizontal samplen 1.6 font ',12'\n";
     std::ostringstream out;
-    out << page(1000, 170 + 230 * static_cast<int>(rows))
-        << page_label("Light scattered by random profiles, " + wanted.what + ": exact and by three models",
-                      0.015, 0.975, 19)
+    out << page(1000, height)
+        << page_label("Light scattered by random profiles, " + wanted.what + ": exact and closed forms",
+                      0.015, down(27), 19)
         << page_label(
                "Incoherent power per angle [dB re 1/rad], averages over 5°; negative angles: the side of the "
                "source.",
-               0.015, 0.95, 13)
-        << "set multiplot layout " << rows << ',' << columns
-        << " margins 0.07,0.97,0.075,0.875 spacing 0.07,0.055\nset xrange [-90:90]\nset xtics 30\nset key "
-           "off\n";
+               0.015, down(54), 13)
+        << "set multiplot layout " << rows << ',' << columns << " margins 0.07,0.97," << 1 - down(82) << ','
+        << down(136) << " spacing 0.07," << 60.0 / height
+        << "\nset xrange [-90:90]\nset xtics 30\nset key off\n";
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const auto numbers = lobe_rows(lobes, panels[i]);
+        const auto numbers = lobe_rows(lobes, panels[i], curves);
         double brightest = -90;
         for (const auto& row : numbers) brightest = std::max(brightest, row[1]);
         const double top = 5 * std::ceil(brightest / 5) + 5;
@@ -182,18 +200,16 @@ Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& wanted) {
             << "]\nset ytics 10\nset title 'σ_0 = " << panels[i].roughness << " λ, τ = " << panels[i].length
             << " λ, θ_i = " << panels[i].theta << "°' font ',13' offset 0,-0.8\n"
             << (i + columns >= panels.size() ? "set xlabel 'angle of scattering [°]' offset 0,0.5\n" : "")
-            << (i == 0 ? "set key at screen 0.97,0.918 right bottom horizontal samplen 1.6 font ',12'\n"
-                       : "set key off\n")
-            << "plot ";
-        for (std::size_t c = 0; c < std::size(lobe_columns); ++c)
-            out << (c == 0 ? "" : ", ") << "$lobe" << i << " using 1:" << c + 2 << ' ' << lobe_styles[c];
+            << (i == 0 ? key : "set key off\n") << "plot ";
+        for (std::size_t c = 0; c < curves.size(); ++c)
+            out << (c == 0 ? "" : ", ") << "$lobe" << i << " using 1:" << c + 2 << ' ' << curves[c].style;
         out << '\n' << (i == 0 ? "unset label\n" : "");
     }
     out << "unset multiplot\n";
     return {lobes.stem,
             {},
             out.str(),
-            "Exact bistatic scattering (dots), averaged over realisations, and three closed forms."};
+            "Exact bistatic scattering (dots), averaged over realisations, and closed forms."};
 }
 
 }  // namespace hts::validation
