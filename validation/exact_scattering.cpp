@@ -152,39 +152,6 @@ double lobe_distance(const FigureTable& lobes, const std::vector<double>& map_ro
     return std::sqrt(squares / weight);
 }
 
-struct Trend {
-    const char* title;
-    const char* model;
-    double most_slope_deg;
-    double most_theta_r = 90;
-};
-
-Check trend_check(const std::vector<FigureTable>& tables, const Trend& of) {
-    const FigureTable &map = tables[0], &lobes = tables[1];
-    const double most_slope = std::tan(of.most_slope_deg * std::numbers::pi / 180) / std::numbers::sqrt2;
-    const Region region{2, any, 0, most_slope, 0, 60};
-    double most = 0;
-    std::vector<double> where;
-    for (const auto& row : map.rows) {
-        if (!within(region, row)) continue;
-        const double distance = lobe_distance(lobes, row, of.model, of.most_theta_r);
-        if (distance < most) continue;
-        most = distance;
-        where = row;
-    }
-    std::string claim = std::string{of.title} +
-                        ": within 0.6 dB of exact for tau >= 2 lambda, rms slope below " +
-                        shortest(of.most_slope_deg) + " deg, up to 60 deg (unpolarised)";
-    std::string remark =
-        "at " + place(where) + ", where chance is " + decibel_text(where[column_of(map, "chance_db")]);
-    if (of.most_theta_r < 90)
-        claim += ", scattered " + shortest(90 - of.most_theta_r) + " deg or more above the horizon";
-    else
-        remark += "; " + decibel_text(lobe_distance(lobes, where, of.model, 80)) +
-                  " of it without the last 10 deg above the horizon";
-    return {claim, decibel_text(most) + " at worst", most <= 0.6, remark};
-}
-
 Section section() {
     return {"exact-scattering",
             "Exact scattering: the method of moments",
@@ -271,6 +238,32 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
 
 std::vector<Check> energy_checks(const FigureTable& map) {
     return {energy_check(map, "te", "TE"), energy_check(map, "tm", "TM")};
+}
+
+Check trend_check(const std::vector<FigureTable>& tables, const Trend& of) {
+    const FigureTable &map = tables[0], &lobes = tables[1];
+    const double most_slope = std::tan(of.most_slope_deg * std::numbers::pi / 180) / std::numbers::sqrt2;
+    const Region region{2, any, 0, most_slope, 0, 60};
+    double most = 0;
+    std::vector<double> where;
+    for (const auto& row : map.rows) {
+        if (!within(region, row)) continue;
+        const double distance = lobe_distance(lobes, row, of.model, of.most_theta_r);
+        if (distance < most) continue;
+        most = distance;
+        where = row;
+    }
+    std::string claim = std::string{of.title} +
+                        ": within 0.6 dB of exact for tau >= 2 lambda, rms slope below " +
+                        shortest(of.most_slope_deg) + " deg, up to 60 deg (unpolarised)";
+    std::string remark =
+        "at " + place(where) + ", where chance is " + decibel_text(where[column_of(map, "chance_db")]);
+    if (of.most_theta_r < 90)
+        claim += ", scattered " + shortest(90 - of.most_theta_r) + " deg or more above the horizon";
+    else
+        remark += "; " + decibel_text(lobe_distance(lobes, where, of.model, 80)) +
+                  " of it without the last 10 deg above the horizon";
+    return {claim, decibel_text(most) + " at worst", most <= 0.6, remark};
 }
 
 std::vector<Check> moment_checks(const std::vector<FigureTable>& tables) {

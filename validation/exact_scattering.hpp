@@ -20,6 +20,14 @@ namespace hts::validation {
 
 /// That a map's energies are 1 to 1 %, in TE and in TM.
 [[nodiscard]] std::vector<Check> energy_checks(const FigureTable& map);
+/// A model is to be within 0.6 dB of exact in unpolarised light, tau >= 2 lambda, theta_i up to 60 degrees.
+struct Trend {
+    const char* title;         ///< "this model"
+    const char* model;         ///< "he_torrance"
+    double most_slope_deg;     ///< of the rms slope
+    double most_theta_r = 90;  ///< angles of scattering that count
+};
+[[nodiscard]] Check trend_check(const std::vector<FigureTable>& map_and_lobes, const Trend& of);
 /// Checks of a map and its lobes against what is claimed of them.
 [[nodiscard]] std::vector<Check> moment_checks(const std::vector<FigureTable>& map_and_lobes);
 /// The map as a picture, a panel per model and angle.
