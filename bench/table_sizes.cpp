@@ -200,10 +200,10 @@ std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_
         Chart chart;
         bool cubic;
     };
-    const std::array<Way, 4> ways{{{"angles, f linear", plain_angles(), false},
-                                   {"half-vector angles (MERL), f linear", half_vector_angles(), false},
-                                   {"angles, ln f cubic", plain_angles(), true},
-                                   {"folded coordinates, ln f cubic", own_coordinates(), true}}};
+    const std::array<Way, 4> ways{{{"plain angles (θi, θr, Δφ): f, linear", plain_angles(), false},
+                                   {"half-vector angles as in MERL: f, linear", half_vector_angles(), false},
+                                   {"plain angles (θi, θr, Δφ): ln f, cubic", plain_angles(), true},
+                                   {"folded coordinates: ln f, cubic", own_coordinates(), true}}};
     std::vector<TableSize> sizes;
     for (const Way& way : ways) {
         for (const int nodes : {8, 12, 18, 27, 40, 60}) {
@@ -216,8 +216,8 @@ std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_
         const tables::Table table =
             tables::build_table(exact, {exact.name(), "", ""}, {.tolerance = tolerance});
         const auto error = tables::table_error(table, exact, pairs, seed);
-        sizes.push_back(
-            {"the same, few spectra, nodes by need", static_cast<double>(table.bytes()), error.largest});
+        sizes.push_back({"hts table build: the same, few spectra, nodes by need",
+                         static_cast<double>(table.bytes()), error.largest});
     }
     return sizes;
 }
@@ -226,10 +226,10 @@ std::string table_sizes_script(const std::vector<TableSize>& sizes, const std::s
     std::ostringstream script;
     script << "set title "
            << spectral::gnuplot_string(surface + ": size of a table against its largest error")
-           << " noenhanced\nset logscale xy\nset xlabel 'bytes'\nset ylabel 'largest |table - exact| / "
-              "(exact + 10^{-3} peak)'\n"
-           << "set format x '10^{%T}'\nset format y '10^{%T}'\nset grid lc rgb '#dddddd'\nset key outside "
-              "bottom center horizontal maxcols 2 noenhanced\n";
+           << " noenhanced\nset logscale xy\nset xlabel 'size of the table (bytes)'\nset ylabel "
+              "'largest |table - exact| / (exact + 10^{-3} peak)'\n"
+           << "set format x '10^{%T}'\nset format y '10^{%T}'\nset grid lc rgb '#dddddd'\n"
+              "set yrange [1e-6:]\nset key inside left bottom Left reverse noenhanced\n";
     std::vector<std::string> ways;
     for (const TableSize& size : sizes) {
         if (ways.empty() || ways.back() != size.way) {

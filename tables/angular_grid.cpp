@@ -9,6 +9,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/random_directions.hpp"
+#include "tables/tokens.hpp"
 
 namespace hts::tables {
 namespace {
@@ -173,7 +174,7 @@ std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
             std::to_string(grid.size()) + " nodes times " + std::to_string(wavelengths.size()));
     }
     for (const double value : values) {
-        if (!std::isfinite(value)) throw out_of_range("BRDF", value, "1/sr", "finite");
+        if (!(std::abs(value) <= largest_number)) throw out_of_range("BRDF", value, "1/sr", "at most 1e100");
     }
     return std::make_unique<GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values));
 }

@@ -11,6 +11,7 @@
 
 #include "hts/error.hpp"
 #include "tables/little_endian.hpp"
+#include "tables/tokens.hpp"
 
 namespace hts::tables {
 namespace {
@@ -232,8 +233,8 @@ std::unique_ptr<SpectralBrdf> merl_brdf(std::string_view bytes, const std::strin
         const std::size_t c = i % 3;
         const std::size_t offset = header + (plane_of(c) * plane + i / 3) * sizeof(double);
         values[i] = from_little_endian<double>(bytes.substr(offset)) * scale[c];
-        if (std::isfinite(values[i])) continue;
-        throw Error{name + ": offset " + std::to_string(offset) + ": not a finite number"};
+        if (std::abs(values[i]) <= largest_number) continue;
+        throw Error{name + ": offset " + std::to_string(offset) + ": not a number of at most 1e100"};
     }
     return std::make_unique<MerlBrdf>(name, wavelengths, std::move(values), lookup);
 }

@@ -144,7 +144,7 @@ class NodeDensity {
 
     /// Per angle of the facet's tilt, without light's part.
     [[nodiscard]] double share(const FacetView& view) const {
-        const double c = view.cosine, width = 0.15 * near_horizon_, behind = 0.07 * near_horizon_;
+        const double c = view.cosine, width = 0.15 * near_horizon_, behind = 0.1 * near_horizon_;
         const double height = c >= 0 ? 1 / (c + width) : std::max(1 + c / behind, 0.0) / width;
         return std::sqrt(view.facing) * height;
     }
@@ -241,8 +241,9 @@ std::vector<float> nanometres(const SpectralBrdf& brdf) {
 
 }  // namespace
 
-Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
-                  const RglResolution& resolution) {
+namespace {
+
+std::string rgl_bytes(const SpectralBrdf& brdf, const RglResolution& resolution) {
     require(resolution);
     if (!is_isotropic(brdf))
         throw Error{brdf.name() + " is anisotropic: a file of this format is written of isotropic ones only"};
@@ -252,12 +253,43 @@ Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
     file.add("jacobian", {1}, std::vector<std::uint8_t>{1});
     file.add("wavelengths", {wavelengths.size()}, wavelengths);
     RglTables{brdf, resolution}.add_to(file);
-    spectral::write_file(path.string(), file.bytes());
+    return file.bytes();
+}
+
+std::string fine_enough(const SpectralBrdf& brdf) {
+    constexpr RglResolution first{72, 80, 129, 512};
+    constexpr double most_error = 0.85 * accuracy::rgl;
+    constexpr int most_refinements = 2;
+    constexpr RoundTripOptions pairs{200'000, 0};
+    RglResolution resolution = first;
+    for (int refinements = 0;; ++refinements) {
+        std::string bytes = rgl_bytes(brdf, resolution);
+        if (refinements == most_refinements) return bytes;
+        const auto read = parse_rgl(bytes, brdf.name());
+        if (round_trip(brdf, *read, pairs).worst.error <= most_error) return bytes;
+        resolution.resolution = resolution.resolution * 5 / 4;
+    }
+}
+
+Sidecar described() {
     return {.format = "RGL tensor file (.bsdf): Mitsuba 3 measured, pbrt-v4 measured, powitacq",
             .value = "f cos(theta_o), spectral, on a warped half-vector square",
             .normalisation = "readers multiply by ndf/(4 sigma), which the stored numbers allow for",
             .notes = {"front side only", "isotropic",
                       "wavelengths outside those of the file take the values of the nearest"}};
+}
+
+}  // namespace
+
+Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
+                  const RglResolution& resolution) {
+    spectral::write_file(path.string(), rgl_bytes(brdf, resolution));
+    return described();
+}
+
+Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    spectral::write_file(path.string(), fine_enough(brdf));
+    return described();
 }
 
 }  // namespace hts::tables

@@ -31,7 +31,7 @@ struct ScatterPoints {
     std::vector<double> values;         ///< [1/sr], all wavelengths of a point together
 };
 
-/// The BRDF that the points describe. hts::Error if there is none, a polar angle is out of range or a value not finite.
+/// The BRDF that the points describe. hts::Error if there is none, a polar angle is out of range or a value not finite or above 1e100.
 ///   regular   set to whether the points are a full grid
 [[nodiscard]] std::unique_ptr<SpectralBrdf> brdf_from(const std::string& name, const ScatterPoints& points,
                                                       bool* regular = nullptr);

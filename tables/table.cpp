@@ -54,7 +54,7 @@ void spline_values(std::span<const double> coefficients, std::size_t nodes, doub
 // Compiled for several instruction sets, of which the loader takes the best that the processor has.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define HTS_TABLES_CLONES \
-    __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512"), flatten))
+    __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), flatten))
 #else
 #define HTS_TABLES_CLONES
 #endif
@@ -81,8 +81,10 @@ inline void write_lobe(const TableContents& contents, std::span<const Real> numb
                        const LobePlace<Real>& place, std::span<double> values) noexcept {
     const double* const floor = contents.numbers.floor.data();
     lobe_spline(contents, numbers).visit(place, [&](std::size_t first, const Real* logarithms, auto width) {
+        std::array<Real, width> powers;  // apart from what may alias, so that compilers take lanes
+        for (std::size_t i = 0; i < width; ++i) powers[i] = exponential(logarithms[i]);
         for (std::size_t i = 0; i < width; ++i)
-            values[first + i] = lobe_value(logarithms[i], floor[first + i]);
+            values[first + i] = std::max(0.0, static_cast<double>(powers[i]) - floor[first + i]);
     });
 }
 

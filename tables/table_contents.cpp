@@ -84,6 +84,11 @@ void require_finite(std::span<const Real> values, const std::string& name) {
     throw Error{name + ": has numbers that are not finite"};
 }
 
+void require_not_negative(std::span<const double> values, const char* what, const std::string& name) {
+    for (const double value : values)
+        if (value < 0) throw Error{name + ": " + what + " " + shortest(value) + " 1/sr: must be >= 0"};
+}
+
 /// What its numbers take [bytes]; in floating point, where a hostile header cannot overflow.
 double bytes_needed(const TableInfo& info) {
     const auto with_ghosts = [](std::size_t nodes) { return static_cast<double>(nodes + spline_ghosts); };
@@ -158,6 +163,8 @@ TableContents contents_of(std::string_view bytes, std::shared_ptr<const void> st
     TableNumbers<const double, const float> parts{};
     parts.floor = take(count.wavelengths);
     parts.uniform_diffuse = take(count.wavelengths);
+    require_not_negative(parts.floor, "floor", name);
+    require_not_negative(parts.uniform_diffuse, "uniform diffuse BRDF", name);
     parts.specular = take(count.specular);
     parts.albedo = take(count.albedo);
     parts.polarisation = take(count.polarisation);

@@ -52,8 +52,9 @@ double Tokens::take_number(const char* quantity) {
     const auto* const end = word_.data() + word_.size();
     const auto [after, failure] =
         std::from_chars(word_.data() + (word_.starts_with('+') ? 1 : 0), end, value);
-    if (word_.empty() || failure != std::errc{} || after != end || !std::isfinite(value))
-        throw error(std::string{quantity}.append(": must be a number, not ").append(shown(word_)));
+    if (word_.empty() || failure != std::errc{} || after != end || !(std::abs(value) <= largest_number))
+        throw error(
+            std::string{quantity}.append(": must be a number of at most 1e100, not ").append(shown(word_)));
     advance();
     return value;
 }

@@ -10,6 +10,9 @@
 
 namespace hts::tables {
 
+/// Numbers in files must be no larger, so that what is interpolated between them is finite.
+inline constexpr double largest_number = 1e100;
+
 /// Words stand between white space and commas; `{` and `}` are words of their own; what follows a `#` on its line is a comment.
 class Tokens {
   public:
@@ -20,7 +23,7 @@ class Tokens {
     /// The next word, "" at the end; `take` removes it.
     [[nodiscard]] std::string_view next() const noexcept { return word_; }
     std::string_view take();
-    /// Takes a finite number; hts::Error otherwise.
+    /// Takes a number of at most largest_number either way; hts::Error otherwise.
     double take_number(const char* quantity);
     /// Takes a whole number 1 ... most; hts::Error otherwise.
     std::size_t take_count(const char* quantity, std::size_t most);

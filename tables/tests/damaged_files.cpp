@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -119,6 +121,18 @@ void require_sound(bool sound) {
     if (!sound) throw std::logic_error{"unsound"};
 }
 
+namespace {
+
+/// Where a file that failed is kept.
+std::string kept(const DamagedFile& file, std::size_t seed, const std::string& bytes) {
+    const auto path = std::filesystem::temp_directory_path() /
+                      std::string{"damaged "}.append(file.name).append(" ").append(std::to_string(seed));
+    std::ofstream{path, std::ios::binary} << bytes;
+    return path.string();
+}
+
+}  // namespace
+
 void check_damaged(const DamagedFile& file) {
     const std::size_t cases = hts::testing::exhaustive() ? file.exhaustive : file.quick;
     const std::size_t most = (std::size_t{4} << 20) + 64 * file.good.size();
@@ -127,8 +141,9 @@ void check_damaged(const DamagedFile& file) {
     CHECK(outcome(file, file.good, most, message) == Outcome::sound);
     for (std::size_t seed = 0; seed < cases; ++seed) {
         std::mt19937_64 random{seed};
-        const Outcome came = outcome(file, damaged(file, random), most, message);
-        if (came == Outcome::failed) FAIL(file.name << ", seed " << seed << ": " << message);
+        const std::string bytes = damaged(file, random);
+        const Outcome came = outcome(file, bytes, most, message);
+        if (came == Outcome::failed) FAIL(kept(file, seed, bytes) << ": " << message);
         if (came != Outcome::refused) continue;
         ++refused;
         if (message.size() < 8)

@@ -41,7 +41,7 @@ struct DamagedFile {
 /// One to three changes: bytes changed, bits turned, cut out, doubled, replaced by something nasty, or the end cut off.
 [[nodiscard]] std::string damaged(const DamagedFile& file, std::mt19937_64& random);
 
-/// Damages the file so many times and reads each; every case is one of its own seed, which a failure names. At least one case
+/// Damages the file so many times and reads each; every case has its own seed, and one that fails is kept as a file. At least one case
 /// must be refused, and one be read.
 void check_damaged(const DamagedFile& file);
 

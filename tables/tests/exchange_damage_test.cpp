@@ -202,6 +202,8 @@ TEST_CASE("what is wrong with a file is named, with its line") {
         {0, "DataEnd", "", {"DataEnd", "end of the file"}},
         {0, "# wavelength_um 0.55", "#", {"wavelength", "must be given"}},
         {0, "TIS", "TIS nan", {"TIS", "nan"}},
+        {0, "TIS", "TIS 1e101", {"TIS", "at most 1e100", "1e101"}},
+        {4, "1.25", "1e300", {"BRDF 1e+300 1/sr", "at most 1e100"}},
         {1, "<Layer>", "<Lager>", {"not valid XML"}},
         {1, "Columns", "Diagonals", {"IncidentDataStructure", "Diagonals", "TensorTree3"}},
         {1, "Reflection Back", "Transmission Front", {"Reflection Back"}},

@@ -26,8 +26,8 @@ constexpr std::size_t version_at = 8, order_at = 12, header_size_at = 16, number
                       checksum_at = 32;
 constexpr std::size_t prelude_bytes = 64;
 
-template <class Integer>
-std::string with(std::string bytes, std::size_t at, Integer value) {
+template <class Number>
+std::string with(std::string bytes, std::size_t at, Number value) {
     std::string little;
     append_little_endian(little, value);
     return bytes.replace(at, little.size(), little);
@@ -108,6 +108,12 @@ TEST_CASE("hostile headers are refused by name") {
                Catch::Contains("tolerance"));
     CHECK_THAT(refusal(with_header("\"float\"", "\"flat\"")), Catch::Contains("must be float or double"));
     CHECK_THAT(refusal(with_header("{", "[")), Catch::Contains("JSON"));
+    const std::size_t numbers =
+        prelude_bytes + from_little_endian<std::uint64_t>(good.substr(header_size_at));
+    CHECK_THAT(refusal(signed_again(with(good, numbers, -1.0))),
+               Catch::Contains("floor -1 1/sr: must be >= 0"));
+    CHECK_THAT(refusal(signed_again(with(good, numbers + 3 * sizeof(double), -0.5))),
+               Catch::Contains("uniform diffuse BRDF -0.5 1/sr: must be >= 0"));
     const auto not_a_number = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN());
     CHECK_THAT(refusal(signed_again(with(good, good.size() - 4, not_a_number))),
                Catch::Contains("not finite"));

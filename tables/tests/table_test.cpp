@@ -103,8 +103,6 @@ TEST_CASE("every isotropic model can be tabulated") {
     for (const char* text :
          {R"({"model": "walter", "distribution": "ggx", "alpha": 0.4, "index": {"n": 1.5, "k": 0}})",
           R"({"model": "lambert", "diffuse_albedo": 0.5})"}) {
-        const bool slow = std::string{text}.find("walter") != std::string::npos;
-        if (slow && !hts::testing::exhaustive()) continue;
         const auto exact = model(text);
         const Table table = build_table(*exact, {"test", text, "test.json"}, {.tolerance = 0.1});
         const TableError error = table_error(table, *exact, 10'000, 5);
