@@ -55,7 +55,7 @@ class RglBrdf : public SpectralBrdf, public HasDensity {
 Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
                   const RglResolution& resolution);
 /// The same as finely as it must be: each try is read back at random pairs of directions, and if the worst error is above
-/// 1.7 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
+/// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.
 Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
 
