@@ -74,8 +74,7 @@ double transmittance(double cos_in, double cos_out, double eta_in, double eta_ou
 
 /// (|F_s|^2 + |F_p|^2)/2 in real arithmetic. With N = n + ik, d = N^2 - 1, sqrt(N^2 - sin^2) = A + iB, M = A^2 + B^2:
 ///   |F_s|^2 = |d|^2/(M + c^2 + 2Ac)^2,   |F_p|^2 = |F_s|^2 (M c^2 + s^4 - 2Ac s^2)/(M c^2 + s^4 + 2Ac s^2)
-/// A is the larger of A and B, or nk over it; u is that divisor or 1, so that there is one division. Nothing cancels and no
-/// branch keeps a loop over wavelengths from vectors.
+/// Where A is the smaller of A and B it is nk/B, so that nothing cancels. No branch keeps a loop over wavelengths from vectors.
 inline double reflectance(double c, double n, double k) {
     const double c2 = c * c;
     const double s2 = (1 - c) * (1 + c);
@@ -84,12 +83,12 @@ inline double reflectance(double c, double n, double k) {
     const double real = d_real + c2;  // of N^2 - sin^2
     const double modulus = std::sqrt(real * real + 4 * (nk * nk));
     const double larger = std::sqrt((modulus + std::abs(real)) / 2);
-    const double u = real >= 0 ? 1 : larger;
-    const double two_acu = 2 * c * (real >= 0 ? larger : nk);
+    const double smaller = nk / larger;
+    const double two_ac = 2 * c * (real >= 0 ? larger : smaller);
     const double p = modulus * c2 + s2 * s2;
-    const double s_below = (modulus + c2) * u + two_acu;
-    const double below = s_below * s_below * (p * u + two_acu * s2);
-    const double kept = (d_real * d_real + 4 * (nk * nk)) * p * (u * u * u) / std::max(below, smallest);
+    const double s_below = modulus + c2 + two_ac;
+    const double below = s_below * s_below * (p + two_ac * s2);
+    const double kept = (d_real * d_real + 4 * (nk * nk)) * p / (below + smallest);
     return std::min(kept, 1.0);
 }
 

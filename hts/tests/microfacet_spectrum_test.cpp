@@ -72,12 +72,12 @@ TEST_CASE("spectra of facets that reflect as planes do") {
     check<WalterBrdf>("Walter", {{wide, {0.2, 3}}, {wide, {1.5, 0}}, {wide, {0.5, 0.1}}, {wider, {0.2, 3}}});
     check<WalterInterface>("Walter, glass",
                            {{wide, {0.2, 3}, 1}, {wide, {1.5, 0}, 1}, {wide, {1.4, 0}, 1.1}});
-    const AshikhminFacets brushed{NormalDensity::gaussian(0.3, 0.5)},
+    const AshikhminFacets rough{NormalDensity::gaussian(0.3, 0.3)},
         velvet{NormalDensity::inverse_gaussian(0.5)};
-    check<AshikhminBrdf>("Ashikhmin", {{brushed, FacetFresnel::schlick(0.05), 0.5},
-                                       {brushed, FacetFresnel::schlick(0.4), 0},
-                                       {brushed, FacetFresnel::exact({1.5, 0}), 0.3},
-                                       AshikhminBrdf::metal(brushed, 0.9),
+    check<AshikhminBrdf>("Ashikhmin", {{rough, FacetFresnel::schlick(0.05), 0.5},
+                                       {rough, FacetFresnel::schlick(0.4), 0},
+                                       {rough, FacetFresnel::exact({1.5, 0}), 0.3},
+                                       AshikhminBrdf::metal(rough, 0.9),
                                        {velvet, FacetFresnel::schlick(0.4), 0.2}});
 }
 
