@@ -193,7 +193,7 @@ class AnyModel::Of final : public AnyModel::Face {
                                            const Uniforms& uniforms) const noexcept override {
         const DrawnDirection drawn = model_.sample(in, uniforms);
         if (!(drawn.pdf > 0)) return {drawn.out, Lobe::none, 0, 0};
-        const bool uniform = terms(in, drawn.out).directional_diffuse == 0 && uniform_diffuse_ > 0;
+        const bool uniform = uniform_diffuse_ > 0 && terms(in, drawn.out).directional_diffuse == 0;
         return {drawn.out, uniform ? Lobe::uniform_diffuse : Lobe::directional_diffuse, drawn.weight,
                 drawn.pdf};
     }
