@@ -127,7 +127,7 @@ Section models_section(Effort effort) {
         "He-Torrance and "
         "the microfacet models know the index of metals and of the acrylic; elsewhere n is fitted. Theirs is "
         "no diffuse term "
-        "in Beckmann's and GGX. Ashikhmin and Shirley's lobe has no weight of its own in this library.\n\n" +
+        "in Beckmann's and GGX. Ashikhmin and Shirley's lobe has a weight ks as the others have.\n\n" +
         wins_text(results) + " " + lobes_text(results);
     section.tables = {
         table_of("l2-errors",

@@ -252,6 +252,20 @@ TEST_CASE("numbers of a material file may be tables over wavelength") {
           Approx(0.2 / pi).epsilon(1e-14));
 }
 
+TEST_CASE("a number with a default may be left out") {
+    const TemporaryFolder folder;
+    const auto lobe = [&](const std::string& ks) {
+        return reflector_of(folder, R"({"model": "ashikhmin_shirley", "rd": 0, )" + ks +
+                                        R"("f0": 0.1, "nx": 20, "ny": 80})")
+            .at(green);
+    };
+    const Direction in = Direction::from_degrees(30, 0), out = Direction::from_degrees(35, 170);
+    const double alone = lobe("").brdf(in, out);
+    CHECK(alone > 0.01);
+    CHECK(lobe(R"("ks": 1, )").brdf(in, out) == alone);
+    CHECK(lobe(R"("ks": {"table": [[0.5, 2], [0.6, 2]]}, )").brdf(in, out) == 2 * alone);
+}
+
 TEST_CASE("what is wrong with a material file is named by key and legal range") {
     struct Case {
         std::string text;
@@ -284,6 +298,8 @@ TEST_CASE("what is wrong with a material file is named by key and legal range") 
         {R"({"model": "kurt", "lobes": {}})", {"\"lobes\"", "array"}},
         {kurt + R"("my": 1, "alpha": 0}], "coupled": 1})", {"\"coupled\"", "true or false"}},
         {R"({"model": "ward", "kd": 2, "lobes": [{"ks": 1, "mx": 1, "my": 1}]})", {"\"kd\"", "2", "0 to 1"}},
+        {R"({"model": "ashikhmin_shirley", "rd": 0, "f0": 0, "nx": 1, "ny": 1, "ks": -1})",
+         {"\"ks\"", "-1", "0 to 1e+06"}},
         {R"({"model": "ward", "lobes": [{"ks": -1, "mx": 1, "my": 1}]})", {"\"lobes[1].ks\"", "-1"}},
         {normals + R"({"type": "gaussian", "sigma_x": 0.1}})", {"\"normals.sigma_y\"", "missing"}},
         {normals + R"({"type": "gaussian", "sigma_x": 0.1, "sigma_y": 0}})",
