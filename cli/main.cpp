@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
     program.footer("Each verb explains itself: hts eval --help");
     try {
         run(program, argc, argv);
+        if (!std::cout.flush()) return fail(data_failed, "standard output: cannot be written");
         return done;
     } catch (const CLI::Success& help_or_version) {
         return program.exit(help_or_version);

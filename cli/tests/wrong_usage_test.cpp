@@ -258,5 +258,9 @@ TEST_CASE("a medium that is full, or a place that takes no file: exit code 1, no
         check_complaint(place.hts("phi --g 1 --t 1 --output " + path), 1, {path});
         check_complaint(place.hts("materials --output " + path), 1, {path});
     }
-    CHECK(place.hts("materials > /dev/full").exit_code == 1);
+    // the test's own redirection is cut off by #
+    CHECK(place.hts("materials > /dev/full 2> ../errors #").exit_code == 1);
+    CHECK(
+        place.hts("fit curet-sandpaper --model lambert --most-points 10 --rings 0 > /dev/full 2> ../errors #")
+            .exit_code == 1);
 }

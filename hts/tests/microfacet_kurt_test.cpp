@@ -95,6 +95,10 @@ TEST_CASE("Kurt: values, sampling") {
         check_sampling(name, model);
     }
     for (const KurtPreset& preset : kurt_presets()) check_sampling(preset.name, preset.model(0));
+    // at the normal its facets reflect nothing straight back, but those that send light aside do
+    const Direction normal = Direction::from_degrees(0, 0), aside = Direction::from_degrees(60, 0);
+    CHECK(black_facets.brdf(normal, aside) > 0);
+    CHECK(black_facets.pdf(normal, aside) > 0);
     CHECK(Kurt{0, {}}.sample(Direction::from_degrees(10, 0), {0.5, 0.5, 0.5}).pdf == 0);
 }
 
