@@ -40,21 +40,31 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_validate(program);
 }
 
-/// The first argument must be an option of the program or a verb.
-void require_known_verb(const CLI::App& program, int argc, char** argv) {
-    const std::string first = argc < 2 ? "" : argv[1];
-    if (first.starts_with('-')) return;
+/// The word must be an option of `parent` or one of its verbs, which is returned; none if there is nothing to choose.
+const CLI::App* known_verb(const CLI::App& parent, const std::string& command, const std::string& word) {
+    const auto verbs = parent.get_subcommands([](const CLI::App*) { return true; });
+    if (verbs.empty() || word.starts_with('-')) return nullptr;
     std::string names;
-    for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
-        if (verb->get_name() == first) return;
+    for (const CLI::App* verb : verbs) {
+        if (verb->get_name() == word) return verb;
         names += (names.empty() ? "" : ", ") + verb->get_name();
     }
-    const std::string problem = argc < 2 ? "verb missing" : "unknown verb \"" + first + "\"";
-    throw hts::cli::UsageError{problem + ": must be one of " + names + " (see hts --help)"};
+    const std::string problem = word.empty() ? "verb missing" : "unknown verb \"" + word + "\"";
+    throw hts::cli::UsageError{problem + ": must be one of " + names + " (see " + command + " --help)"};
+}
+
+void require_known_verbs(const CLI::App& program, int argc, char** argv) {
+    const CLI::App* parent = &program;
+    std::string command = "hts";
+    for (int i = 1; parent != nullptr; ++i) {
+        const std::string word = i < argc ? argv[i] : "";
+        parent = known_verb(*parent, command, word);
+        command += " " + word;
+    }
 }
 
 void run(CLI::App& program, int argc, char** argv) {
-    require_known_verb(program, argc, argv);
+    require_known_verbs(program, argc, argv);
     program.parse(argc, argv);
 }
 
