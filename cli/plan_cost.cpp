@@ -62,15 +62,15 @@ class Timing {
     explicit Timing(const spectral::Scene& scene) : scene_{scene}, pairs_{pairs_of(scene)} {}
 
     /// At the rung's own wavelengths.
-    [[nodiscard]] double diffuse(const PlannedReflectance& planned) const {
-        const spectral::SpectralBrdf& evaluator = planned.at_nodes();
+    [[nodiscard]] double diffuse(const spectral::SpectralBrdf& evaluator) const {
+        const std::size_t width = evaluator.wavelengths().size();
         if (scene_.polarised) {
-            std::vector<Mueller> result(planned.nodes());
+            std::vector<Mueller> result(width);
             return nanoseconds([&] {
                 for (const DirectionPair& pair : pairs_) evaluator.mueller(pair, result);
             });
         }
-        std::vector<double> result(pairs_.size() * planned.nodes());
+        std::vector<double> result(pairs_.size() * width);
         return nanoseconds([&] { evaluator.brdf_batch(pairs_, result); });
     }
 
@@ -135,7 +135,7 @@ PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& 
     const OneThread one_thread;
     const Timing timing{scene};
     const spectral::Rung& rung = evaluator.rung();
-    const double at_nodes = timing.diffuse(evaluator), interpolation = timing.interpolation(rung);
+    const double at_nodes = timing.diffuse(evaluator.at_nodes()), interpolation = timing.interpolation(rung);
     PlanCost cost{at_nodes + interpolation,
                   timing.mirror(evaluator),
                   timing.colour(rung),
@@ -147,11 +147,12 @@ PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& 
         return cost;
     spectral::Rung simple = rung;
     if (rung.lobe == DiffuseLobe::full) simple.lobe = DiffuseLobe::first_order;
-    const double simple_time = rung.lobe == DiffuseLobe::full ? timing.diffuse(forms.at(simple)) : at_nodes;
+    const double simple_time =
+        rung.lobe == DiffuseLobe::full ? timing.diffuse(*forms.at_nodes(simple)) : at_nodes;
     simple.wavelengths = spectral::WavelengthGrid::from_micrometres({rung.wavelengths.micrometres().front()});
     cost.phi = std::max(0., at_nodes - simple_time);
     cost.directions =
-        std::min(fixed_part(simple_time, timing.diffuse(forms.at(simple)), rung.wavelengths.size()),
+        std::min(fixed_part(simple_time, timing.diffuse(*forms.at_nodes(simple)), rung.wavelengths.size()),
                  at_nodes - cost.phi);
     cost.rest = at_nodes - cost.phi - cost.directions;
     return cost;

@@ -152,13 +152,15 @@ MaterialForms::MaterialForms(const Scene& scene, const AnyReflector& material)
 }
 
 PlannedReflectance MaterialForms::at(const Rung& rung) const {
+    return {scene_, rung, at_nodes(rung)};
+}
+
+std::unique_ptr<SpectralBrdf> MaterialForms::at_nodes(const Rung& rung) const {
     auto model =
         model_brdf(material_, rung.wavelengths, scene_.outside_range, rung.lobe_tolerance, rung.lobe);
-    if (scene_.compensate_energy) {
-        model = compensated_brdf(std::move(model), EnergyCompensation::interpolated(
-                                                       compensation_, scene_.wavelengths, rung.wavelengths));
-    }
-    return {scene_, rung, std::move(model)};
+    if (!scene_.compensate_energy) return model;
+    return compensated_brdf(std::move(model), EnergyCompensation::interpolated(
+                                                  compensation_, scene_.wavelengths, rung.wavelengths));
 }
 
 PlannedReflectance MaterialForms::full_model(Tolerance tolerance) const {

@@ -102,6 +102,8 @@ class MaterialForms {
 
     [[nodiscard]] const AnyReflector& material() const noexcept { return material_; }
     [[nodiscard]] PlannedReflectance at(const Rung& rung) const;
+    /// What the evaluator of a rung evaluates at the rung's wavelengths.
+    [[nodiscard]] std::unique_ptr<SpectralBrdf> at_nodes(const Rung& rung) const;
     /// All of the model at the scene's wavelengths.
     ///   tolerance   of the terms of model he
     [[nodiscard]] PlannedReflectance full_model(Tolerance tolerance = Tolerance{
