@@ -32,8 +32,8 @@ rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of th
             limit, and the light reflected more than once.
 
 Into the folder go the tables (.csv, with the command that writes them) and the pictures
-(.svg, .gnuplot). On one core moments takes some 10 minutes, dielectric 4, the others one
-or two; with --quick fewer cases and realisations, and each some seconds. The numbers are the
+(.svg, .gnuplot). On one core moments takes some 8 minutes, dielectric 4, the others one or
+two; with --quick fewer cases and realisations, and each some seconds. The numbers are the
 same for any number of threads. Exit code 1 if a check fails.
 
 Examples:

@@ -96,11 +96,7 @@ void add_results(Section& section, const std::vector<FigureTable>& tables, const
 
 GroundTruth dielectric_scattering_study(Effort effort) {
     const MomentSettings settings = validation::settings(effort);
-    std::vector<MomentResult> results;
-    for (const RoughnessStatistics& surface : surfaces(effort)) {
-        const auto some = moment_results(surface, {20, 40, 60}, settings);
-        results.insert(results.end(), some.begin(), some.end());
-    }
+    const auto results = moment_results(surfaces(effort), {20, 40, 60}, settings);
     GroundTruth truth{
         moment_provenance("of refractive index " + shortest(index), settings) +
             regenerating("dielectric", effort),

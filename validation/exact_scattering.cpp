@@ -294,11 +294,7 @@ std::string moment_provenance(const std::string& what, const MomentSettings& set
 GroundTruth exact_scattering_study(Effort effort) {
     MomentSettings settings;
     if (effort == Effort::quick) settings.realisations = 40;
-    std::vector<MomentResult> results;
-    for (const RoughnessStatistics& surface : moment_grid(effort)) {
-        const auto some = moment_results(surface, incidence_deg(), settings);
-        results.insert(results.end(), some.begin(), some.end());
-    }
+    const auto results = moment_results(moment_grid(effort), incidence_deg(), settings);
     GroundTruth truth{
         moment_provenance("perfectly conducting", settings) + regenerating("moments", effort),
         {moment_map_table(results, "moment-method-map"), moment_lobe_table(results, "moment-method-lobes")},

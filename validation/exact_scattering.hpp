@@ -20,16 +20,17 @@ namespace hts::validation {
 
 /// That a map's energies are 1 to 1 %, in TE and in TM.
 [[nodiscard]] std::vector<Check> energy_checks(const FigureTable& map);
-/// A model is to be within 0.6 dB of exact in unpolarised light, tau >= 2 lambda, theta_i up to 60 degrees.
+/// A model is to be within 0.6 dB of exact in unpolarised light, tau >= 2 lambda, theta_i up to 60 degrees: of a
+/// map and its lobes.
 struct Trend {
     const char* title;         ///< "this model"
     const char* model;         ///< "he_torrance"
     double most_slope_deg;     ///< of the rms slope
     double most_theta_r = 90;  ///< angles of scattering that count
 };
-[[nodiscard]] Check trend_check(const std::vector<FigureTable>& map_and_lobes, const Trend& of);
-/// Checks of a map and its lobes against what is claimed of them.
-[[nodiscard]] std::vector<Check> moment_checks(const std::vector<FigureTable>& map_and_lobes);
+[[nodiscard]] Check trend_check(const std::vector<FigureTable>& tables, const Trend& of);
+/// Checks of a map and its lobes, the two tables, against what is claimed of them.
+[[nodiscard]] std::vector<Check> moment_checks(const std::vector<FigureTable>& tables);
 /// The map as a picture, a panel per model and angle.
 [[nodiscard]] Figure moment_map_figure(const FigureTable& map);
 
@@ -41,7 +42,7 @@ struct LobePanels {
     bool polarised = false;  ///< this model in TE and TM, in place of the three models
 };
 /// Lobes against their closed forms.
-[[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& panels);
+[[nodiscard]] Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& wanted);
 
 /// First line of a provenance: "Exact scattering by random profiles, perfectly conducting: …".
 [[nodiscard]] std::string moment_provenance(const std::string& what, const MomentSettings& settings);

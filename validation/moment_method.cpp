@@ -418,6 +418,17 @@ std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
     return results;
 }
 
+std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>& surfaces,
+                                         const std::vector<double>& theta_i_deg,
+                                         const MomentSettings& settings) {
+    std::vector<MomentResult> results;
+    for (const RoughnessStatistics& surface : surfaces) {
+        const auto some = moment_results(surface, theta_i_deg, settings);
+        results.insert(results.end(), some.begin(), some.end());
+    }
+    return results;
+}
+
 Distance distance(const MomentResult& result, ProfileModel model) {
     const auto m = static_cast<std::size_t>(model);
     return distance_of(result, [m](const AngularBin& bin) {

@@ -80,6 +80,11 @@ inline constexpr double bin_width_deg = 5;
                                                        const std::vector<double>& theta_i_deg,
                                                        const MomentSettings& settings);
 
+/// Surfaces one after the other.
+[[nodiscard]] std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>& surfaces,
+                                                       const std::vector<double>& theta_i_deg,
+                                                       const MomentSettings& settings);
+
 /// A model's distance from the exact incoherent lobe [dB]; 0 where there is none, on a plane.
 struct Distance {
     double rms;     ///< over bins, each with the weight of the exact energy in it
