@@ -59,6 +59,7 @@ class HeTorranceBrdf final : public SpectralBrdf {
     /// The uniform terms, which the samples then lack: so the lobe by itself is there without cancellation.
     [[nodiscard]] static std::vector<double> taken_from(std::vector<SpectralSample>& samples) {
         std::vector<double> taken;
+        taken.reserve(samples.size());
         for (SpectralSample& sample : samples) taken.push_back(std::exchange(sample.uniform_diffuse, 0));
         return taken;
     }
