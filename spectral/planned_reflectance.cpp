@@ -26,7 +26,7 @@ std::vector<Xyz> node_weights(const Scene& scene, const SpectrumInterpolation& i
 
 }  // namespace
 
-PlannedReflectance::PlannedReflectance(const Scene& scene, const AnyReflector& material, Rung rung)
+PlannedReflectance::PlannedReflectance(const Scene& scene, const AnyReflector& material, const Rung& rung)
     : PlannedReflectance{MaterialForms{scene, material}.at(rung)} {}
 
 PlannedReflectance::PlannedReflectance(const Scene& scene, Rung rung,

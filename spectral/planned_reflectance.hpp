@@ -40,7 +40,7 @@ class PlannedReflectance {
     /// hts::Error if the rung's wavelengths leave the range of the optical constants and the scene does not clamp,
     /// if they are more than `most_nodes` and not the scene's, or if the model has no such form.
     ///   cost   where the scene compensates energy, some 50 ms for each of its wavelengths: see MaterialForms
-    PlannedReflectance(const Scene& scene, const AnyReflector& material, Rung rung);
+    PlannedReflectance(const Scene& scene, const AnyReflector& material, const Rung& rung);
     /// The same with anything that stands for the model at the rung's wavelengths, else hts::Error.
     PlannedReflectance(const Scene& scene, Rung rung, std::shared_ptr<const SpectralBrdf> at_nodes);
 
