@@ -3,6 +3,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 
@@ -238,15 +239,16 @@ TEST_CASE("a medium that is full, or a place that takes no file: exit code 1, no
     const std::string full =
         "trap '' XFSZ; ulimit -f 4;";  // files of 2 KiB at most, as a full disk would refuse
     const std::string pair = " --theta-i 30 --theta-r 40 --phi 180";
-    for (const std::string command : {
-             "spectrum -m " + m + pair + " --wavelengths 0.4:0.7:400 --output a.csv",
-             "polar -m " + m + " --wavelength 0.5 --theta-i 10,45 --output a.csv",
-             "sample -m " + m + " --wavelength 2 --theta-i 45 --count 1000 --output a.csv",
-             "table export " + m + " --format zemax --wavelengths 0.45,0.55 --pairs 10 --output a.json",
-             "table export " + m + " --format csv --wavelengths 0.5 --pairs 10 --output a.csv",
-             "render sphere --size 64 --samples 1 --output a.png -m " + m,
-             "curves show mwir-brass --output a.csv",
-         }) {
+    const std::vector<std::string> commands{
+        "spectrum -m " + m + pair + " --wavelengths 0.4:0.7:400 --output a.csv",
+        "polar -m " + m + " --wavelength 0.5 --theta-i 10,45 --output a.csv",
+        "sample -m " + m + " --wavelength 2 --theta-i 45 --count 1000 --output a.csv",
+        "table export " + m + " --format zemax --wavelengths 0.45,0.55 --pairs 10 --output a.json",
+        "table export " + m + " --format csv --wavelengths 0.5 --pairs 10 --output a.csv",
+        "render sphere --size 64 --samples 1 --output a.png -m " + m,
+        "curves show mwir-brass --output a.csv",
+    };
+    for (const std::string& command : commands) {
         INFO(command);
         CHECK(place.hts(command, full).exit_code == 1);
         CHECK(place.names().empty());
