@@ -176,7 +176,7 @@ TEST_CASE(
     CHECK(bytes_of(build_from("m", {}, threads_worker(exact))) == once);
 
     std::vector<fs::path> parts;
-    for (const std::size_t k : {1, 2}) {
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
         parts.push_back(build_from(k == 1 ? "1" : "2", {k, 2}, threads_worker(exact)));
     }
     merge_table_file(parts, folder / "merged");
