@@ -30,8 +30,9 @@ TablePlan refined(TablePlan plan, const TableError& error, const std::string& na
                     "; give a larger --tolerance"};
     }
     const double growth = std::min(margin * std::pow(error.largest / request.tolerance, 0.25), most_growth);
-    double bytes = static_cast<double>(plan.basis.size() / plan.floor.size()) *
-                   (needs_double(request) ? sizeof(double) : sizeof(float));
+    const std::size_t node_bytes =
+        plan.basis.size() / plan.floor.size() * (needs_double(request) ? sizeof(double) : sizeof(float));
+    auto bytes = static_cast<double>(node_bytes);
     for (std::size_t* axis : {&plan.nodes.grazing, &plan.nodes.ratio, &plan.nodes.turn}) {
         *axis = static_cast<std::size_t>(std::ceil(static_cast<double>(*axis) * growth));
         bytes *= static_cast<double>(*axis + spline_ghosts);
