@@ -122,7 +122,7 @@ std::vector<double> node_values(const tables::SpectralBrdf& exact, const Exact& 
     for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(n); ++s) {
         const auto i = static_cast<std::size_t>(s);
         std::vector<double> values(exact.wavelengths().size());
-        const double last = static_cast<double>(n - 1);
+        const auto last = static_cast<double>(n - 1);
         for (std::size_t j = 0; j < n; ++j) {
             for (std::size_t k = 0; k < n; ++k) {
                 const auto [in, out] =
