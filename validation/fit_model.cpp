@@ -69,7 +69,9 @@ std::string channel_name(const FitLayout& layout, std::size_t channel) {
         first = layout.wavelengths[i];
     }
     const auto text = [](double um) { return ordered_json(um).dump(); };
-    return "@" + text(first) + (first == last ? "" : "-" + text(last)) + "um";
+    std::string name = std::string{"@"}.append(text(first));
+    if (first != last) name.append("-").append(text(last));
+    return name.append("um");
 }
 
 /// {"table": [[um, value], …]} under construction: the rows of one channel.
@@ -147,7 +149,7 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
     for (const ParameterRange& range : family_.parameters) {
         const bool of_index = family_.has_index && (range.key == "n" || range.key == "k");
         if (of_index && !layout_.index.empty()) continue;
-        place(range, of_index ? "/index/" + range.key : "/" + range.key, "");
+        place(range, std::string{of_index ? "/index/" : "/"}.append(range.key), "");
     }
     for (int lobe = 0; lobe < (family_.lobe.empty() ? 0 : layout_.lobes); ++lobe) {
         for (const ParameterRange& range : family_.lobe) {
