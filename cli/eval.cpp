@@ -206,9 +206,8 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
-    require_one_of(options.mueller || options.detail || !options.polarisation.empty(),
-                   options.random_pairs.has_value(),
-                   "--random-pairs and --mueller, --detail or --polarisation");
+    require_one_of(options.mueller || !options.polarisation.empty(), options.random_pairs.has_value(),
+                   "--random-pairs and --mueller or --polarisation");
     if (options.transmission &&
         (options.mueller || options.detail || options.compensate || !options.polarisation.empty() ||
          !options.plan.empty() || options.random_pairs)) {

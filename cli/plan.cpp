@@ -268,7 +268,7 @@ void add_plan(CLI::App& program) {
     verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
         ->check(whole_number(0, std::uint64_t{1} << 53));
     verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192")
-        ->check(whole_number(1, 100'000'000));
+        ->check(whole_number(1, 10'000'000));
     verb->add_flag("--tables", options->tables,
                    "try a lookup table for each material, some seconds to minutes; those that are\n"
                    "quicker and within the tolerance, as measured, are written beside the plan");

@@ -32,7 +32,7 @@ TEST_CASE("hts curves lists the sets that come along and shows one") {
     CHECK(points.size() > 400);
     CHECK(nlohmann::json::parse(place.hts("curves show blue-acrylic --json").output).size() == 46);
     const auto wrong = place.hts("curves show marble");
-    CHECK(wrong.exit_code == 1);
+    CHECK(wrong.exit_code == 2);
     CHECK(wrong.errors.find("no curve set \"marble\"") != std::string::npos);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("hts curves and hts compare name what is wrong") {
         CHECK(result.output.empty());
         CHECK(result.errors.find(message) != std::string::npos);
     };
-    check("curves", 2, "subcommand");
+    check("curves", 2, "verb missing: must be one of import, list, show");
     check("curves import f.csv", 2, "--recipe");
     check("curves import f.csv --recipe r.json --surface slate --every 0", 2, "--every");
     check("curves import f.csv --recipe r.json", 1, "r.json: key \"surface\": missing");
@@ -88,7 +88,7 @@ TEST_CASE("hts curves and hts compare name what is wrong") {
     check("compare mwir-brass --source-solid-angle 9 --material " + material, 2,
           "source_solid_angle_sr 9 sr");
     check("compare mwir-brass --band-nodes 0 --material " + material, 2, "--band-nodes");
-    check("compare marble --material " + material, 1, "no curve set \"marble\"");
+    check("compare marble --material " + material, 2, "no curve set \"marble\"");
     const auto names = place.names();
     CHECK(std::find(names.begin(), names.end(), "c.json") == names.end());
 }

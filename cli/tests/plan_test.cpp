@@ -224,7 +224,7 @@ TEST_CASE("scenes and plans that do not fit are refused, and leave nothing behin
     check_refusal(place.hts("plan " + spectral + " --tolerance 0"), 2,
                   {"--tolerance", "0", "from 1e-12 to 1"});
     check_refusal(place.hts("plan " + spectral + " --seed -1"), 2, {"--seed"});
-    check_refusal(place.hts("plan " + spectral + " --pairs 0"), 1, {"number of pairs 0", "10000000"});
+    check_refusal(place.hts("plan " + spectral + " --pairs 0"), 2, {"--pairs: \"0\"", "from 1 to 10000000"});
     check_refusal(place.hts("eval --plan plan.json" + point), 2, {"--material missing", "copper sphere"});
     check_refusal(place.hts("eval --plan plan.json --material gold" + point), 2, {"gold", "plastic table"});
     const std::string copper = "eval --plan plan.json --material 'copper sphere'";

@@ -121,8 +121,8 @@ TEST_CASE("table: bad input") {
                Catch::Contains("--shard: \"4/3\": must be k/N"));
     CHECK_THAT(errors(std::string{build} + "m.htst --shard two", 2), Catch::Contains("must be k/N"));
     CHECK_THAT(errors(std::string{build} + "none/m.htst", 1), Catch::Contains("cannot be written"));
-    CHECK_THAT(errors("table build --material al.json --tolerance 2 --output m.htst", 1),
-               Catch::Contains("tolerance of a table 2: must be from 1e-9 to 0.5"));
+    CHECK_THAT(errors("table build --material al.json --tolerance 2 --output m.htst", 2),
+               Catch::Contains("--tolerance: \"2\": must be a number from 1e-09 to 0.5"));
     CHECK_THAT(errors("table check al.json", 1), Catch::Contains("al.json: is no table"));
     CHECK_THAT(errors("table info none.htst", 1), Catch::Contains("none.htst: cannot be read"));
     CHECK(place.names() == std::vector<std::string>{"al.json"});

@@ -309,7 +309,7 @@ TEST_CASE("what cannot be fitted is named") {
     CHECK_THROWS_WITH(fitted({.model = "he", .starts = {{"sigma0", 5000}}}, good),
                       Contains("sigma0: start 5000 um: must be 1e-04 ... 1000"));
     CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"a", -0.1}}}, good),
-                      Contains("a: fixed at -0.1 1: must be 0 ... 1"));
+                      Contains("a: fixed at -0.1: must be 0 ... 1"));
     CHECK_THROWS_WITH(fitted({.model = "lambert", .lobes = 2}, good), Contains("has no lobes"));
     CHECK_THROWS_WITH(fitted({.model = "kurt", .lobes = 4}, good), Contains("4 lobes: must be 1 ... 3"));
     CHECK_THROWS_WITH(fitted({.model = "kurt", .index = "\"Al\""}, good), Contains("has no index"));
