@@ -189,6 +189,7 @@ struct Rival {
 };
 constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann"},
                             Rival{"ggx", "Walter, GGX"},
+                            Rival{"ashikhmin", "Ashikhmin, Gaussian"},
                             Rival{"kurt", "Kurt"},
                             Rival{"ward", "Ward"},
                             Rival{"ward_duer", "Ward-Duer"},
