@@ -109,7 +109,7 @@ validation::Figure model_figure(const ModelChart& chart) {
     figure.script +=
         "set terminal svg size 1200,960 font 'Helvetica,14' background '#ffffff'\nset output picture\n"
         "set multiplot\nset logscale xy\nset format y '10^{%L}'\nset yrange [2e-8:60]\nset xrange "
-        "[10:700]\nunset key\n";
+        "[5:400]\nunset key\n";
     figure.script += validation::page_label(
         "What a cheaper model costs in accuracy, with He-Torrance as the truth", 0.03, 0.965, 18);
     figure.script += validation::page_label(
