@@ -69,7 +69,9 @@ class ScalingEquation {
 }  // namespace
 
 CompensationPlace::CompensationPlace(const Direction& direction) noexcept {
-    const double x = std::min(std::log((1 + direction.sin_theta()) / direction.cos_theta()), farthest);
+    const double cosine = direction.cos_theta();
+    const double x =
+        cosine > 0 ? std::min(std::log((1 + direction.sin_theta()) / cosine), farthest) : farthest;
     const double steps = x / farthest * (node_count - 1);
     const auto second = static_cast<std::size_t>(std::min(steps, node_count - 3.0));
     const std::size_t first = second == 0 ? 1 : second - 1;  // even about the normal

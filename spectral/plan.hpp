@@ -17,13 +17,12 @@
 ///                                         much as it is seen. Polarised: the largest difference of Mueller
 ///                                         elements over m00 + `floor_of_peak` f_peak
 ///                         mirror term     |rho - rho_full| / (|F|^2 S + a), the share of all that is reflected, since
-///                                         mirror and lobe together reflect |F|^2 S
+///                                         mirror and lobe together reflect |F|^2 S (with energy compensation rho has its
+///                                         factor, |F|^2 S has not)
 ///   delta_e_2000          CIEDE2000 between the colours of the radiance factors pi f, and between those of the mirror term's
 ///                         reflectance, which is how white surroundings look in it. The white is the perfect diffuser
 ///                         under the scene's illuminant; where a highlight is brighter, both colours are
 ///                         exposed so that the brighter one has the luminance of that white
-///
-///                         (with energy compensation, too: rho then has its factor s(in)^2, |F|^2 S has not)
 ///
 /// Directions: half of the pairs uniform in solid angle over the scene's cap of lights and that of views, half with the view in the
 /// lobe (of model he about the mirror direction, of others as the model draws), and a few at the edges of the caps.

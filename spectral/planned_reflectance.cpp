@@ -61,7 +61,8 @@ std::vector<double> PlannedReflectance::brdf(const DirectionPair& pair) const {
 }
 
 void PlannedReflectance::brdf(const DirectionPair& pair, std::span<double> result) const {
-    brdf(std::span{&pair, 1}, result);
+    require_size("brdf", result.size(), "wavelengths", size());
+    brdf_block(std::span{&pair, 1}, result);
 }
 
 void PlannedReflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {

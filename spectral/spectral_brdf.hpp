@@ -21,7 +21,8 @@ namespace hts::spectral {
 
 using hts::DirectionPair;
 
-/// Immutable. Evaluation is total (0 below the horizon), allocates nothing and may run on any thread.
+/// Immutable. Evaluation is total, allocates nothing and may run on any thread. On the horizon lobes are 0; the uniform-diffuse
+/// term stays there of model he, and is 0 of others.
 class SpectralBrdf {
   public:
     virtual ~SpectralBrdf() = default;

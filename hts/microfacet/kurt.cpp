@@ -37,10 +37,10 @@ void Kurt::brdf(std::span<const Kurt> alike, const Direction& in, const Directio
                 std::span<double> result) noexcept {
     DiffuseAndLobes<KurtLobe>::brdf(alike, &Kurt::parts_, in, out, result);
     if (!alike.front().coupled_ || !above_horizon(in, out)) return;
-    const LobeGeometry mirror{std::numbers::inv_pi, schlick(0, half_direction(in, out).cos_theta_d)};
+    const LobeGeometry mirror{1, schlick(0, half_direction(in, out).cos_theta_d)};
     for (std::size_t i = 0; i < alike.size(); ++i) {
         const auto& parts = alike[i].parts_;
-        result[i] -= parts.kd() * mirror.brdf(parts.lobes().front().shape.f0());
+        result[i] -= parts.kd() * mirror.brdf(parts.lobes().front().shape.f0()) / std::numbers::pi;
     }
 }
 

@@ -85,7 +85,7 @@ inline double reflectance(double c, double n, double k) {
     const double larger = std::sqrt((modulus + std::abs(real)) / 2);
     const double smaller = nk / larger;
     const double two_ac = 2 * c * (real >= 0 ? larger : smaller);
-    const double p = modulus * c2 + s2 * s2;
+    const double p = modulus * c2 + s2 * s2 + 1e-300;  // 0 at normal incidence on N = 0, which reflects all
     const double s_below = modulus + c2 + two_ac;
     const double below = s_below * s_below * (p + two_ac * s2);
     const double kept = (d_real * d_real + 4 * (nk * nk)) * p / (below + smallest);

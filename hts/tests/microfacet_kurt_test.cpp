@@ -57,6 +57,9 @@ TEST_CASE("Kurt's three forms: one lobe, coupled, several") {
     CHECK(three.brdf(in, out) ==
           Approx(0.2 / std::numbers::pi + one + 0.5 * wide.brdf(in, out)).epsilon(1e-14));
     CHECK(Kurt{0.2, {}}.brdf(in, out) == Approx(0.2 / std::numbers::pi).epsilon(1e-15));
+    for (int percent = 0; percent <= 100; ++percent)  // facets that reflect all leave nothing to scatter
+        CHECK(Kurt::coupled(percent / 100.0, {0.1, {1, 0.01, 0.01, 0}})
+                  .brdf(in, Direction::from_degrees(80, 70)) >= 0);
 }
 
 TEST_CASE("the weight of Kurt's sampler is (21) and its normals have the quadrant of (17)") {

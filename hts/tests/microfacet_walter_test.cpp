@@ -141,6 +141,8 @@ TEST_CASE("Walter: the reflectance of a facet agrees with 50 digits") {
     for (const double n : {0.5, 1.0, 1.5}) CHECK(hts::facet_reflectance(0, {n, 0}) == (n == 1 ? 0 : 1));
     CHECK(hts::facet_reflectance(0.1, {0.5, 0}) == 1);  // total
     CHECK(hts::facet_reflectance(1, {1e24, 1e24}) == Approx(1).epsilon(1e-15));
+    for (const double n : {1e-7, 1e-9, 1e-12})
+        CHECK(hts::facet_reflectance(1, {n, 0}) == Approx(1).margin(5 * n));
 }
 
 TEST_CASE("Walter: reflection is reciprocal, refraction but for eta squared") {

@@ -170,6 +170,7 @@ TEST_CASE("limits of compensation: a mirror, a long wavelength, an empty lobe, t
     const EnergyCompensation mirror{{0, 1}, one_um};
     for (const double degrees : {0.0, 45.0, 89.0, 90.0})
         CHECK(mirror.factor(Direction::from_degrees(degrees, 0)) == Approx(1));
+    CHECK(mirror.factor(Direction::from_vector({1, 0, -0.0})) == Approx(1));
     const Surface rough{1e-5, 2e-5};
     const EnergyCompensation deep{rough, one_um};  // sigma_0 = lambda / 100 000: a mirror at every angle
     for (const double degrees : {0.0, 60.0, 85.0}) {
