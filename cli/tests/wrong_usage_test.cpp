@@ -100,7 +100,7 @@ constexpr std::array cases{
 
     Case{"plan", "scene"},
     Case{"plan scene.json --seed -1", "--seed"},
-    Case{"plan scene.json --pairs 0", "from 1 to 100000000"},
+    Case{"plan scene.json --pairs 0", "from 1 to 10000000"},
 
     Case{"materials unobtainium", "Al-McPeak"},
     Case{"materials --wavelengths 0.5", "name"},
