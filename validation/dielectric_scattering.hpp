@@ -6,6 +6,9 @@
 
 namespace hts::validation {
 
+/// Checks of a map and its lobes, the two tables, against what is claimed of them.
+[[nodiscard]] std::vector<Check> dielectric_checks(const std::vector<FigureTable>& tables);
+
 /// Solves a few surfaces at 20, 40 and 60 degrees. Quick: 1 surface, 20 short realisations; full: 4 surfaces, 160
 /// realisations.
 [[nodiscard]] GroundTruth dielectric_scattering_study(Effort effort);

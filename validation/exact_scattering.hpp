@@ -18,17 +18,23 @@ namespace hts::validation {
 /// model's in TE and TM too.
 [[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::string stem);
 
-/// That a map's energies are 1 to 1 %, in TE and in TM.
+/// That what is scattered, passes the ends and enters the ground is all that falls in, to 1 %, in TE and in TM.
 [[nodiscard]] std::vector<Check> energy_checks(const FigureTable& map);
 /// A model is to be within 0.6 dB of exact in unpolarised light, tau >= 2 lambda, theta_i up to 60 degrees: of a
-/// map and its lobes.
+/// map and its lobes. Missed where no row of the map is in that region. Within 10 degrees of the horizon the exact TM
+/// lobe is up to 1 dB low: light that is 11 to 27 % of what is left there passes the ends of the profile, while an infinite
+/// surface would keep it.
 struct Trend {
-    const char* title;         ///< "this model"
-    const char* model;         ///< "he_torrance"
-    double most_slope_deg;     ///< of the rms slope
-    double most_theta_r = 90;  ///< angles of scattering that count
+    const char* title;           ///< "this model"
+    const char* model;           ///< "he_torrance"
+    double most_slope_deg = 20;  ///< of the rms slope
+    double most_theta_r = 90;    ///< angles of scattering that count
 };
 [[nodiscard]] Check trend_check(const std::vector<FigureTable>& tables, const Trend& of);
+/// That this model is nearer to exact than Kirchhoff without shadowing, in unpolarised light, in every row of a map; on
+/// conductors it is not, on glass it is.
+///   title   "this model"      remark   why
+[[nodiscard]] Check nearer_check(const FigureTable& map, const std::string& title, const std::string& remark);
 /// Checks of a map and its lobes, the two tables, against what is claimed of them.
 [[nodiscard]] std::vector<Check> moment_checks(const std::vector<FigureTable>& tables);
 /// The map as a picture, a panel per model and angle.
