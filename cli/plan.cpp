@@ -64,7 +64,7 @@ std::string wavelengths_in_words(const Rung& rung) {
 }
 
 std::string in_words(const Rung& rung, const spectral::AnyReflector& material) {
-    if (!rung.table.empty()) return "table " + rung.table + ", " + wavelengths_in_words(rung);
+    if (!rung.table.empty()) return "table " + rung.table.file + ", " + wavelengths_in_words(rung);
     if (material.he_torrance() == nullptr) {
         const bool whole = rung.lobe == DiffuseLobe::full;
         return (whole ? "all of " + material.model_name() : std::string{"uniform term alone"}) + ", " +
@@ -203,9 +203,10 @@ void plan_scene(const PlanOptions& options) {
     }
     Plan plan = make_plan(scene, sampling, tolerance);
     const fs::path folder = fs::path{options.output}.parent_path();
-    const TableVerdicts tables = options.tables ? try_tables(plan, folder) : TableVerdicts{};
-    if (!options.output.empty()) write_file(options.output, plan_text(plan, folder));
-    write_file("-", options.json ? json_report(plan, folder, tables) : report(plan, tables));
+    auto [verdicts, files] = options.tables ? try_tables(plan, options.output) : TriedTables{};
+    if (!options.output.empty()) files.push_back({options.output, plan_text(plan, folder)});
+    spectral::write_files(files);
+    write_file("-", options.json ? json_report(plan, folder, verdicts) : report(plan, verdicts));
 }
 
 // ---- the check of an old one
@@ -246,11 +247,11 @@ void run(const PlanOptions& options) {
     if (options.scene.empty() == options.check.empty()) {
         throw UsageError{"scene file or --check: must be given, one of them"};
     }
-    if (!options.check.empty() && (options.tolerance || !options.output.empty())) {
-        throw UsageError{"--check: must not come with --tolerance or --output"};
+    if (!options.check.empty() && (options.tolerance || !options.output.empty() || options.tables)) {
+        throw UsageError{"--check: must not come with --tolerance, --output or --tables"};
     }
-    if (options.tables && options.output.empty()) {
-        throw UsageError{"--tables: must come with --output, beside which the tables stand"};
+    if (options.tables && (options.output.empty() || options.output == "-")) {
+        throw UsageError{"--tables: must come with --output and a file, beside which the tables stand"};
     }
     options.check.empty() ? plan_scene(options) : check_plan(options);
 }
@@ -271,7 +272,8 @@ void add_plan(CLI::App& program) {
         ->check(whole_number(1, 10'000'000));
     verb->add_flag("--tables", options->tables,
                    "try a lookup table for each material, some seconds to minutes; those that are\n"
-                   "quicker and within the tolerance, as measured, are written beside the plan");
+                   "quicker and within the tolerance, as measured, are written beside the plan,\n"
+                   "as PLAN-NUMBER-MATERIAL.htst");
     verb->add_flag("--json", options->json, "print JSON: the plan and the costs, or the check");
     verb->footer(help);
     verb->callback([options] { run(*options); });

@@ -8,7 +8,6 @@
 
 #include "cli/plan_cost.hpp"
 #include "hts/error.hpp"
-#include "spectral/output.hpp"
 #include "tables/build_table.hpp"
 
 namespace hts::cli {
@@ -34,29 +33,50 @@ double table_tolerance(const Plan& plan, const PlannedMaterial& material) {
     return std::clamp(relative, 1e-9, 0.5);
 }
 
+/// Why a table is not taken.
+class NotTaken : public Error {
+  public:
+    using Error::Error;
+};
+
 void require_domain(const Scene& scene, const Rung& rung) {
     const double largest = std::max(scene.largest_theta_i, scene.largest_theta_r);
-    if (rung.lobe == DiffuseLobe::none) throw Error{"there is no lobe to look up"};
-    if (scene.polarised) throw Error{"the scene is polarised"};
+    if (rung.lobe == DiffuseLobe::none) throw NotTaken{"there is no lobe to look up"};
+    if (scene.polarised) throw NotTaken{"the scene is polarised"};
     if (largest > tables::steepest_theta) {
-        throw out_of_range("largest polar angle", largest * 180 / std::numbers::pi, "deg",
-                           "<= 88 deg, where tables end");
+        throw NotTaken{out_of_range("largest polar angle", largest * 180 / std::numbers::pi, "deg",
+                                    "<= 88 deg, where tables end")
+                           .what()};
     }
 }
 
-std::string file_name(std::string name) {
-    for (char& c : name) {
+/// Different for every material of a plan, and for plans of different names in a folder.
+std::string file_name(const std::filesystem::path& plan_file, std::size_t i, std::string material) {
+    for (char& c : material) {
         if (c == '/' || c == ' ') c = '-';
     }
-    return name + ".htst";
+    return plan_file.stem().string() + "-" + std::to_string(i + 1) + "-" + material + ".htst";
+}
+
+/// The bytes of a table of what an evaluator evaluates at its wavelengths.
+std::string built_table(const PlannedReflectance& exact, const tables::TableRequest& request) {
+    const spectral::SpectralBrdf& nodes = exact.at_nodes();
+    tables::TableSource source;
+    source.name = exact.name();
+    try {
+        return tables::finished_table(nodes, source, tables::plan_table(nodes, request),
+                                      tables::computed_slices(nodes));
+    } catch (const Error& refusal) {  // too fine or too large
+        throw NotTaken{refusal.what()};
+    }
 }
 
 std::string in_words(double nanoseconds) {
     return shortest(std::round(nanoseconds)) + " ns";
 }
 
-/// Puts the table in the choice's place or throws hts::Error that says why not.
-std::string tried(Plan& plan, std::size_t i, const std::filesystem::path& folder) {
+/// Puts the table in the choice's place and adds it to what came out, or throws NotTaken.
+void try_table(Plan& plan, std::size_t i, const std::filesystem::path& plan_file, TriedTables& result) {
     const Scene& scene = plan.scene;
     PlannedMaterial& material = plan.materials[i];
     Rung rung = material.choice.rung;
@@ -70,46 +90,43 @@ std::string tried(Plan& plan, std::size_t i, const std::filesystem::path& folder
     rung.lobe_tolerance = Tolerance{std::clamp(0.01 * request.tolerance, hts::accuracy::finest_tolerance,
                                                hts::accuracy::finest_lane_tolerance)};
     const PlannedReflectance exact = forms.at(rung);
-    tables::TableSource source;
-    source.name = material.name;
-    const std::string bytes =
-        tables::finished_table(exact.at_nodes(), source, tables::plan_table(exact.at_nodes(), request),
-                               tables::computed_slices(exact.at_nodes()));
-    rung.table = file_name(material.name);
-    PlannedReflectance evaluator{
-        scene, rung, std::make_shared<const tables::Table>(tables::Table::from_bytes(bytes, rung.table))};
+    std::string bytes = built_table(exact, request);
+    const std::string file = file_name(plan_file, i, material.name);
+    auto table = std::make_shared<const tables::Table>(tables::Table::from_bytes(bytes, file));
+    rung.table = {file, table->checksum()};
+    PlannedReflectance evaluator{scene, rung, std::move(table)};
 
     const double now = plan_cost(scene, forms, material.evaluator).diffuse;
     const double then = plan_cost(scene, forms, evaluator).diffuse;
     const std::string both = in_words(then) + " a pair of directions, against " + in_words(now);
-    if (then >= now) throw Error{both};
+    if (then >= now) throw NotTaken{both};
     const auto error = measured_error(scene, scene.materials[i], evaluator, plan.sampling);
     if (error.worst > spectral::plan_headroom * plan.tolerance)
-        throw Error{both + ", but an error of " + shortest(error.worst)};
+        throw NotTaken{both + ", but an error of " + shortest(error.worst)};
     const PlannedMaterial analytic = material;
     material.choice = {rung, error};
     material.evaluator = std::move(evaluator);
     if (scene.memory_budget && plan.bytes() > *scene.memory_budget) {
         const std::size_t needed = plan.bytes();
         material = analytic;
-        throw Error{both + ", but " + std::to_string(needed) + " bytes in all, above the budget"};
+        throw NotTaken{both + ", but " + std::to_string(needed) + " bytes in all, above the budget"};
     }
-    spectral::write_file((folder / rung.table).string(), bytes);
-    return "taken: " + both;
+    result.files.push_back({(plan_file.parent_path() / file).string(), std::move(bytes)});
+    result.verdicts.push_back("taken: " + both);
 }
 
 }  // namespace
 
-std::vector<std::string> try_tables(Plan& plan, const std::filesystem::path& folder) {
-    std::vector<std::string> verdicts;
+TriedTables try_tables(Plan& plan, const std::filesystem::path& plan_file) {
+    TriedTables result;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         try {
-            verdicts.push_back(tried(plan, i, folder));
-        } catch (const Error& reason) {
-            verdicts.push_back(std::string{"not taken: "} + reason.what());
+            try_table(plan, i, plan_file, result);
+        } catch (const NotTaken& reason) {
+            result.verdicts.push_back(std::string{"not taken: "} + reason.what());
         }
     }
-    return verdicts;
+    return result;
 }
 
 }  // namespace hts::cli

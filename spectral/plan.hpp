@@ -101,14 +101,16 @@ struct Plan {
 /// Measures the evaluators of a plan again, on other directions.
 [[nodiscard]] std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling);
 
-/// Opens a file that holds a reflectance: tables, which this module knows nothing of, come in this way.
-using OpenTable = std::function<std::shared_ptr<const SpectralBrdf>(const std::filesystem::path& file)>;
+/// Opens a file that holds a reflectance: tables, which this module knows nothing of, come in this way. hts::Error names the
+/// file and both checksums where the file's is not `checksum`, that of Rung::table.
+using OpenTable = std::function<std::shared_ptr<const SpectralBrdf>(const std::filesystem::path& file,
+                                                                    const std::string& checksum)>;
 
 /// A plan as JSON, for a file in `folder`, from which the scene's path is relative. The same plan gives the same bytes.
 [[nodiscard]] std::string plan_text(const Plan& plan, const std::filesystem::path& folder);
 
 /// Reads a plan file and the scene that it names. hts::Error "path: key "…": …" if it was made by another version of
-/// format or library, or if the scene or its materials have changed since.
+/// format or library, or if the scene, its materials or a table have changed since.
 ///   models       that material files may name
 ///   open_table   reads the tables that the plan names, hts::tables::open_for_plan; without it such plans are refused
 [[nodiscard]] Plan read_plan(const std::filesystem::path& path,

@@ -29,7 +29,8 @@ ordered_json object(const MeasuredRung& measured) {
     result["lobe_tolerance"] = measured.rung.lobe_tolerance.relative_error();
     result["specular"] = measured.rung.specular;
     result["wavelengths_um"] = std::vector<double>(um.begin(), um.end());
-    if (!measured.rung.table.empty()) result["table"] = measured.rung.table;
+    if (const RungTable& table = measured.rung.table; !table.empty())
+        result["table"] = {{"file", table.file}, {"checksum", table.checksum}};
     result["worst_error"] = measured.error.worst;
     result["error_99_percent"] = measured.error.percentile_99;
     return result;
@@ -94,6 +95,11 @@ WavelengthGrid wavelengths_from(const JsonValue& key) {
     return located(key.place(), [&] { return WavelengthGrid::from_micrometres(std::move(micrometres)); });
 }
 
+RungTable table_from(const JsonValue& value) {
+    value.require_keys_among({"file", "checksum"});
+    return {value["file"].text(), value["checksum"].text()};
+}
+
 MeasuredRung rung_from(const JsonValue& value) {
     value.require_keys_among(
         {"lobe", "lobe_tolerance", "specular", "wavelengths_um", "table", "worst_error", "error_99_percent"});
@@ -101,7 +107,8 @@ MeasuredRung rung_from(const JsonValue& value) {
     const auto table = value.find("table");
     return {
         {lobe_from(value["lobe"]), located(tolerance.place(), [&] { return Tolerance{tolerance.number()}; }),
-         value["specular"].boolean(), wavelengths_from(value["wavelengths_um"]), table ? table->text() : ""},
+         value["specular"].boolean(), wavelengths_from(value["wavelengths_um"]),
+         table ? table_from(*table) : RungTable{}},
         {value["worst_error"].number(), value["error_99_percent"].number()}};
 }
 
@@ -126,7 +133,13 @@ PlannedReflectance evaluator_from(const JsonValue& choice, const Scene& scene, c
     const JsonValue table = choice["table"];
     if (!place.open_table) throw table.error("must be read by a program that has tables");
     return located(table.place(), [&] {
-        return PlannedReflectance{scene, rung, place.open_table(place.folder / rung.table)};
+        const fs::path file = place.folder / rung.table.file;
+        auto opened = place.open_table(file, rung.table.checksum);
+        if (opened->name() != reflector.name()) {
+            throw Error{file.string() + ": table of " + in_quotes(opened->name()) + ": must be of " +
+                        in_quotes(reflector.name())};
+        }
+        return PlannedReflectance{scene, rung, std::move(opened)};
     });
 }
 

@@ -17,21 +17,32 @@
 
 namespace hts::spectral {
 
+/// A table that is looked up in the model's place.
+struct RungTable {
+    std::string file;      ///< beside the plan
+    std::string checksum;  ///< 16 hexadecimal digits, as the table knows it
+
+    [[nodiscard]] bool empty() const noexcept { return file.empty(); }
+};
+
 /// What of the model is kept, and at which wavelengths: a step of the planner's ladder.
 struct Rung {
     DiffuseLobe lobe;            ///< of models other than he full, or none: the uniform-diffuse part alone
     Tolerance lobe_tolerance;    ///< of the directional-diffuse term in that form; of model he alone
     bool specular;               ///< whether the mirror term is kept, which model he alone has
     WavelengthGrid wavelengths;  ///< at which the model is evaluated; between them runs a cubic in 1/lambda^2
-    std::string
-        table{};  ///< file beside the plan of a table that is looked up in the model's place; "" for the model
+    RungTable table{};           ///< empty for the model
 };
 
 /// A reflector prepared as a rung says, ready for evaluation on the scene's wavelengths.
 ///
-///     const auto materials = read_plan("plan.json").evaluators();
+///     const Plan plan = read_plan("plan.json", tables::models_with_files(), tables::open_for_plan);
+///     const auto materials = plan.evaluators();
 ///     std::vector<double> spectrum(materials[0].size());
 ///     materials[0].brdf({light, view}, spectrum);
+///
+/// The last two arguments of read_plan, from tables/measured_model.hpp and tables/table.hpp (link hts::tables), are for plans
+/// with lookup tables or materials of model measured; without these read_plan("plan.json") is enough.
 class PlannedReflectance {
   public:
     /// Most wavelengths of a rung, unless they are all the scene's.

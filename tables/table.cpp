@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
 #include <complex>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -170,6 +172,13 @@ std::size_t Table::bytes() const noexcept {
     return contents_->bytes;
 }
 
+std::string Table::checksum() const {
+    std::array<char, 17> digits{};
+    static_cast<void>(std::snprintf(digits.data(), digits.size(), "%016llx",
+                                    static_cast<unsigned long long>(contents_->checksum)));
+    return digits.data();
+}
+
 bool Table::covers(const DirectionPair& pair) noexcept {
     static const double lowest = std::cos(steepest_theta) * (1 - 1e-12);
     return pair.in.cos_theta() >= lowest && pair.out.cos_theta() >= lowest;
@@ -241,8 +250,12 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
     }
 }
 
-std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path) {
-    return std::make_shared<const Table>(Table::open(path));
+std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path,
+                                                  const std::string& checksum) {
+    auto table = std::make_shared<const Table>(Table::open(path));
+    if (table->checksum() == checksum) return table;
+    throw Error{path.string() + ": checksum " + table->checksum() + ": must be " + checksum +
+                ", of the table that was planned; plan the scene again"};
 }
 
 }  // namespace hts::tables

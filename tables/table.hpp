@@ -99,6 +99,8 @@ class Table final : public SpectralBrdf {
     [[nodiscard]] const TableInfo& info() const noexcept;
     /// Bytes of the file.
     [[nodiscard]] std::size_t bytes() const noexcept override;
+    /// CRC-64/XZ of the file but for the eight bytes that hold it, 16 hexadecimal digits.
+    [[nodiscard]] std::string checksum() const;
     /// Whether the promise holds for a pair: both polar angles up to 88 deg.
     [[nodiscard]] static bool covers(const DirectionPair& pair) noexcept;
 
@@ -119,7 +121,8 @@ class Table final : public SpectralBrdf {
     std::shared_ptr<const TableContents> contents_;
 };
 
-/// A table as spectral::read_plan wants it.
-[[nodiscard]] std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path);
+/// A table as spectral::read_plan wants it; hts::Error as of Table::open, or if its checksum is another.
+[[nodiscard]] std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path,
+                                                                const std::string& checksum);
 
 }  // namespace hts::tables

@@ -176,7 +176,12 @@ TableContents contents_of(std::string_view bytes, std::shared_ptr<const void> st
         require_finite(parts.lobe, name);
     }
     const CoordinateMap map{info.spacing};
-    return {std::move(info), map, parts, bytes.size(), std::move(storage)};
+    return {std::move(info),
+            map,
+            parts,
+            bytes.size(),
+            from_little_endian<std::uint64_t>(bytes.substr(checksum_at)),
+            std::move(storage)};
 }
 
 }  // namespace hts::tables

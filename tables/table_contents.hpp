@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -43,6 +44,7 @@ struct TableContents {
     CoordinateMap map;
     TableNumbers<const double, const float> numbers;
     std::size_t bytes;
+    std::uint64_t checksum;               ///< of the prelude
     std::shared_ptr<const void> storage;  ///< what the numbers stand in
 };
 

@@ -101,6 +101,9 @@ constexpr std::array cases{
     Case{"plan", "scene"},
     Case{"plan scene.json --seed -1", "--seed"},
     Case{"plan scene.json --pairs 0", "from 1 to 10000000"},
+    Case{"plan scene.json --tables", "--tables: must come with --output"},
+    Case{"plan scene.json --tables --output -", "--tables: must come with --output"},
+    Case{"plan --check p.json --tables", "--check: must not come with --tolerance, --output or --tables"},
 
     Case{"materials unobtainium", "Al-McPeak"},
     Case{"materials --wavelengths 0.5", "name"},

@@ -15,6 +15,22 @@ using hts::testing::TemporaryFolder;
 using namespace hts::tables;
 using namespace hts::tables::testing;
 
+namespace {
+
+/// Writes the small table into small.htst with the same numbers and another source.
+template <class Change>
+Table written_otherwise(const TemporaryFolder& folder, const Change& change) {
+    TableSource source = small_job().source;
+    change(source);
+    const std::string bytes =
+        finished_table(small_exact(), source, plan_table(small_exact(), small_job().request),
+                       computed_slices(small_exact()));
+    folder.write("small.htst", bytes);
+    return Table::from_bytes(bytes, "small.htst");
+}
+
+}  // namespace
+
 TEST_CASE("a plan that names a table looks it up, and is refused where the table is not what it says") {
     const TemporaryFolder folder;
     const auto scene_file =
@@ -26,7 +42,7 @@ TEST_CASE("a plan that names a table looks it up, and is refused where the table
     auto plan = make_plan(scene, {1, 300}, scene.tolerance);
     auto& material = plan.materials.front();
     material.choice.rung.wavelengths = scene.wavelengths;
-    material.choice.rung.table = "small.htst";
+    material.choice.rung.table = {"small.htst", small_table().checksum()};
     material.evaluator = hts::spectral::PlannedReflectance{scene, material.choice.rung,
                                                            std::make_shared<const Table>(small_table())};
     const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
@@ -56,4 +72,17 @@ TEST_CASE("a plan that names a table looks it up, and is refused where the table
     CHECK(refusal().find("wavelengths of what is evaluated: must be the rung's") != std::string::npos);
     folder.write("small.htst", "no table");
     CHECK(refusal().find("small.htst") != std::string::npos);
+
+    material.choice.rung.wavelengths = scene.wavelengths;
+    folder.write("plan.json", plan_text(plan, folder.path()));
+    const std::string place = R"(plan.json: key "materials[1].choice.table": )", file = "small.htst: ";
+    const Table other =
+        written_otherwise(folder, [](TableSource& source) { source.material_path = "moved.json"; });
+    CHECK(refusal() == place + file + "checksum " + other.checksum() + ": must be " +
+                           small_table().checksum() +
+                           ", of the table that was planned; plan the scene again");
+    const Table renamed = written_otherwise(folder, [](TableSource& source) { source.name = "gold"; });
+    material.choice.rung.table.checksum = renamed.checksum();
+    folder.write("plan.json", plan_text(plan, folder.path()));
+    CHECK(refusal() == place + file + R"(table of "gold": must be of "rough aluminium")");
 }
