@@ -39,13 +39,16 @@ std::size_t place(const Plan& plan, const std::string& name) {
 class PlannedPair {
   public:
     PlannedPair(const CsvReader& points, const spectral::Scene& scene, const spectral::AnyReflector& material)
-        : columns_{points}, scene_{scene}, material_{material} {}
+        : columns_{points}, scene_{scene}, he_torrance_{material.he_torrance()} {
+        if (he_torrance_ == nullptr) return;
+        samples_ = spectral_samples(*he_torrance_, scene.wavelengths, scene.outside_range);
+    }
 
     [[nodiscard]] DirectionPair operator()(const CsvRow& row) const {
         const DirectionPair pair = columns_.pair(row);
         require("light", pair.in, scene_.largest_theta_i);
         require("view", pair.out, scene_.largest_theta_r);
-        warning_.note(material_, pair, scene_.wavelengths, scene_.outside_range);
+        if (he_torrance_ != nullptr) warning_.note(he_torrance_->surface, pair, samples_);
         return pair;
     }
     /// How many of them, at how many wavelengths, were outside the model's validity.
@@ -65,8 +68,9 @@ class PlannedPair {
 
     PairColumns columns_;
     const spectral::Scene& scene_;
-    const spectral::AnyReflector& material_;
-    mutable ValidityWarning warning_;  // counts from any thread
+    const spectral::Reflector* he_torrance_;  // null for other models, of whose validity nothing is known
+    std::vector<SpectralSample> samples_;     // at the scene's wavelengths
+    mutable ValidityWarning warning_;         // counts from any thread
 };
 
 struct SpectralValue {

@@ -16,12 +16,16 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
+void ValidityWarning::note(const Surface& surface, const spectral::DirectionPair& pair,
+                           std::span<const SpectralSample> samples) noexcept {
+    for (const SpectralSample& sample : samples) note(spectral::validity(surface, pair, sample));
+}
+
 void ValidityWarning::note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
                            const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy) {
     const spectral::Reflector* he = reflector.he_torrance();
     if (he == nullptr) return;
-    for (const SpectralSample& sample : spectral_samples(*he, wavelengths, policy))
-        note(spectral::validity(he->surface, pair, sample));
+    note(he->surface, pair, spectral_samples(*he, wavelengths, policy));
 }
 
 void ValidityWarning::print() const {

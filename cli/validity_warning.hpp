@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "spectral/any_reflector.hpp"
@@ -16,7 +17,10 @@ namespace hts::cli {
 class ValidityWarning {
   public:
     void note(const spectral::Validity& verdict) noexcept;
-    /// Verdicts at one pair and every wavelength, for a He-Torrance surface; of other models nothing is known.
+    /// Verdicts at one pair and every sample.
+    void note(const Surface& surface, const spectral::DirectionPair& pair,
+              std::span<const SpectralSample> samples) noexcept;
+    /// The same at every wavelength, for a He-Torrance surface; of other models nothing is known.
     void note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
               const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy);
     /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if none is.
