@@ -237,8 +237,10 @@ void add_eval(CLI::App& program) {
     verb->add_flag("--detail", options->detail,
                    "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
                    "goes to standard error");
-    verb->add_flag("--compensate-energy", options->compensate,
-                   "with the optional energy compensation, which is not part of the published model he");
+    verb->add_flag(
+        "--compensate-energy", options->compensate,
+        "with the optional energy compensation, which is not part of the published model he;\nsome "
+        "50 ms for each surface and wavelength");
     verb->add_flag("--transmission", options->transmission,
                    "the view is behind the surface: btdf of transparent materials of model walter");
     verb->add_option(

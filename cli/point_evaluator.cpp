@@ -77,6 +77,8 @@ PointEvaluator::PointEvaluator(const CsvReader& points,
     }
     if (reflector) reflector_ = *reflector->he_torrance();
     if (!reflector_) require_material(points);
+    if (compensation_ && wavelengths_ && !columns_.rms_roughness && !columns_.correlation_length)
+        compensations_ = spectral::EnergyCompensation::of(reflector_->surface, *wavelengths_);
     if (!same_for_all_rows()) return;
     for (std::size_t i = 0; i < wavelengths_->size(); ++i)
         samples_.push_back(sample(nullptr, (*wavelengths_)[i]));
@@ -129,16 +131,18 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
     const View light = view(rough, in);
     const View seen = view(rough, out);
     const PairFactors pair{rough, light, seen};
+    const spectral::CompensationPair lobe{{in, out}}, mirror{{in, in.mirror()}};
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Sample at = samples_.empty() ? sample(&row, wavelength(row, i)) : samples_[i];
         DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
         double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
         if (compensation_) {
-            const auto& s = compensation_->at(rough, at.wavelength);
-            const double factor = s.factor(spectral::CompensationPair{{in, out}});
+            const auto& s =
+                compensations_.empty() ? compensation_->at(rough, at.wavelength) : compensations_[i];
+            const double factor = s.factor(lobe);
             directional.lobe *= factor;
             directional.brdf *= factor;
-            specular *= s.factor(spectral::CompensationPair{{in, in.mirror()}});
+            specular *= s.factor(mirror);
         }
         result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
                      pair.effective_roughness(),  pair.shadowing(), Mueller{},          0};
@@ -149,8 +153,10 @@ void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Ev
 
 void PointEvaluator::evaluate_other(const CsvRow& row, const spectral::DirectionPair& pair,
                                     std::span<Evaluation> result) const {
-    const spectral::AnySpectrum model =
-        spectrum_ ? *spectrum_ : spectral::AnySpectrum{{other_->at(wavelength(row, 0), policy_)}};
+    const auto own = spectrum_
+                         ? std::nullopt
+                         : std::optional{spectral::AnySpectrum{{other_->at(wavelength(row, 0), policy_)}}};
+    const spectral::AnySpectrum& model = spectrum_ ? *spectrum_ : *own;
     std::vector<double> brdf(result.size()), specular(result.size());
     model.brdf(pair, brdf);
     model.specular_reflectance(pair.in, specular);

@@ -110,7 +110,9 @@ class PointEvaluator {
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::OutsideRange policy_;
     std::shared_ptr<CompensationCache> compensation_;  // null without
-    std::vector<Sample> samples_;                    // one per wavelength if the same for all rows, else none
+    std::vector<spectral::EnergyCompensation>
+        compensations_;            // one per wavelength if these and the surface are the same
+    std::vector<Sample> samples_;  // one per wavelength if the same for all rows, else none
     std::optional<spectral::AnySpectrum> spectrum_;  // the same of another model
 };
 

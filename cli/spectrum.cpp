@@ -163,8 +163,10 @@ void add_spectrum(CLI::App& program) {
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--illuminant", options->illuminant, "D65 (default) or E");
-    verb->add_flag("--compensate-energy", options->compensate,
-                   "with the optional energy compensation, which is not part of the published model he");
+    verb->add_flag(
+        "--compensate-energy", options->compensate,
+        "with the optional energy compensation, which is not part of the published model he;\nsome "
+        "50 ms for each wavelength");
     options->output.add_to(*verb);
     verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)")->check(svg_file());
     verb->footer(help);
