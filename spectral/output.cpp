@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -21,21 +22,38 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t buffer_size = std::size_t{4} << 20;
 
-std::array<char, 4096> partial_of_signal{};  // what the handler removes; only one Output writes at a time
+/// The path of a partial file, kept where a signal handler may read it.
+struct Slot {
+    enum State { free, claimed, held };
+    std::atomic<int> state;
+    std::array<char, 4096> path;
+};
+static_assert(std::atomic<int>::is_always_lock_free);
 
-extern "C" void remove_partial(int signal) {
-    if (partial_of_signal[0] != '\0') ::unlink(partial_of_signal.data());
+constexpr int slot_count = 1024;  // as many files as a process commonly may have open
+std::array<Slot, slot_count> slots{};
+
+extern "C" void remove_partials(int signal) {
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::held) ::unlink(slot.path.data());
+    }
     static_cast<void>(std::signal(signal, SIG_DFL));
     static_cast<void>(std::raise(signal));
 }
 
-void remove_on_signal(const std::string& path) {
-    partial_of_signal[0] = '\0';
-    if (path.empty() || path.size() >= partial_of_signal.size()) return;
-    std::copy(path.begin() + 1, path.end(), partial_of_signal.begin() + 1);
-    partial_of_signal[path.size()] = '\0';
-    partial_of_signal[0] = path[0];
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, remove_partial));
+/// The slot that now holds the path; none if it is longer than the system's longest or all are taken.
+int claimed_slot(const std::string& path) {
+    if (path.size() >= slots[0].path.size()) return -1;
+    for (int i = 0; i < slot_count; ++i) {
+        Slot& slot = slots[static_cast<std::size_t>(i)];
+        if (int expected = Slot::free; !slot.state.compare_exchange_strong(expected, Slot::claimed)) continue;
+        *std::copy(path.begin(), path.end(), slot.path.begin()) = '\0';
+        slot.state = Slot::held;
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+            static_cast<void>(std::signal(signal, remove_partials));
+        return i;
+    }
+    return -1;
 }
 
 std::string followed(const std::string& path) {
@@ -64,7 +82,7 @@ Output::Output(std::string path) : path_{std::move(path)}, target_{followed(path
     descriptor_ = direct ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC)
                          : ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail();
-    remove_on_signal(partial_);
+    if (!direct) slot_ = claimed_slot(partial_);
 }
 
 Output::~Output() {
@@ -82,8 +100,7 @@ void Output::commit() {
     if (::close(std::exchange(descriptor_, -1)) != 0) fail();
     if (partial_.empty()) return;
     if (::rename(partial_.c_str(), target_.c_str()) != 0) fail();
-    partial_.clear();
-    remove_on_signal("");
+    forget_partial();
 }
 
 void Output::flush() {
@@ -100,7 +117,12 @@ void Output::discard() noexcept {
     if (path_ != "-" && descriptor_ >= 0) ::close(descriptor_);
     if (partial_.empty()) return;
     ::unlink(partial_.c_str());
-    partial_of_signal[0] = '\0';
+    forget_partial();
+}
+
+void Output::forget_partial() noexcept {
+    partial_.clear();
+    if (slot_ >= 0) slots[static_cast<std::size_t>(std::exchange(slot_, -1))].state = Slot::free;
 }
 
 void Output::fail() const {

@@ -1,4 +1,4 @@
-/// Output that appears complete or not at all. Private to the modules that write files.
+/// Output that appears complete or not at all.
 #pragma once
 
 #include <string>
@@ -28,6 +28,7 @@ class Output {
 
   private:
     void discard() noexcept;
+    void forget_partial() noexcept;
     [[noreturn]] void fail() const;
 
     std::string path_;
@@ -35,6 +36,7 @@ class Output {
     std::string partial_;  // empty if written directly
     std::string buffer_;
     int descriptor_ = -1;
+    int slot_ = -1;  // where a signal's handler finds partial_
 };
 
 /// Writes a whole file, as Output does.
@@ -45,7 +47,8 @@ struct TextFile {
     std::string path, text;
 };
 
-/// Writes all of them or none: no file gets its name before the medium holds every one.
+/// Writes all of them or none: no file gets its name before the medium holds every one. Should the medium then refuse a
+/// renaming, files renamed before it stay.
 void write_files(const std::vector<TextFile>& files);
 
 }  // namespace hts::spectral
