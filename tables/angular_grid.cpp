@@ -174,7 +174,8 @@ std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
             std::to_string(grid.size()) + " nodes times " + std::to_string(wavelengths.size()));
     }
     for (const double value : values) {
-        if (!(std::abs(value) <= largest_number)) throw out_of_range("BRDF", value, "1/sr", "at most 1e100");
+        if (!(std::abs(value) <= largest_number))
+            throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
     }
     return std::make_unique<GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values));
 }

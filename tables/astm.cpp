@@ -1,5 +1,6 @@
 #include "tables/astm.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hts/error.hpp"
@@ -8,25 +9,55 @@
 namespace hts::tables {
 namespace {
 
+// Between commas if the line has any, so that an empty cell stays one; otherwise between blanks.
 std::vector<std::string_view> pieces(std::string_view line) {
-    std::vector<std::string_view> result;
-    for (const std::string_view part : spectral::split(line, ','))
-        for (const std::string_view word : spectral::words(part)) result.push_back(word);
+    if (line.find(',') == std::string_view::npos) return spectral::words(line);
+    auto result = spectral::split(line, ',');
+    for (std::string_view& piece : result) piece = spectral::trimmed(piece);
     return result;
 }
 
-std::size_t announced_points(const std::vector<std::string_view>& words, const std::string& place) {
-    const std::string text{words.size() > 1 ? words[1] : ""};
-    const double count = spectral::located(place, [&] { return spectral::number_in(text); });
-    if (count >= 1 && count <= 1e8 && count == std::floor(count)) return static_cast<std::size_t>(count);
-    throw Error{place + ": NUM_POINTS " + text + ": must be a whole number from 1"};
+// A line of the head, "VARS theta_i,phi_i" or "NUM_POINTS 6": its keyword and what follows.
+struct HeadLine {
+    std::string_view keyword;
+    std::vector<std::string_view> values{};
+};
+
+HeadLine head_line(std::string_view line) {
+    const auto end = line.find_first_of(", \t");
+    if (end == std::string_view::npos) return {line};
+    auto rest = spectral::trimmed(line.substr(end));
+    if (rest.starts_with(',')) rest = spectral::trimmed(rest.substr(1));
+    return {line.substr(0, end), rest.empty() ? std::vector<std::string_view>{} : pieces(rest)};
 }
 
-// `words` are VARS and the names.
-AstmFile with_columns(const std::vector<std::string_view>& words, const std::string& place) {
+std::size_t announced_points(const HeadLine& line, const std::string& place) {
+    const std::string text{line.values.empty() ? "" : line.values.front()};
+    const auto count = [&] {
+        try {
+            return spectral::number_in(text);
+        } catch (const Error&) {
+            return 0.0;
+        }
+    }();
+    if (count >= 1 && count <= 1e8 && count == std::floor(count)) return static_cast<std::size_t>(count);
+    throw Error{place + ": NUM_POINTS: " + spectral::in_quotes(text) +
+                ": must be a whole number from 1 to 100000000"};
+}
+
+void require_names(const std::vector<std::string_view>& names, const std::string& place) {
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        if (name->empty()) throw Error{place + ": VARS: a name is empty"};
+        if (std::find(names.begin(), name, *name) != name)
+            throw Error{place + ": VARS: " + spectral::in_quotes(*name) + " stands twice"};
+    }
+}
+
+AstmFile with_columns(const std::vector<std::string_view>& names, const std::string& place) {
+    require_names(names, place);
     AstmFile file;
     std::optional<std::size_t> theta_i, theta_s, phi_s;
-    for (const std::string_view name : std::span{words}.subspan(1)) {
+    for (const std::string_view name : names) {
         const std::size_t column = file.columns++;
         auto* angle = name == "theta_i"   ? &theta_i
                       : name == "phi_i"   ? &file.phi_i
@@ -66,17 +97,17 @@ AstmFile astm_file(std::string_view text, const std::string& name) {
     std::size_t number = 0;
     for (const std::string_view line : spectral::split(text, '\n')) {
         ++number;
-        const auto words = pieces(line);
-        if (words.empty() || words[0].starts_with('#')) continue;
+        const std::string_view bare = spectral::trimmed(line);
+        if (bare.empty() || bare.starts_with('#')) continue;
         const std::string place = name + ":" + std::to_string(number);
         if (file) {
-            append_row(*file, words, place);
+            append_row(*file, pieces(bare), place);
             file->lines.push_back(number);
-        } else if (words[0] == "NUM_POINTS") {
-            announced = announced_points(words, place);
-        } else if (words[0] == "VARS") {
-            file = with_columns(words, place);
+            continue;
         }
+        const HeadLine head = head_line(bare);
+        if (head.keyword == "NUM_POINTS") announced = announced_points(head, place);
+        if (head.keyword == "VARS") file = with_columns(head.values, place);
     }
     if (!file) throw Error{name + ": no line VARS, which names the columns"};
     if (announced && *announced != file->lines.size()) {

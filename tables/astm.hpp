@@ -11,8 +11,8 @@
 
 namespace hts::tables {
 
-/// What such a file holds, its rows in their order. Names and numbers stand between commas or blanks; empty lines and those that
-/// begin with # are passed over.
+/// What such a file holds, its rows in their order. Names and numbers stand between commas, or in a line without commas between
+/// blanks; empty lines and those that begin with # are passed over.
 struct AstmFile {
     /// Columns of the angles; a file without phi_i has light from azimuth 0.
     std::size_t theta_i = 0, theta_s = 0, phi_s = 0;
@@ -30,8 +30,8 @@ struct AstmFile {
     }
 };
 
-/// hts::Error "name:line: …" for what is no such file: no VARS, columns missing, a row of other length, a word that is no number, rows
-/// that are not as many as NUM_POINTS says.
+/// hts::Error "name:line: …" for what is no such file: no VARS, columns missing or named twice, a row of other length, an empty cell or a
+/// word that is no number, rows that are not as many as NUM_POINTS says.
 [[nodiscard]] AstmFile astm_file(std::string_view text, const std::string& name);
 
 }  // namespace hts::tables

@@ -234,7 +234,8 @@ std::unique_ptr<SpectralBrdf> merl_brdf(std::string_view bytes, const std::strin
         const std::size_t offset = header + (plane_of(c) * plane + i / 3) * sizeof(double);
         values[i] = from_little_endian<double>(bytes.substr(offset)) * scale[c];
         if (std::abs(values[i]) <= largest_number) continue;
-        throw Error{name + ": offset " + std::to_string(offset) + ": not a number of at most 1e100"};
+        throw Error{name + ": offset " + std::to_string(offset) + ": BRDF " + shortest(values[i]) +
+                    " 1/sr: must be from -1e100 to 1e100"};
     }
     return std::make_unique<MerlBrdf>(name, wavelengths, std::move(values), lookup);
 }

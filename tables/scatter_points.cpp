@@ -188,7 +188,8 @@ void check(const std::string& name, const ScatterPoints& points) {
     if (points.values.size() != points.angles.size() * points.wavelengths.size())
         throw Error{name + ": must have a value per point and wavelength"};
     for (const double value : points.values)
-        if (!(std::abs(value) <= largest_number)) throw out_of_range("BRDF", value, "1/sr", "at most 1e100");
+        if (!(std::abs(value) <= largest_number))
+            throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST_CASE("what is wrong with a file is named, with its line") {
         {0, "# wavelength_um 0.55", "#", {"wavelength", "must be given"}},
         {0, "TIS", "TIS nan", {"TIS", "nan"}},
         {0, "TIS", "TIS 1e101", {"TIS", "at most 1e100", "1e101"}},
-        {4, "1.25", "1e300", {"BRDF 1e+300 1/sr", "at most 1e100"}},
+        {4, "1.25", "1e300", {"BRDF 1e+300 1/sr", "from -1e100 to 1e100"}},
         {1, "<Layer>", "<Lager>", {"not valid XML"}},
         {1, "Columns", "Diagonals", {"IncidentDataStructure", "Diagonals", "TensorTree3"}},
         {1, "Reflection Back", "Transmission Front", {"Reflection Back"}},
@@ -220,6 +220,14 @@ TEST_CASE("what is wrong with a file is named, with its line") {
         {4, "0.1,0,0.1", "0.1,0,9", {"a:6", "9 rad"}},
         {4, "1e-2", "x", {"a:11", "\"x\""}},
         {4, ",0.75", "", {"a:10", "5 numbers", "6"}},
+        {4, "0.1,0,0.6,3.1415927,0.5", "0.1,,0.6,3.1415927,0.5", {"a:7", "\"\" is not a number"}},
+        {4, "0.1,0,0.6,3.1415927,0.5", "0.1,,0,0.6,3.1415927,0.5", {"a:7", "7 numbers", "6"}},
+        {4, "phi_i,", "theta_i,", {"a:5", "VARS: \"theta_i\" stands twice"}},
+        {4, "450nm", "550nm", {"a:5", "VARS: \"550nm\" stands twice"}},
+        {4, "450nm", "", {"a:5", "VARS: a name is empty"}},
+        {4, "NUM_POINTS 6", "NUM_POINTS", {"a:3", "NUM_POINTS", "from 1 to 100000000"}},
+        {4, "NUM_POINTS 6", "NUM_POINTS six", {"a:3", "NUM_POINTS", "\"six\"", "from 1 to 100000000"}},
+        {4, "NUM_POINTS 6", "NUM_POINTS 200000000", {"200000000", "from 1 to 100000000"}},
     };
     for (const Case& one : cases) {
         std::string text = files[one.sample].text;
