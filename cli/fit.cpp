@@ -105,10 +105,11 @@ FitRequest request(const FitOptions& options) {
     return result;
 }
 
-/// A request that cannot be is wrong usage.
-Fit fit_of(const FitRequest& request, const validation::FitData& data) {
+/// What `make` returns; a request that cannot be is wrong usage.
+template <class Make>
+auto from_request(const Make& make) {
     try {
-        return validation::fitted(request, data);
+        return make();
     } catch (const validation::RequestError& error) {
         throw UsageError{error.what()};
     }
@@ -119,7 +120,8 @@ void fit_one(const FitOptions& options) {
     FitRequest asked = request(options);
     if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
         asked.freed.emplace_back("scale");
-    const Fit fit = fit_of(asked, validation::fit_data(set, selection(options)));
+    const Fit fit = from_request(
+        [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
     if (!options.output.empty()) {
         write_file(options.output, fit.material);
         if (const double scale = fit.parameter("scale").value; scale != 1) {
@@ -135,7 +137,7 @@ void fit_one(const FitOptions& options) {
 std::vector<std::string> expanded(const std::vector<std::string>& curves) {
     std::vector<std::string> result;
     for (const std::string& curve : curves) {
-        if (!fs::is_directory(curve)) {
+        if (std::error_code ignored; !fs::is_directory(curve, ignored)) {
             result.push_back(curve);
             continue;
         }
@@ -143,6 +145,7 @@ std::vector<std::string> expanded(const std::vector<std::string>& curves) {
         for (const auto& entry : fs::directory_iterator{curve}) {
             if (entry.path().extension() == ".json") inside.push_back(entry.path().string());
         }
+        if (inside.empty()) throw Error{curve + ": no curve sets (*.json)"};
         std::ranges::sort(inside);
         result.insert(result.end(), inside.begin(), inside.end());
     }
@@ -150,16 +153,19 @@ std::vector<std::string> expanded(const std::vector<std::string>& curves) {
 }
 
 void fit_all_models(const FitOptions& options) {
+    const auto names = expanded(options.curves);
     Output output{options.output.empty() ? "-" : options.output};
     TableWriter table{output,
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
-    for (const std::string& name : expanded(options.curves)) {
+    for (const std::string& name : names) {
         const CurveSet set = curves_from_argument(name);
-        const auto fits = validation::fits_of(
-            validation::compared_models(), set,
-            {residual(options), selection(options), json_of(options.index), options.followed_starts});
+        const auto fits = from_request([&] {
+            return validation::fits_of(
+                validation::compared_models(), set,
+                {residual(options), selection(options), json_of(options.index), options.followed_starts});
+        });
         std::string text;
         for (const Fit& fit : fits) {
             const auto& s = fit.statistics;

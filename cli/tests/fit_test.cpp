@@ -94,4 +94,5 @@ TEST_CASE("hts fit refuses what cannot be fitted, and leaves no file") {
     refused("nowhere.json", 1, "nowhere.json");
     refused("curet-sandpaper --most-points 3", 1, "free parameters: must be more");
     refused("curet-sandpaper --largest-theta 1", 1, "no point");
+    refused("--all-models '" HTS_SOURCE_DIR "/cli/tests'", 1, "cli/tests: no curve sets (*.json)");
 }
