@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "cli/usage.hpp"
 #include "validation/built_in_curves.hpp"
@@ -11,7 +12,8 @@ namespace hts::cli {
 
 /// A file, or a set that comes with the program; UsageError that lists those if it is a bare word and neither.
 [[nodiscard]] inline validation::CurveSet curves_from_argument(const std::string& argument) {
-    if (argument.find_first_of("./") != std::string::npos || std::filesystem::exists(argument))
+    std::error_code ignored;
+    if (argument.find_first_of("./") != std::string::npos || std::filesystem::exists(argument, ignored))
         return validation::curves_named(argument);
     return from_option("curves", [&] { return validation::built_in_curves(argument); });
 }

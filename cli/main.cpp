@@ -63,6 +63,11 @@ void require_known_verbs(const CLI::App& program, int argc, char** argv) {
     }
 }
 
+/// `code`, unless what stands on standard output did not reach it.
+int flushed(int code) {
+    return std::cout.flush() ? code : fail(data_failed, "standard output: cannot be written");
+}
+
 void run(CLI::App& program, int argc, char** argv) {
     require_known_verbs(program, argc, argv);
     program.parse(argc, argv);
@@ -79,10 +84,9 @@ int main(int argc, char** argv) {
     program.footer("Each verb explains itself: hts eval --help");
     try {
         run(program, argc, argv);
-        if (!std::cout.flush()) return fail(data_failed, "standard output: cannot be written");
-        return done;
+        return flushed(done);
     } catch (const CLI::Success& help_or_version) {
-        return program.exit(help_or_version);
+        return flushed(program.exit(help_or_version));
     } catch (const CLI::ParseError& error) {
         return fail(wrong_usage, error.what());
     } catch (const hts::cli::UsageError& error) {

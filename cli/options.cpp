@@ -37,11 +37,13 @@ CLI::Validator must_be(const std::string& range, Legal&& legal) {
             ""};
 }
 
+/// "+30" is 30.
 template <class Number>
 bool within(const std::string& text, Number first, Number last) {
     Number value{};
     const char* const end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, value);
+    const bool plus = text.starts_with('+') && !text.starts_with("+-");
+    const auto [stop, problem] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
     return problem == std::errc{} && stop == end && value >= first && value <= last;
 }
 

@@ -30,7 +30,9 @@ CurveSet built_in_curves(std::string_view name) {
 }
 
 CurveSet curves_named(const std::string& name_or_path) {
-    return std::filesystem::exists(name_or_path) ? read_curves(name_or_path) : built_in_curves(name_or_path);
+    std::error_code ignored;
+    return std::filesystem::exists(name_or_path, ignored) ? read_curves(name_or_path)
+                                                          : built_in_curves(name_or_path);
 }
 
 }  // namespace hts::validation
