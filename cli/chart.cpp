@@ -59,6 +59,7 @@ bench::ChartProgress progress() {
 
 /// The picture and what stands beside it.
 void write_chart(const fs::path& path, const bench::ChartTable& table, const std::string& script) {
+    require_gnuplot(path.string());
     write_file(fs::path{path}.replace_extension(".csv").string(), table.csv());
     write_file(fs::path{path}.replace_extension(".json").string(), table.json());
     draw(path.string(), script);

@@ -136,6 +136,7 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
 void run(const FurnaceOptions& options) {
     const fs::path folder{options.folder};
     make_folder(folder);
+    require_gnuplot((folder / "furnace.svg").string());
     const FurnaceGrid grid = furnace_grid(options.quick);
     const auto points = furnace_map(grid, options.compensate);
     for (const char* name : {"furnace.csv", "furnace.json"}) {

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 
 #include "cli/output.hpp"
@@ -31,7 +33,7 @@ std::string read_all(int descriptor) {
     return text;
 }
 
-/// Runs gnuplot on a script in a folder; status -1 if there is no such program.
+/// Runs gnuplot on a script in a folder; status -1 if it cannot be run.
 Ended run_gnuplot(const std::string& folder, const std::string& definitions, const std::string& script) {
     std::array<int, 2> pipe_ends{};
     if (::pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw Error{"gnuplot: no pipe can be opened"};
@@ -72,7 +74,18 @@ std::string head(const std::string& picture) {
 
 }  // namespace
 
+void require_gnuplot(const std::string& svg_path) {
+    const char* const path = std::getenv("PATH");
+    const auto folders = spectral::split(path != nullptr ? path : "/bin:/usr/bin", ':');
+    const auto holds_gnuplot = [](std::string_view folder) {
+        return ::access((fs::path{folder} / "gnuplot").c_str(), X_OK) == 0;
+    };
+    if (std::ranges::none_of(folders, holds_gnuplot))
+        throw Error{svg_path + ": gnuplot not found: must be installed to draw (apt install gnuplot-nox)"};
+}
+
 void draw(const std::string& svg_path, std::string_view script) {
+    require_gnuplot(svg_path);
     const fs::path svg{svg_path};
     const fs::path script_path = fs::path{svg}.replace_extension(".gnuplot");
     const std::string name = svg.filename().string();
@@ -86,9 +99,6 @@ void draw(const std::string& svg_path, std::string_view script) {
     if (ended.status == 0) fs::rename(folder / partial, svg, problem);
     if (ended.status == 0 && !problem) return;
     fs::remove(folder / partial, problem);
-    if (ended.status == -1) {
-        throw Error{svg_path + ": gnuplot not found: must be installed to draw (apt install gnuplot-nox)"};
-    }
     throw Error{svg_path + ": gnuplot failed: " + one_line(ended.messages)};
 }
 

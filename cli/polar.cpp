@@ -123,6 +123,7 @@ void write(const PolarOptions& options, const std::string& name, const spectral:
         write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
         return;
     }
+    require_gnuplot(options.output.path);
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
     draw(options.output.path, polar_script(drawn, style(options, name, data.filename().string())));

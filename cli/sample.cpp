@@ -117,6 +117,7 @@ void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
     const spectral::AnyModel prepared = model(options);
+    if (!options.plot.empty()) require_gnuplot(options.plot);
     std::mt19937_64 random{options.seed};
     Output output{options.output.path};
     TableWriter table{output,

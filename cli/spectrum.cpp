@@ -133,6 +133,7 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = options.material.read();
+    if (!options.plot.empty()) require_gnuplot(options.plot);
     const auto spectrum = spectrum_of(options, reflector, grid, pair);
     const auto seen = colour(options, grid, spectrum);
 

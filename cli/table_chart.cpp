@@ -33,6 +33,7 @@ void run(const ChartOptions& options) {
     const auto exact =
         tables::model_brdf(reflector, wavelengths_from_option(options.wavelengths), options.material.policy(),
                            Tolerance{hts::accuracy::finest_lane_tolerance});
+    if (!options.plot.empty()) require_gnuplot(options.plot);
     const auto sizes = bench::table_sizes(*exact, options.pairs, options.seed);
     Output output{options.output.path};
     TableWriter writer{

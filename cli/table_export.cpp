@@ -74,10 +74,10 @@ void run(const ExportOptions& options) {
     const Reflectance plain = source_of(options, format);
     const Reflectance boxed = with_specular(options, plain);
     const Reflectance brdf = format.as_held ? format.as_held(boxed) : boxed;
-    tables::Sidecar sidecar = format.write(*brdf, options.output);
+    tables::Exported exported = format.exported(*brdf, options.output);
     if (options.specular == "box")
-        sidecar.specular = "in the file, a box of " + shortest(options.solid_angle) + " sr";
-    tables::write_sidecar(options.output, *plain, sidecar);
+        exported.sidecar.specular = "in the file, a box of " + shortest(options.solid_angle) + " sr";
+    tables::write_with_sidecar(options.output, *plain, std::move(exported));
     const auto report =
         tables::round_trip(*brdf, *format.read(options.output), {options.pairs, options.seed});
     std::cout << (options.json ? report.json() + "\n" : report.text());

@@ -1,7 +1,5 @@
 #include "cli/table_formats.hpp"
 
-#include "spectral/output.hpp"
-#include "spectral/text.hpp"
 #include "tables/brdf_file.hpp"
 #include "tables/channels.hpp"
 #include "tables/merl.hpp"
@@ -13,6 +11,8 @@
 
 namespace hts::cli {
 namespace {
+
+using tables::Exported;
 
 Reflectance read_back(const std::string& path) {
     return tables::read_brdf(path).brdf;
@@ -40,15 +40,14 @@ tables::Sidecar sidecar(const char* format, std::vector<std::string> notes) {
     return result;
 }
 
-tables::Sidecar write_merl(const tables::SpectralBrdf& brdf, const std::string& path) {
-    spectral::write_file(path, tables::merl_bytes(brdf));
+Exported merl(const tables::SpectralBrdf& brdf, const std::string& path) {
     auto result = sidecar(
         "MERL binary (.binary)",
         {"three channels: the three wavelengths as blue, green, red, or of more wavelengths linear sRGB of "
          "the radiance factor under D65, over pi; components below 0 are written as 0",
          "negative numbers mark bins below the horizon"});
     result.normalisation = "the reader multiplies red, green, blue by 1/1500, 1.15/1500, 1.66/1500";
-    return result;
+    return {{{path, tables::merl_bytes(brdf)}}, std::move(result)};
 }
 
 constexpr const char* radiance_channel =
@@ -56,38 +55,33 @@ constexpr const char* radiance_channel =
     "wavelengths the "
     "luminance factor under D65, over pi";
 
-tables::Sidecar write_klems(const tables::SpectralBrdf& brdf, const std::string& path) {
-    const std::string text = tables::klems_xml(brdf);
-    spectral::write_file(path, text);
-    return sidecar("LBNL WINDOW XML, Klems full basis",
-                   {radiance_channel, "means over pairs of patches, weighted by projected solid angle",
-                    "Radiance loads no file that reflects more than 1.01 of the light of a patch"});
+Exported klems(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return {{{path, tables::klems_xml(brdf)}},
+            sidecar("LBNL WINDOW XML, Klems full basis",
+                    {radiance_channel, "means over pairs of patches, weighted by projected solid angle",
+                     "Radiance loads no file that reflects more than 1.01 of the light of a patch"})};
 }
 
-tables::Sidecar write_tensor_tree(const tables::SpectralBrdf& brdf, const std::string& path) {
-    spectral::write_file(path, tables::tensor_tree_xml(brdf));
-    return sidecar("Radiance XML, tensor tree",
-                   {radiance_channel, "constant in cells of 1/64 in direction cosines and larger"});
+Exported tensor_tree(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return {{{path, tables::tensor_tree_xml(brdf)}},
+            sidecar("Radiance XML, tensor tree",
+                    {radiance_channel, "constant in cells of 1/64 in direction cosines and larger"})};
 }
 
-tables::Sidecar write_zemax(const tables::SpectralBrdf& brdf, const std::string& path) {
-    tables::write_zemax(brdf, path);
-    return sidecar("OpticStudio tabular BSDF (.bsdf), a file per wavelength",
-                   {"angles about the mirror direction; 0 below the horizon",
-                    "TIS: reflectance per angle of incidence"});
+Exported zemax(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return {tables::zemax_files(brdf, path),
+            sidecar("OpticStudio tabular BSDF (.bsdf), a file per wavelength",
+                    {"angles about the mirror direction; 0 below the horizon",
+                     "TIS: reflectance per angle of incidence"})};
 }
 
-tables::Sidecar write_csv(const tables::SpectralBrdf& brdf, const std::string& path) {
-    spectral::write_file(path, tables::scatter_csv(brdf, tables::csv_grid(tables::is_isotropic(brdf))));
-    return sidecar("CSV, a row per pair of directions, a column per wavelength", {});
+Exported csv(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return {{{path, tables::scatter_csv(brdf, tables::csv_grid(tables::is_isotropic(brdf)))}},
+            sidecar("CSV, a row per pair of directions, a column per wavelength", {})};
 }
 
-tables::Sidecar write_rgl(const tables::SpectralBrdf& brdf, const std::string& path) {
-    return tables::write_rgl(brdf, path);
-}
-
-tables::Sidecar write_pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
-    return tables::write_pbsdf(brdf, path);
+Exported pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
+    return tables::exported_pbsdf(brdf, path);
 }
 
 }  // namespace
@@ -95,18 +89,18 @@ tables::Sidecar write_pbsdf(const tables::SpectralBrdf& brdf, const std::string&
 const std::vector<TableFormat>& table_formats() {
     static const std::vector<TableFormat> formats{
         {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.38:0.78:21",
-         write_rgl, tables::read_rgl},
+         tables::exported_rgl, tables::read_rgl},
         {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
-         write_pbsdf, tables::read_pbsdf},
-        {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31",
-         write_merl, read_back, as_rgb},
+         pbsdf, tables::read_pbsdf},
+        {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31", merl,
+         read_back, as_rgb},
         {"zemax", "OpticStudio tabular .bsdf; of several wavelengths an index .json and a file each", "0.55",
-         write_zemax, read_back},
+         zemax, read_back},
         {"radiance", "Radiance tensor tree XML; one wavelength, or luminance of more", "0.40:0.70:31",
-         write_tensor_tree, read_back, as_luminance},
-        {"klems", "LBNL WINDOW XML over Klems' full basis; as radiance", "0.40:0.70:31", write_klems,
-         read_back, as_luminance},
-        {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", write_csv, read_back},
+         tensor_tree, read_back, as_luminance},
+        {"klems", "LBNL WINDOW XML over Klems' full basis; as radiance", "0.40:0.70:31", klems, read_back,
+         as_luminance},
+        {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", csv, read_back},
     };
     return formats;
 }

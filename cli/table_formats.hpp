@@ -13,13 +13,13 @@ namespace hts::cli {
 
 using Reflectance = std::shared_ptr<const tables::SpectralBrdf>;
 
-/// A format: how it is written, and how the project's own reader reads it.
+/// A format: what is written, and how the project's own reader reads it.
 struct TableFormat {
     std::string name;         ///< as --format takes it
     std::string what;         ///< a line of help
     std::string wavelengths;  ///< [um] where the user gives none, as WavelengthGrid::parse takes them
-    /// Writes the file and says what is in it; the sidecar is written by the caller.
-    std::function<tables::Sidecar(const tables::SpectralBrdf& brdf, const std::string& path)> write;
+    /// What is to stand in the file, and in those beside it, for tables::write_with_sidecar.
+    std::function<tables::Exported(const tables::SpectralBrdf& brdf, const std::string& path)> exported;
     std::function<Reflectance(const std::string& path)> read;
     /// What of a reflectance the file can hold at all, which is written and compared: none for all of it, or, say, red,
     /// green and blue.

@@ -234,8 +234,8 @@ class PolarisedTable final : public SpectralBrdf {
 
 }  // namespace
 
-Sidecar write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
-                    const PbsdfResolution& resolution) {
+Exported exported_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+                        const PbsdfResolution& resolution) {
     require("number of theta_h", resolution.theta_h);
     require("number of theta_d", resolution.theta_d);
     require("number of phi_d", resolution.phi_d);
@@ -254,16 +254,22 @@ Sidecar write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
     file.add("wvls", {bands}, nanometres);
     file.add("M", {axes.phi_d.size(), axes.theta_d.size(), axes.theta_h.size(), bands, 4, 4},
              matrices(brdf, axes));
-    spectral::write_file(path.string(), file.bytes());
-    return {.format = "KAIST polarised tensor file (.pbsdf): Mitsuba 3 measured_polarized",
-            .value = "Mueller matrix of f, without the cosine",
-            .normalisation = "none",
-            .suggested_alpha = std::clamp(slope / std::sqrt(std::numbers::sqrt2 - 1), 1e-3, 1.0),
-            .notes = {"frames: x_in = x_out = w_light x w_view, right-handed, z along the propagation, S3 = "
-                      "+1 clockwise "
-                      "for the receiver",
-                      "isotropic, front side only",
-                      "suggested_alpha is for the plugin's parameter alpha_sample"}};
+    Sidecar sidecar{
+        .format = "KAIST polarised tensor file (.pbsdf): Mitsuba 3 measured_polarized",
+        .value = "Mueller matrix of f, without the cosine",
+        .normalisation = "none",
+        .suggested_alpha = std::clamp(slope / std::sqrt(std::numbers::sqrt2 - 1), 1e-3, 1.0),
+        .notes = {"frames: x_in = x_out = w_light x w_view, right-handed, z along the propagation, S3 = "
+                  "+1 clockwise "
+                  "for the receiver",
+                  "isotropic, front side only",
+                  "suggested_alpha is for the plugin's parameter alpha_sample"}};
+    return {{{path.string(), file.bytes()}}, std::move(sidecar)};
+}
+
+void write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+                 const PbsdfResolution& resolution) {
+    spectral::write_files(exported_pbsdf(brdf, path, resolution).files);
 }
 
 std::unique_ptr<SpectralBrdf> parse_pbsdf(std::string bytes, const std::filesystem::path& path) {

@@ -26,9 +26,12 @@ struct PbsdfResolution {
 };
 
 /// Writes an isotropic, polarised reflectance at five wavelengths of whole nanometres; hts::Error for others, or where the
-/// file cannot be written. Returns what stands in the file, for write_sidecar.
-Sidecar write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
-                    const PbsdfResolution& resolution = {});
+/// file cannot be written.
+void write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+                 const PbsdfResolution& resolution = {});
+/// What that writes, and the sidecar.
+[[nodiscard]] Exported exported_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+                                      const PbsdfResolution& resolution = {});
 
 /// Reads a file as a polarised reflectance, in the frames of hts/polarisation.hpp; its specular reflectance is 0. Where the
 /// file has no number, as measurements do, it is black. hts::Error "path: field "M": …" for what Mitsuba would refuse.

@@ -51,13 +51,13 @@ class RglBrdf : public SpectralBrdf, public HasDensity {
 };
 
 /// Writes an isotropic reflectance; hts::Error for others, or where the file cannot be written.
-/// Returns what stands in the file, for write_sidecar.
-Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
-                  const RglResolution& resolution);
+void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path, const RglResolution& resolution);
 /// The same as finely as it must be: each try is read back at random pairs of directions, and if the worst error is above
 /// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.
-Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
+void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
+/// What that writes, and the sidecar.
+[[nodiscard]] Exported exported_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
 
 /// Reads a spectral file, isotropic or anisotropic over all azimuths; its specular reflectance is 0.
 /// hts::Error "path: field "vndf": …" for what Mitsuba and pbrt would refuse or what is no number.

@@ -281,15 +281,16 @@ Sidecar described() {
 
 }  // namespace
 
-Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path,
-                  const RglResolution& resolution) {
+void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path, const RglResolution& resolution) {
     spectral::write_file(path.string(), rgl_bytes(brdf, resolution));
-    return described();
 }
 
-Sidecar write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
-    spectral::write_file(path.string(), fine_enough(brdf));
-    return described();
+Exported exported_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    return {{{path.string(), fine_enough(brdf)}}, described()};
+}
+
+void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    spectral::write_files(exported_rgl(brdf, path).files);
 }
 
 }  // namespace hts::tables

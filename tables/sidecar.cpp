@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "spectral/output.hpp"
-
 namespace hts::tables {
 namespace {
 
@@ -39,8 +37,9 @@ std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& 
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void write_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, const Sidecar& sidecar) {
-    spectral::write_file(file.string() + ".json", sidecar_json(file, brdf, sidecar));
+void write_with_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, Exported exported) {
+    exported.files.push_back({file.string() + ".json", sidecar_json(file, brdf, exported.sidecar)});
+    spectral::write_files(exported.files);
 }
 
 }  // namespace hts::tables

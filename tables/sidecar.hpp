@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "spectral/output.hpp"
 #include "tables/spectral_brdf.hpp"
 
 namespace hts::tables {
@@ -23,12 +24,19 @@ struct Sidecar {
     std::vector<std::string> notes{};
 };
 
+/// The files of a format, and what is in them.
+struct Exported {
+    std::vector<spectral::TextFile> files;
+    Sidecar sidecar;
+};
+
 /// As JSON, with the specular reflectance of `brdf` [1] at every 2.5 degrees of its own wavelengths.
 [[nodiscard]] std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& brdf,
                                        const Sidecar& sidecar);
 
-/// Writes FILE.json, whole or not at all; hts::Error where it cannot be written.
+/// Writes the files and beside them FILE.json, all of them or none (spectral::write_files); hts::Error where one cannot be written.
 ///   file   the exported file, whose whole name gets ".json" appended
-void write_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, const Sidecar& sidecar);
+///   brdf   whose specular reflectance the sidecar tells
+void write_with_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, Exported exported);
 
 }  // namespace hts::tables

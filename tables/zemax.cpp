@@ -238,15 +238,14 @@ std::unique_ptr<SpectralBrdf> zemax_brdf(std::string_view text, const std::strin
     return gridded_brdf(name, *channels, header.grid, std::move(values));
 }
 
-void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf, const std::filesystem::path& path) {
     const auto wavelengths = brdf.wavelengths().micrometres();
     if (wavelengths.size() > 1 && path.extension() != ".json") {
         throw Error{path.string() + ": one file holds one wavelength; for " +
                     std::to_string(wavelengths.size()) + " name an index that ends in .json"};
     }
     const std::vector<std::string> texts = zemax_texts(brdf);
-    if (texts.size() == 1 && path.extension() != ".json")
-        return spectral::write_file(path.string(), texts.front());
+    if (texts.size() == 1 && path.extension() != ".json") return {{path.string(), texts.front()}};
     std::vector<spectral::TextFile> files;
     std::string index = "{\"zemax_files\": [";
     for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -258,7 +257,11 @@ void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
         index.append(", \"file\": ").append(spectral::in_quotes(file.filename().string())).append("}");
     }
     files.push_back({path.string(), index + "\n]}\n"});
-    spectral::write_files(files);
+    return files;
+}
+
+void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    spectral::write_files(zemax_files(brdf, path));
 }
 
 std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path,

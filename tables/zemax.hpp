@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spectral/output.hpp"
 #include "tables/angular_grid.hpp"
 
 namespace hts::tables {
@@ -38,6 +39,9 @@ namespace hts::tables {
 /// Writes files: at one wavelength `path` itself unless it ends in .json; at several `path` must end in .json and becomes an index,
 /// {"zemax_files": [{"wavelength_um": 0.633, "file": "NAME_633nm.bsdf"}, …]}, of files beside it. hts::Error if one cannot be written.
 void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path);
+/// What that writes, the index last.
+[[nodiscard]] std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf,
+                                                          const std::filesystem::path& path);
 
 /// Reads either kind; errors as of zemax_brdf.
 [[nodiscard]] std::shared_ptr<const SpectralBrdf> read_zemax(

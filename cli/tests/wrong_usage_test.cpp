@@ -2,6 +2,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,7 @@ constexpr std::array cases{
     Case{"fit blue-acrylic --rings 9", "from 0 to 8"},
     Case{"fit blue-acrylic --starts 0", "from 1 to 512"},
     Case{"fit blue-acrylic --all-models --model kurt", "--all-models"},
+    Case{"fit blue-acrylic --all-models --index unobtainium", "Al-McPeak"},
     Case{"fit blue-acrylic --all-models --report r.json", "--all-models"},
 
     Case{"compare blue-acrylic", "--material"},
@@ -265,7 +267,38 @@ TEST_CASE("a medium that is full, or a place that takes no file: exit code 1, no
     }
     // the test's own redirection is cut off by #
     CHECK(place.hts("materials > /dev/full 2> ../errors #").exit_code == 1);
+    CHECK(place.hts("--help > /dev/full 2> ../errors #").exit_code == 1);
+    CHECK(place.hts("fit --help > /dev/full 2> ../errors #").exit_code == 1);
+    CHECK(place.hts("--version > /dev/full 2> ../errors #").exit_code == 1);
     CHECK(
         place.hts("fit curet-sandpaper --model lambert --most-points 10 --rings 0 > /dev/full 2> ../errors #")
             .exit_code == 1);
+}
+
+TEST_CASE("files of several parts are written all or none") {
+    const Workplace place;
+    const std::string m = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";
+    std::filesystem::create_directory(place.folder() / "a.csv.json");
+    const auto exported =
+        place.hts("table export " + m + " --format csv --wavelengths 0.5 --pairs 10 --output a.csv");
+    check_complaint(exported, 1, {"a.csv.json: is a directory"});
+    for (const std::string command :
+         {"polar -m " + m + " --wavelength 0.5 --theta-i 45 --output p.svg",
+          "spectrum -m " + m +
+              " --wavelengths 0.5,0.6 --theta-i 30 --theta-r 40 --phi 180 --output s.csv --plot s.svg",
+          "sample -m " + m + " --wavelength 2 --theta-i 45 --count 10 --output d.csv --plot d.svg"}) {
+        INFO(command);
+        check_complaint(place.hts(command, "PATH=/nowhere"), 1, {".svg: gnuplot not found"});
+    }
+    CHECK(place.names() == std::vector<std::string>{"a.csv.json"});
+}
+
+TEST_CASE("a number may have a plus in front") {
+    const Workplace place;
+    const std::string command =
+        "sample -m " HTS_SOURCE_DIR "/cli/data/rough-aluminium.json --wavelength 2 --theta-i 45 --count ";
+    const auto plain = place.hts(command + "5"), plus = place.hts(command + "+5");
+    CHECK(plus.exit_code == 0);
+    CHECK(plus.output == plain.output);
+    check_complaint(place.hts(command + "+-5"), wrong_usage, {"\"+-5\""});
 }

@@ -16,13 +16,16 @@ TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
     const auto plastic =
         testing::brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.7, 4));
     const fs::path file = fs::temp_directory_path() / "hts-sidecar-test.bsdf";
-    write_sidecar(file, *plastic,
-                  {.format = "a format",
-                   .value = "f cos(theta_o)",
-                   .normalisation = "none",
-                   .suggested_alpha = 0.1,
-                   .notes = {"front side only"}});
+    write_with_sidecar(file, *plastic,
+                       {{{file.string(), "content"}},
+                        {.format = "a format",
+                         .value = "f cos(theta_o)",
+                         .normalisation = "none",
+                         .suggested_alpha = 0.1,
+                         .notes = {"front side only"}}});
     const auto json = nlohmann::json::parse(read_whole_file(file.string() + ".json"));
+    CHECK(read_whole_file(file) == "content");
+    fs::remove(file);
     fs::remove(file.string() + ".json");
     CHECK(json["file"] == "hts-sidecar-test.bsdf");
     CHECK(json["value"] == "f cos(theta_o)");
@@ -36,7 +39,7 @@ TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
         plastic->specular_reflectance(Direction::from_degrees(specular["theta_i_deg"][row], 0), expected);
         CHECK(specular["reflectance"][row].get<std::vector<double>>() == expected);
     }
-    CHECK_THROWS_WITH(write_sidecar("/nowhere/x.bsdf", *plastic, {}),
+    CHECK_THROWS_WITH(write_with_sidecar("/nowhere/x.bsdf", *plastic, {}),
                       Catch::Contains("/nowhere/x.bsdf.json: cannot be written"));
     CHECK_THROWS_WITH(read_whole_file("/nowhere/x"), Catch::Contains("/nowhere/x: must be a file"));
 }
