@@ -88,8 +88,8 @@ TEST_CASE("hts curves and hts compare name what is wrong") {
     check("compare mwir-brass --source-solid-angle 9 --material " + material, 2,
           "source_solid_angle_sr 9 sr");
     check("compare mwir-brass --band-nodes 0 --material " + material, 2, "--band-nodes");
-    check("curves show " + std::string(300, 'x'), 2, "no curve set \"xxx");
-    check("curves show ./" + std::string(300, 'x'), 1, "curve set");
+    check(std::string{"curves show "}.append(300, 'x'), 2, "no curve set \"xxx");
+    check(std::string{"curves show ./"}.append(300, 'x'), 1, "curve set");
     check("compare marble --material " + material, 2, "no curve set \"marble\"");
     const auto names = place.names();
     CHECK(std::find(names.begin(), names.end(), "c.json") == names.end());
