@@ -282,7 +282,7 @@ TEST_CASE("files of several parts are written all or none") {
     const auto exported =
         place.hts("table export " + m + " --format csv --wavelengths 0.5 --pairs 10 --output a.csv");
     check_complaint(exported, 1, {"a.csv.json: is a directory"});
-    for (const std::string command :
+    for (const std::string& command :
          {"polar -m " + m + " --wavelength 0.5 --theta-i 45 --output p.svg",
           "spectrum -m " + m +
               " --wavelengths 0.5,0.6 --theta-i 30 --theta-r 40 --phi 180 --output s.csv --plot s.svg",

@@ -204,7 +204,7 @@ TEST_CASE("an ASTM file is imported exactly, a curve per channel") {
 TEST_CASE("bad ASTM files are refused") {
     refuses(astm_recipe, "a.astm", with(astm, "NUM_POINTS 3", "NUM_POINTS 4"), "3 points: NUM_POINTS says 4");
     refuses(astm_recipe, "a.astm", with(astm, "NUM_POINTS 3", "NUM_POINTS -3"),
-            ":2: NUM_POINTS -3: must be a whole number from 1");
+            ":2: NUM_POINTS: \"-3\": must be a whole number from 1 to 100000000");
     refuses(astm_recipe, "a.astm", with(astm, "theta_s,phi_s", "theta_s,phi"),
             ":3: VARS: must name theta_i, phi_i, theta_s, phi_s and a channel");
     refuses(astm_recipe, "a.astm", with(astm, "VARS", "COLUMNS"), "no line VARS");
