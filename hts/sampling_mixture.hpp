@@ -50,7 +50,7 @@ struct alignas(64) Mixture {
     double lowered_skew = 0, raised_skew = 0;
     double cosine = 0, uniform_diffuse = 0, uniform = 0;
     double alpha = 0, beam_radius = 0;
-    std::array<double, 16> sums{};  ///< of the shares up to each part's own; 2 beyond
+    alignas(32) std::array<double, 16> sums{};  ///< of the shares up to each part's own; 2 beyond
 
     /// Probability of a part.
     [[nodiscard]] double share(std::size_t part) const noexcept {
