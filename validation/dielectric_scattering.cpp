@@ -90,13 +90,11 @@ std::vector<Check> dielectric_checks(const std::vector<FigureTable>& tables) {
 GroundTruth dielectric_scattering_study(Effort effort) {
     const MomentSettings settings = validation::settings(effort);
     const auto results = moment_results(surfaces(effort), {20, 40, 60}, settings);
-    GroundTruth truth{
+    return ground_truth(
         moment_provenance("of refractive index " + shortest(index), settings) +
             regenerating("dielectric", effort),
         {moment_map_table(results, "dielectric-map"), moment_lobe_table(results, "dielectric-lobes")},
-        section()};
-    add_results(truth.section, truth.tables, truth.provenance);
-    return truth;
+        section(), add_results);
 }
 
 Section dielectric_scattering_section(Effort effort) {

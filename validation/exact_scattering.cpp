@@ -356,12 +356,10 @@ GroundTruth exact_scattering_study(Effort effort) {
     MomentSettings settings;
     if (effort == Effort::quick) settings.realisations = 40;
     const auto results = moment_results(moment_grid(effort), incidence_deg(), settings);
-    GroundTruth truth{
+    return ground_truth(
         moment_provenance("perfectly conducting", settings) + regenerating("moments", effort),
         {moment_map_table(results, "moment-method-map"), moment_lobe_table(results, "moment-method-lobes")},
-        section()};
-    add_results(truth.section, truth.tables, truth.provenance);
-    return truth;
+        section(), add_results);
 }
 
 Section exact_scattering_section(Effort effort) {

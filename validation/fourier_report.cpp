@@ -158,14 +158,11 @@ GroundTruth fourier_study(Effort effort) {
     if (effort == Effort::quick) settings.realisations = 100;
     std::vector<FourierResult> results;
     for (const FourierCase& of : cases(effort)) results.push_back(fourier_result(of, settings));
-    GroundTruth truth{"Fourier integral of random surfaces 12 tau by 12 tau, periodic: " +
-                          std::to_string(settings.realisations) + " realisations, " +
-                          std::to_string(settings.directions) + " directions each, seeds from " +
-                          std::to_string(settings.study) + regenerating("fourier", effort),
-                      {table_of(results, settings.realisations)},
-                      section()};
-    add_results(truth.section, truth.tables, truth.provenance);
-    return truth;
+    return ground_truth("Fourier integral of random surfaces 12 tau by 12 tau, periodic: " +
+                            std::to_string(settings.realisations) + " realisations, " +
+                            std::to_string(settings.directions) + " directions each, seeds from " +
+                            std::to_string(settings.study) + regenerating("fourier", effort),
+                        {table_of(results, settings.realisations)}, section(), add_results);
 }
 
 Section fourier_section(Effort effort) {

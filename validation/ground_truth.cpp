@@ -65,6 +65,13 @@ std::string regenerating(const std::string& study, Effort effort) {
     return "\nhts truth " + study + (effort == Effort::quick ? " --quick" : "") + " --output FOLDER";
 }
 
+GroundTruth ground_truth(std::string provenance, std::vector<FigureTable> tables, Section empty,
+                         AddResults add_results) {
+    GroundTruth truth{std::move(provenance), std::move(tables), std::move(empty)};
+    add_results(truth.section, truth.tables, truth.provenance);
+    return truth;
+}
+
 Section section_of(GroundTruth computed, Effort effort, AddResults add_results) {
     Section section = std::move(computed.section);
     if (effort == Effort::full) return section;

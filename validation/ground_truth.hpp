@@ -1,4 +1,4 @@
-/// What the three studies of the ground truth share: tables that are kept as data, and the data kept.
+/// What the studies of the ground truth share: tables that are kept as data, and the data kept.
 ///
 /// `hts truth STUDY --output validation/data/ground-truth` writes them anew; they are embedded in this library, so that
 /// a quick report can show the full result beside the few cases it computes itself.
@@ -35,6 +35,11 @@ struct GroundTruth {
 /// Adds checks and figures made of a study's tables.
 using AddResults = void (*)(Section& section, const std::vector<FigureTable>& tables,
                             const std::string& provenance);
+
+/// What a study found, with its checks and figures.
+///   empty   the section without results
+[[nodiscard]] GroundTruth ground_truth(std::string provenance, std::vector<FigureTable> tables, Section empty,
+                                       AddResults add_results);
 
 /// The section of a study as computed now; of a quick one the checks are said to be of few realisations, and the full
 /// result that is kept stands beside, with its own checks and in the figures' place.

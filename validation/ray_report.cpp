@@ -264,15 +264,12 @@ GroundTruth rays_study(Effort effort) {
     TracingSettings settings;
     if (effort == Effort::quick) settings = {4, 12, 4000, 5000};
     Tables tables = traced(effort, settings);
-    GroundTruth truth{
+    return ground_truth(
         "Rays through random surfaces of 24 tau by 24 tau: " + std::to_string(settings.surfaces) +
             " surfaces, " + std::to_string(settings.samples_per_tau) + " samples per tau, " +
             std::to_string(settings.points) + " points and " + std::to_string(settings.rays) +
             " rays each, seeds from " + std::to_string(settings.study) + regenerating("rays", effort),
-        {tables.shadowing, tables.bounces, tables.lobes},
-        section()};
-    add_results(truth.section, truth.tables, truth.provenance);
-    return truth;
+        {tables.shadowing, tables.bounces, tables.lobes}, section(), add_results);
 }
 
 Section rays_section(Effort effort) {
