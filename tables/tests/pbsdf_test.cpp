@@ -18,6 +18,7 @@
 #include "tables/round_trip.hpp"
 #include "tables/specular_box.hpp"
 #include "tables/tensor_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ std::shared_ptr<const SpectralBrdf> surface(double n, double k, double albedo) {
 class Written {
   public:
     Written(const SpectralBrdf& brdf, const PbsdfResolution& resolution)
-        : path_{fs::temp_directory_path() / "hts-pbsdf-test.pbsdf"} {
+        : path_{folder_.path() / "test.pbsdf"} {
         write_pbsdf(brdf, path_, resolution);
         const TensorFile file = TensorFile::read(path_);
         theta_h = file.floats("theta_h", 2).numbers;
@@ -52,9 +53,6 @@ class Written {
         matrices = file.floats("M", 6).numbers;
         read = read_pbsdf(path_);
     }
-    ~Written() { fs::remove(path_); }
-    Written(const Written&) = delete;
-    Written& operator=(const Written&) = delete;
 
     /// An element at a node and the first wavelength.
     [[nodiscard]] double element(std::size_t p, std::size_t d, std::size_t h, std::size_t e) const {
@@ -75,6 +73,7 @@ class Written {
     std::unique_ptr<SpectralBrdf> read;
 
   private:
+    hts::testing::TemporaryFolder folder_;
     fs::path path_;
 };
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "temporary_folder.hpp"
 
 namespace hts::validation::testing {
 
@@ -11,15 +12,11 @@ namespace hts::validation::testing {
 class TemporaryFile {
   public:
     TemporaryFile(const std::string& name, const std::string& text)
-        : path_{std::filesystem::temp_directory_path() / ("hts-validation-" + name)} {
-        std::ofstream{path_} << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(path_); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
+        : path_{folder_.write("hts-validation-" + name, text)} {}
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   private:
+    hts::testing::TemporaryFolder folder_;
     std::filesystem::path path_;
 };
 
