@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "cli/usage.hpp"
-#include "cli/verbs.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "hts/phi_simd.hpp"
-#include "hts/phi_table.hpp"
+#include "hts/phi/phi_simd.hpp"
+#include "hts/phi/phi_table.hpp"
 
 namespace hts {
 namespace {

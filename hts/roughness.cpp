@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "hts/lambert.hpp"
+#include "hts/phi/lambert.hpp"
 
 namespace hts {
 

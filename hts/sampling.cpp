@@ -1,6 +1,6 @@
 #include "hts/sampling.hpp"
 
-#include "hts/sampling_simd.hpp"
+#include "hts/sampling/simd.hpp"
 
 namespace hts {
 namespace {

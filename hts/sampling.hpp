@@ -28,7 +28,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "hts/evaluation.hpp"
+#include "hts/he_torrance_spectrum.hpp"
 
 namespace hts {
 

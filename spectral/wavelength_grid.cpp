@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hts/error.hpp"
-#include "spectral/text.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::spectral {
 namespace {

@@ -9,8 +9,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "hts/error.hpp"
-#include "hts/microfacet/hemisphere_table.hpp"
 #include "hts/microfacet/lobes.hpp"
+#include "hts/microfacet/normals/hemisphere_table.hpp"
 #include "hts/microfacet/walter.hpp"
 
 namespace hts {

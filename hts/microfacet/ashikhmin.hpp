@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "hts/fresnel.hpp"
-#include "hts/microfacet/normal_density.hpp"
+#include "hts/microfacet/normals/normal_density.hpp"
 #include "hts/microfacet/spectrum.hpp"
 
 namespace hts {

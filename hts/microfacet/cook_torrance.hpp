@@ -9,8 +9,8 @@
 /// Flaws: light that would leave a groove after a second reflection is lost; G has kinks.
 #pragma once
 
-#include "hts/microfacet/gaussian_slopes.hpp"
 #include "hts/microfacet/lobes.hpp"
+#include "hts/microfacet/normals/gaussian_slopes.hpp"
 
 namespace hts {
 

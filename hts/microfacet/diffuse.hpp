@@ -1,5 +1,5 @@
 /// Diffuse models: Lambert's, and that of Oren and Nayar (SIGGRAPH 1994) for rough matt surfaces.
-/// (hts/lambert.hpp is something else: Lambert's W function.)
+/// (hts/phi/lambert.hpp is something else: Lambert's W function.)
 #pragma once
 
 #include "hts/microfacet/spectrum.hpp"

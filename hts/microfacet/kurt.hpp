@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-#include "hts/microfacet/gaussian_slopes.hpp"
 #include "hts/microfacet/lobes.hpp"
+#include "hts/microfacet/normals/gaussian_slopes.hpp"
 
 namespace hts {
 

@@ -11,7 +11,7 @@
 ///
 /// Energy. Light that facets send into other facets is lost. With F = 1 the albedo is the mean of G_1(o) over the visible
 /// normals whose reflection leaves, so it is at most 1 (SmithForm::exact): at alpha 0.5 Beckmann keeps 0.943 of the
-/// light at 0 deg and 0.918 at 80 deg, GGX 0.688 and 0.747 (hts/tests/reference/walter_furnace.csv).
+/// light at 0 deg and 0.918 at 80 deg, GGX 0.688 and 0.747 (hts/microfacet/tests/reference/walter_furnace.csv).
 ///
 /// Roughness to none. As alpha -> 0 the lobes become those of a mirror and of Snell's law with Fresnel's shares.
 #pragma once

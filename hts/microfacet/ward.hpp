@@ -9,8 +9,8 @@
 /// cos theta_i is well below m, both grow beyond 1 without bound, like cos(theta_i)^-1/2 and 1/cos theta_i.
 #pragma once
 
-#include "hts/microfacet/gaussian_slopes.hpp"
 #include "hts/microfacet/lobes.hpp"
+#include "hts/microfacet/normals/gaussian_slopes.hpp"
 
 namespace hts {
 

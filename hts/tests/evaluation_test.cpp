@@ -1,6 +1,6 @@
 // The lanes against the exact path of he_torrance.hpp, in every regime. HTS_EXHAUSTIVE=1 takes 10^7 points a
 // tolerance, otherwise 10^5.
-#include "hts/evaluation.hpp"
+#include "hts/he_torrance_spectrum.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
-#include "hts/phi_sum.hpp"
+#include "hts/phi/phi_sum.hpp"
 
 using hts::phi;
 using hts::phi_gradient;

@@ -1,8 +1,8 @@
 #include <cstdio>
 
 #include <hts/direction.hpp>
-#include <spectral/material_files.hpp>
-#include <spectral/reflectance.hpp>
+#include <spectral/materials/optical_constants_files.hpp>
+#include <spectral/models/reflectance.hpp>
 
 int main() {
     using namespace hts::spectral;

@@ -1,0 +1,58 @@
+/// What the benchmarks share: inputs drawn beforehand with a fixed seed, and the surface that is evaluated.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "bench/phi/accuracy_sweep.hpp"
+#include "bench/rivals/ggx.hpp"
+#include "spectral/models/reflectance.hpp"
+
+namespace hts::bench {
+
+/// More than any cache of first or second level and any branch predictor remembers.
+inline constexpr std::size_t bench_inputs = std::size_t{1} << 17;
+
+/// Values per call of a batch benchmark: its inputs and results fit the first-level cache.
+inline constexpr std::size_t bench_block = 1024;
+
+/// g log-uniform in 1e-3 ... 1e6, t/g uniform in 0 ... 50.
+[[nodiscard]] const PhiInputs& mixed_inputs();
+
+/// The same t/g at one g.
+[[nodiscard]] PhiInputs inputs_at(double g);
+
+/// Pairs of directions, each uniform in solid angle over the hemisphere.
+[[nodiscard]] const std::vector<spectral::DirectionPair>& bench_pairs();
+
+/// Numbers to draw directions from, as many as there are pairs.
+[[nodiscard]] const std::vector<std::array<double, 3>>& bench_uniforms();
+
+/// sigma_0 = 0.28 um, tau = 1.77 um: the aluminium of He et al.
+[[nodiscard]] const spectral::Reflector& bench_reflector();
+
+/// `count` wavelengths over 0.4 ... 0.7 um.
+[[nodiscard]] spectral::WavelengthGrid bench_wavelengths(int count);
+
+/// The accuracy at which wave optics are compared with microfacets.
+inline constexpr Tolerance bench_tolerance{1e-6};
+
+/// That surface at those wavelengths.
+[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths,
+                                                              DiffuseLobe lobe = DiffuseLobe::full);
+
+/// The metal's optical constants at those wavelengths.
+struct OpticalConstants {
+    std::vector<double> n, k;
+};
+[[nodiscard]] OpticalConstants bench_constants(int wavelengths);
+
+/// GGX facets of the same metal, as wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
+template <class Conductor = RoughConductor>
+[[nodiscard]] Conductor bench_conductor(int wavelengths) {
+    const auto [n, k] = bench_constants(wavelengths);
+    return {bench_reflector().surface.slope_width(), n, k};
+}
+
+}  // namespace hts::bench

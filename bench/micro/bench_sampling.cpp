@@ -1,0 +1,95 @@
+// Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same metal.
+
+#include <array>
+#include <vector>
+
+#include "bench/micro/bench_inputs.hpp"
+#include "bench/micro/bench_registrations.hpp"
+#include "bench/rivals/ggx_sampling.hpp"
+#include "hts/sampling.hpp"
+
+namespace hts::bench {
+namespace {
+
+DirectionSampler he_sampler() {
+    const auto wavelength = Wavelength::from_micrometres(0.55);
+    return {bench_reflector().surface,
+            {wavelength, bench_reflector().material.index(wavelength), 0},
+            bench_tolerance};
+}
+
+GgxSampler ggx_sampler() {
+    return GgxSampler{bench_reflector().surface.slope_width()};
+}
+
+/// A direction, its density and the weights of n wavelengths.
+template <class Model, class Draw>
+void sample(benchmark::State& state, const Model& model, const Draw& draw) {
+    const auto& pairs = bench_pairs();
+    const auto& uniforms = bench_uniforms();
+    std::vector<double> weights(model.size());
+    Cycle cycle{pairs.size()};
+    benchmark::DoNotOptimize(draw(pairs[0].in, uniforms[0]));  // prepared before the clock runs
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        const Direction& in = pairs[i].in;
+        const auto drawn = draw(in, uniforms[i]);
+        if (drawn.pdf > 0) {
+            model.brdf({in, drawn.out}, std::span{weights});
+            const double factor = drawn.out.cos_theta() / drawn.pdf;
+            for (double& weight : weights) weight *= factor;
+        }
+        benchmark::DoNotOptimize(weights.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+template <class Draw>
+void draw_only(benchmark::State& state, const Draw& draw) {
+    const auto& pairs = bench_pairs();
+    const auto& uniforms = bench_uniforms();
+    Cycle cycle{pairs.size()};
+    benchmark::DoNotOptimize(draw(pairs[0].in, uniforms[0]));  // prepared before the clock runs
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        auto drawn = draw(pairs[i].in, uniforms[i]);
+        benchmark::DoNotOptimize(drawn);
+    }
+    report_items(state, 1);
+}
+
+template <class Sampler>
+void pdf(benchmark::State& state, const Sampler& sampler) {
+    const auto& pairs = bench_pairs();
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& pair = pairs[cycle.next()];
+        benchmark::DoNotOptimize(sampler.pdf(pair.in, pair.out));
+    }
+    report_items(state, 1);
+}
+
+}  // namespace
+
+void register_sampling() {
+    static const auto he = [](const Direction& in, const DirectionSampler::Uniforms& u) {
+        static const DirectionSampler sampler = he_sampler();
+        return sampler.draw(in, u);
+    };
+    static const auto ggx = [](const Direction& in, const DirectionSampler::Uniforms& u) {
+        static const GgxSampler sampler = ggx_sampler();
+        return sampler.draw(in, {u[1], u[2]});
+    };
+    const auto add = [](const char* name, void (*run)(benchmark::State&)) {
+        benchmark::RegisterBenchmark(name, run);
+    };
+    add("sample/he/4", [](benchmark::State& s) { sample(s, bench_he_torrance(4), he); });
+    add("sample/ggx/4", [](benchmark::State& s) { sample(s, bench_conductor(4), ggx); });
+    add("draw/he", [](benchmark::State& s) { draw_only(s, he); });
+    add("draw/ggx", [](benchmark::State& s) { draw_only(s, ggx); });
+    add("pdf/he", [](benchmark::State& s) { pdf(s, he_sampler()); });
+    add("pdf/ggx", [](benchmark::State& s) { pdf(s, ggx_sampler()); });
+}
+
+}  // namespace hts::bench

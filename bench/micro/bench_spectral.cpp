@@ -1,0 +1,90 @@
+// Benchmarks of whole BRDFs: this project's model and a GGX conductor of the same metal.
+
+#include <cstdint>
+#include <string>
+
+#include "bench/micro/bench_inputs.hpp"
+#include "bench/micro/bench_registrations.hpp"
+#include "bench/rivals/ggx_lanes.hpp"
+
+namespace hts::bench {
+namespace {
+
+/// One pair of directions per iteration.
+template <class Model>
+void evaluate(benchmark::State& state, const Model& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<double> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.brdf(pairs[cycle.next()], std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// A block of pairs per iteration.
+template <class Model>
+void evaluate_batch(benchmark::State& state, const Model& model) {
+    const std::span pairs{bench_pairs()};
+    std::vector<double> result(bench_block * model.size());
+    Cycle cycle{pairs.size(), bench_block};
+    for (auto _ : state) {
+        model.brdf(pairs.subspan(cycle.next(), bench_block), std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, bench_block);
+}
+
+void specular(benchmark::State& state, const spectral::SpectralReflectance& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<double> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.specular_reflectance(pairs[cycle.next()].in, result);
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void mueller(benchmark::State& state, const spectral::SpectralReflectance& model) {
+    const auto& pairs = bench_pairs();
+    std::vector<Mueller> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        model.mueller(pairs[cycle.next()], std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void add(const std::string& name, int wavelengths, void (*benchmark)(benchmark::State&, int)) {
+    benchmark::RegisterBenchmark((name + '/' + std::to_string(wavelengths)).c_str(), benchmark, wavelengths);
+}
+
+}  // namespace
+
+void register_spectral() {
+    for (const int n : {1, 4, 8, 16, 31}) {
+        add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
+        add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor(w)); });
+        add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
+        add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
+        add("eval/ggx_lanes", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_conductor<LaneConductor>(w)); });
+        add("eval_batch/ggx_lanes", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor<LaneConductor>(w)); });
+        add("specular/he", n, [](benchmark::State& s, int w) { specular(s, bench_he_torrance(w)); });
+        add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
+    }
+    add("eval/he_first_order", 4,
+        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::first_order)); });
+    add("eval/he_rough_limit", 4,
+        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::rough_limit)); });
+}
+
+}  // namespace hts::bench

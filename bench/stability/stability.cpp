@@ -1,0 +1,63 @@
+#include "bench/stability/stability.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "bench/stability/stability_rows.hpp"
+
+namespace hts::bench {
+
+std::vector<StabilityResult> stability_suite() {
+    std::vector<StabilityResult> all;
+    for (const auto row :
+         {series_in_floating_point, series_at_large_g, rough_limit_in_the_tail, root_of_roughness,
+          shadowing_cancellation, factors_at_backscatter, frames_along_the_normal, fresnel_cancellation,
+          extreme_lengths, steep_surfaces, energy_of_the_model, single_precision, bad_input}) {
+        const std::vector<StabilityResult> results = row().results();
+        all.insert(all.end(), results.begin(), results.end());
+    }
+    return all;
+}
+
+bool engine_passes(const std::vector<StabilityResult>& results) {
+    constexpr std::size_t rows = 13;
+    std::set<int> with_engine;
+    for (const StabilityResult& result : results) {
+        if (!result.engine) continue;
+        if (is_failure(result.verdict)) return false;
+        with_engine.insert(result.row);
+    }
+    return with_engine.size() == rows;
+}
+
+std::size_t rival_failures(const std::vector<StabilityResult>& results) {
+    return static_cast<std::size_t>(std::count_if(
+        results.begin(), results.end(),
+        [](const StabilityResult& result) { return !result.engine && is_failure(result.verdict); }));
+}
+
+const char* name(Verdict verdict) noexcept {
+    switch (verdict) {
+        case Verdict::ok:
+            return "ok";
+        case Verdict::model:
+            return "model";
+        case Verdict::too_slow:
+            return "too slow";
+        case Verdict::wrong:
+            return "wrong";
+        case Verdict::underflow:
+            return "underflow";
+        case Verdict::no_convergence:
+            return "no convergence";
+        case Verdict::infinite:
+            return "infinity";
+        case Verdict::not_a_number:
+            return "NaN";
+        case Verdict::silent:
+            return "silent";
+    }
+    return "";
+}
+
+}  // namespace hts::bench

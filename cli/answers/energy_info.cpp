@@ -1,0 +1,95 @@
+#include "cli/answers/energy_info.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "spectral/parallel.hpp"
+
+namespace hts::cli {
+namespace {
+
+using Point = EnergyInfo::Point;
+using Json = nlohmann::ordered_json;
+
+/// Above 1 by more than the error of the integral.
+bool gains(const Point& point) {
+    return point.reflectance.total() > 1 + 1e-5;
+}
+
+std::string energy_text(const std::vector<Point>& points) {
+    const auto count = std::count_if(points.begin(), points.end(), gains);
+    if (count == 0) return "Reflects no more light than falls in, at any of these points.\n";
+    return "Reflects MORE light than falls in at " + std::to_string(count) + " of " +
+           std::to_string(points.size()) + " points.\n";
+}
+
+}  // namespace
+
+EnergyInfo::EnergyInfo(spectral::AnyReflector of, const spectral::WavelengthGrid& wavelengths,
+                       const std::vector<double>& theta_deg, spectral::OutsideRange policy)
+    : reflector{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
+    const auto spectrum = reflector.spectrum(wavelengths, policy);
+    spectral::parallel_for(
+        points.size(),
+        [&](std::size_t i) {
+            const std::size_t at = i / theta_deg.size();
+            const double theta = theta_deg[i % theta_deg.size()];
+            points[i] = {wavelengths.micrometres()[at], theta,
+                         spectrum.models()[at].albedo(Direction::from_degrees(theta, 0))};
+        },
+        1);
+}
+
+std::string info_text(const EnergyInfo& info) {
+    std::ostringstream text;
+    text << info.reflector.name() << "\n  model        " << info.reflector.model_name() << " ("
+         << info.reflector.model_source() << ")\n\n"
+         << std::left << "  wavelength    theta_i    reflectance in all    of it uniform diffuse\n";
+    for (const Point& point : info.points) {
+        text << "  " << std::setw(14) << shortest(point.wavelength) + " um" << std::setw(11)
+             << shortest(point.theta) + " deg" << std::setw(22) << brief(point.reflectance.total())
+             << brief(point.reflectance.uniform_diffuse) << '\n';
+    }
+    text << '\n' << energy_text(info.points);
+    for (const std::string& warning : info.reflector.warnings()) text << "Warning: " << warning << '\n';
+    return text.str();
+}
+
+std::string info_json(const EnergyInfo& info) {
+    Json points = Json::array();
+    for (const Point& point : info.points) {
+        points.push_back({{"wavelength_um", point.wavelength},
+                          {"theta_deg", point.theta},
+                          {"directional_diffuse", point.reflectance.directional_diffuse},
+                          {"uniform_diffuse", point.reflectance.uniform_diffuse},
+                          {"total", point.reflectance.total()}});
+    }
+    const Json result{{"name", info.reflector.name()},
+                      {"model", info.reflector.model_name()},
+                      {"source", info.reflector.model_source()},
+                      {"points", points},
+                      {"points_above_1", std::count_if(info.points.begin(), info.points.end(), gains)},
+                      {"warnings", info.reflector.warnings()}};
+    return result.dump(1) + "\n";
+}
+
+void write_info_table(Output& output, const EnergyInfo& info) {
+    TableWriter table{output,
+                      Format::csv,
+                      {"wavelength_um", "theta_deg", "directional_diffuse", "uniform_diffuse", "total"}};
+    std::string text;
+    for (const Point& point : info.points) {
+        TableWriter::Row row{table, text};
+        row.field(shortest(point.wavelength)).field(shortest(point.theta));
+        row.number(point.reflectance.directional_diffuse).number(point.reflectance.uniform_diffuse);
+        row.number(point.reflectance.total()).end();
+    }
+    table.add(text);
+    table.finish();
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,69 @@
+#include "cli/answers/eval_answer.hpp"
+
+#include <initializer_list>
+#include <numbers>
+#include <utility>
+
+#include "hts/error.hpp"
+
+namespace hts::cli {
+namespace {
+
+void add(std::vector<std::string>& names, std::initializer_list<const char*> more) {
+    names.insert(names.end(), more.begin(), more.end());
+}
+
+void append_detail(TableWriter::Row& row, const Evaluation& value) {
+    const DirectionalDiffuse& term = value.directional;
+    row.number(term.phase_variance).number(term.lobe_argument).number(value.effective_roughness);
+    row.number(value.shadowing).number(term.amplitudes.unpolarised_reflectance()).word(name(term.method));
+}
+
+}  // namespace
+
+std::vector<std::string> mueller_columns() {
+    return {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
+            "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
+}
+
+std::vector<std::string> EvalAnswer::columns() const {
+    std::vector<std::string> names;
+    if (wavelength) names.emplace_back("wavelength_um");
+    if (transmission) {
+        add(names, {"btdf"});
+        return names;
+    }
+    add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
+    if (mueller) {
+        for (std::string& name : mueller_columns()) names.push_back(std::move(name));
+    }
+    if (detail) add(names, {"g", "t", "effective_roughness_um", "shadowing", "fresnel", "method"});
+    if (incident) {
+        add(names, {"s0", "s1", "s2", "s3", "degree_of_polarisation", "angle_of_polarisation_deg"});
+    }
+    return names;
+}
+
+void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
+    if (wavelength) row.field(shortest(value.wavelength));
+    if (transmission) {
+        row.number(value.btdf);
+        return;
+    }
+    row.number(value.directional.brdf).number(value.uniform_diffuse);
+    row.number(value.directional.brdf + value.uniform_diffuse).number(value.specular_reflectance);
+    if (mueller) {
+        for (const double element : value.mueller.elements()) row.number(element);
+    }
+    if (detail) append_detail(row, value);
+    if (incident) append_polarisation(row, value);
+}
+
+void EvalAnswer::append_polarisation(TableWriter::Row& row, const Evaluation& value) const {
+    const Stokes reflected = (value.mueller + Mueller::depolariser(value.uniform_diffuse)) * *incident;
+    for (std::size_t i = 0; i < 4; ++i) row.number(reflected[i]);
+    row.number(reflected.degree_of_polarisation());
+    row.number(reflected.angle_of_polarisation() * 180 / std::numbers::pi);
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,32 @@
+/// What `hts eval` adds to the columns of the points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/answers/point_evaluator.hpp"
+#include "cli/io/table_writer.hpp"
+
+namespace hts::cli {
+
+/// "m00" … "m33", row by row.
+[[nodiscard]] std::vector<std::string> mueller_columns();
+
+/// Names and values of the added columns, in the order of the members.
+struct EvalAnswer {
+    bool wavelength = false;
+    bool mueller = false;
+    bool detail = false;
+    bool transmission = false;         ///< btdf instead of the terms of reflection
+    std::optional<Stokes> incident{};  ///< adds the Stokes vector that both diffuse terms reflect
+
+    [[nodiscard]] bool needs_mueller() const noexcept { return mueller || incident; }
+    [[nodiscard]] std::vector<std::string> columns() const;
+    void append(TableWriter::Row& row, const Evaluation& value) const;
+
+  private:
+    void append_polarisation(TableWriter::Row& row, const Evaluation& value) const;
+};
+
+}  // namespace hts::cli

@@ -1,0 +1,101 @@
+#include "cli/answers/fit_report.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/io/table_writer.hpp"
+
+namespace hts::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using validation::Fit;
+using validation::FittedParameter;
+using validation::Outcome;
+
+/// JSON knows no infinity: null.
+ordered_json number(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+std::string padded(std::string text, std::size_t width) {
+    if (text.size() < width) text.append(width - text.size(), ' ');
+    return text;
+}
+
+std::string parameter_text(const FittedParameter& parameter) {
+    std::string text{"  "};
+    text.append(padded(parameter.name, 12)).append(" ").append(padded(brief(parameter.value), 10));
+    if (parameter.outcome == Outcome::fitted) {
+        text.append(" +- ").append(padded(brief(parameter.standard_error, 2), 9));
+    } else {
+        text.append(" ").append(padded(name(parameter.outcome), 12));
+    }
+    return text + (parameter.unit == "1" ? "" : " " + parameter.unit) + "\n";
+}
+
+ordered_json parameter_json(const FittedParameter& parameter) {
+    return {{"name", parameter.name},
+            {"unit", parameter.unit},
+            {"value", parameter.value},
+            {"standard_error", number(parameter.standard_error)},
+            {"lowest", parameter.lowest},
+            {"highest", parameter.highest},
+            {"outcome", name(parameter.outcome)}};
+}
+
+ordered_json statistics_json(const validation::FitStatistics& s) {
+    return {{"values", s.data},
+            {"free_parameters", s.free_parameters},
+            {"rms_log", s.rms_log},
+            {"median_abs_log", s.median_abs_log},
+            {"rms", s.rms},
+            {"l2_cosine", s.l2},
+            {"reduced_chi_squared", s.reduced_chi_squared ? ordered_json(*s.reduced_chi_squared) : nullptr},
+            {"cost", s.cost},
+            {"aic", s.aic},
+            {"bic", s.bic}};
+}
+
+}  // namespace
+
+std::string fit_text(const Fit& fit) {
+    const auto& s = fit.statistics;
+    std::string text = fit.data + ", " + fit.model + ", " + std::to_string(s.data) + " values, residuals " +
+                       name(fit.request.residual) + ", loss " + name(fit.request.loss) + "\n";
+    for (const FittedParameter& parameter : fit.parameters) text += parameter_text(parameter);
+    text += "  median |ln(model/measured)| " + brief(s.median_abs_log) + ", rms " + brief(s.rms_log) +
+            "; rms difference " + brief(s.rms) + ", L2 " + brief(s.l2) + "\n";
+    if (s.reduced_chi_squared) text += "  reduced chi squared " + brief(*s.reduced_chi_squared) + "\n";
+    text += "  AIC " + brief(s.aic, 6) + ", BIC " + brief(s.bic, 6) + "; " +
+            std::to_string(fit.starts_at_best) + " of " + std::to_string(fit.starts.size()) +
+            " starts reached the best\n";
+    for (const std::string& statement : fit.statements) text += "  note: " + statement + "\n";
+    return text;
+}
+
+std::string fit_json(const Fit& fit) {
+    ordered_json parameters = ordered_json::array(), starts = ordered_json::array();
+    for (const FittedParameter& parameter : fit.parameters) parameters.push_back(parameter_json(parameter));
+    for (const auto& start : fit.starts) {
+        starts.push_back(
+            {{"cost", number(start.cost)}, {"iterations", start.iterations}, {"converged", start.converged}});
+    }
+    const ordered_json report{{"data", fit.data},
+                              {"model", fit.model},
+                              {"lobes", fit.request.lobes},
+                              {"residual", name(fit.request.residual)},
+                              {"loss", name(fit.request.loss)},
+                              {"loss_scale", fit.request.loss_scale},
+                              {"parameters", parameters},
+                              {"correlated", fit.correlated},
+                              {"correlation", fit.correlation},
+                              {"statistics", statistics_json(fit.statistics)},
+                              {"statements", fit.statements},
+                              {"starts", starts},
+                              {"starts_at_best", fit.starts_at_best},
+                              {"material", ordered_json::parse(fit.material)}};
+    return report.dump(2) + "\n";
+}
+
+}  // namespace hts::cli

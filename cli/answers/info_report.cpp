@@ -1,0 +1,289 @@
+#include "cli/answers/info_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "hts/phi.hpp"
+#include "spectral/models/reflectance.hpp"
+
+namespace hts::cli {
+namespace {
+
+using spectral::Criterion;
+using spectral::Finding;
+using spectral::MaterialValidity;
+using spectral::Severity;
+using Point = MaterialValidity::Point;
+using Json = nlohmann::ordered_json;
+
+constexpr Tolerance prepared_tolerance{accuracy::finest_lane_tolerance};
+
+std::vector<Direction> directions(const std::vector<double>& theta) {
+    std::vector<Direction> result;
+    result.reserve(theta.size());
+    for (const double degrees : theta) result.push_back(Direction::from_degrees(degrees, 0));
+    return result;
+}
+
+struct Range {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] std::string text() const {
+        const std::string low = brief(least, 3), high = brief(greatest, 3);
+        return low == high ? low : low + " to " + high;
+    }
+    [[nodiscard]] Json json() const { return {least, greatest}; }
+};
+
+/// Of a quantity over some of the points.
+template <class Quantity>
+Range range_of(std::span<const Point> points, const Quantity& quantity) {
+    Range range;
+    for (const Point& point : points) {
+        range.least = std::fmin(range.least, quantity(point));
+        range.greatest = std::fmax(range.greatest, quantity(point));
+    }
+    return range;
+}
+
+double phase_variance(const Point& point) {
+    return point.validity.phase_variance;
+}
+double mirror_share(const Point& point) {
+    return std::exp(-point.validity.phase_variance);
+}
+double n(const Point& point) {
+    return point.sample.index.n();
+}
+double k(const Point& point) {
+    return point.sample.index.k();
+}
+double albedo(const Point& point) {
+    return point.sample.uniform_diffuse * std::numbers::pi;
+}
+double micrometres(const Point& point) {
+    return point.sample.wavelength.micrometres();
+}
+
+/// From the least g to the greatest.
+std::vector<std::string> regimes(const Range& g) {
+    std::vector<std::string> names;
+    for (auto i = static_cast<int>(spectral::regime(g.least));
+         i <= static_cast<int>(spectral::regime(g.greatest)); ++i)
+        names.emplace_back(name(static_cast<spectral::Regime>(i)));
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
+    return text;
+}
+
+double degrees_of(const MaterialInfo& info, const Point& point) {
+    const auto place = static_cast<std::size_t>(&point - info.validity.points().data());
+    return info.theta[place % info.theta.size()];
+}
+
+std::string error_text(spectral::ModelError error) {
+    const auto known = decibels(error);
+    if (!known) return "unknown";
+    if (known->most == 0) return "none (a mirror)";
+    if (known->most == known->least) return brief(known->least) + " dB";
+    return brief(known->least) + " to " + brief(known->most) + " dB";
+}
+
+std::string verdict_text(const MaterialValidity& validity) {
+    const Severity worst = validity.severity();
+    if (worst == Severity::fine) return "Inside the model's validity";
+    const auto as_bad = [worst](const Point& point) { return point.validity.severity() == worst; };
+    const auto points = validity.points();
+    return (worst == Severity::outside ? "OUTSIDE the model's validity at "
+                                       : "To be taken with caution at ") +
+           std::to_string(std::count_if(points.begin(), points.end(), as_bad)) + " of " +
+           std::to_string(points.size()) + " points (wavelengths x angles); measured worst:";
+}
+
+std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
+    if (criterion != Criterion::slope) return "";
+    const double share = spectral::share_beyond_45_degrees(info.reflector.surface);
+    return ";\n           " + brief(100 * share, 3) +
+           " % of the surface is steeper than 45 deg and reflects light from above further down";
+}
+
+std::string finding_text(const MaterialInfo& info, Criterion criterion) {
+    const Point& where = info.validity.worst(criterion);
+    const Finding& finding = where.validity[criterion];
+    const spectral::Limits limits = spectral::limits(criterion);
+    std::ostringstream text;
+    text << "  " << std::setw(9) << std::left << name(finding.severity()) << name(criterion) << ": "
+         << quantity(criterion) << " = " << brief(finding.measured, 3) << " at "
+         << shortest(micrometres(where)) << " um, " << shortest(degrees_of(info, where)) << " deg; "
+         << (limits.least() ? ">= " : "<= ") << brief(limits.caution, 3) << " is fine";
+    if (std::isfinite(limits.outside))
+        text << ", " << (limits.least() ? "< " : "> ") << brief(limits.outside, 3) << " outside";
+    if (finding.severity() != Severity::fine)
+        text << "\n           " << reason(criterion) << extra_reason(info, criterion);
+    text << '\n';
+    return text.str();
+}
+
+std::string surface_text(const Surface& surface) {
+    const double slope = spectral::rms_slope(surface);
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, tau " + brief(surface.correlation_length()) +
+           " um; rms slope " + brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) +
+           " deg), radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
+}
+
+/// A line per angle, each over all wavelengths.
+std::string angles_text(const MaterialInfo& info) {
+    std::ostringstream text;
+    text << std::left << "\n  theta_i  " << std::setw(22) << "g" << std::setw(24) << "mirror's share exp(-g)"
+         << std::setw(10) << "validity"
+         << "expected error\n";
+    for (std::size_t i = 0; i < info.theta.size(); ++i) {
+        std::vector<Point> points;
+        Severity severity = Severity::fine;
+        auto error = spectral::ModelError::none;
+        for (std::size_t j = i; j < info.validity.points().size(); j += info.theta.size()) {
+            points.push_back(info.validity.points()[j]);
+            severity = std::max(severity, points.back().validity.severity());
+            error = std::max(error, points.back().validity.error);
+        }
+        text << "  " << std::setw(9) << shortest(info.theta[i]) + " deg" << std::setw(22)
+             << range_of(points, phase_variance).text() << std::setw(24)
+             << range_of(points, mirror_share).text() << std::setw(10) << name(severity) << error_text(error)
+             << '\n';
+    }
+    return text.str();
+}
+
+Json finding_json(const MaterialInfo& info, Criterion criterion) {
+    const Point& where = info.validity.worst(criterion);
+    const Finding& finding = where.validity[criterion];
+    const spectral::Limits limits = spectral::limits(criterion);
+    return {{"criterion", name(criterion)},
+            {"severity", name(finding.severity())},
+            {"quantity", quantity(criterion)},
+            {"measured", finding.measured},
+            {"at", {{"wavelength_um", micrometres(where)}, {"theta_deg", degrees_of(info, where)}}},
+            {"sense", limits.least() ? "at least" : "at most"},
+            {"caution", limits.caution},
+            {"outside", limits.outside},
+            {"reason", finding.severity() == Severity::fine ? "" : reason(criterion)}};
+}
+
+Json error_json(spectral::ModelError error) {
+    const auto known = decibels(error);
+    return known ? Json{known->least, known->most} : Json{};
+}
+
+std::vector<Criterion> criteria() {
+    std::vector<Criterion> all;
+    for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
+    return all;
+}
+
+}  // namespace
+
+MaterialInfo::MaterialInfo(spectral::Reflector of, const spectral::WavelengthGrid& wavelengths,
+                           std::vector<double> theta_deg, spectral::OutsideRange policy)
+    : reflector{std::move(of)},
+      theta{std::move(theta_deg)},
+      validity{reflector, wavelengths, directions(theta), policy},
+      prepared_bytes{
+          spectral::SpectralReflectance{reflector, wavelengths, policy, prepared_tolerance}.bytes()},
+      phi_table_bytes{hts::phi_table_bytes(prepared_tolerance)} {}
+
+std::string info_text(const MaterialInfo& info) {
+    const auto points = info.validity.points();
+    const Range g = range_of(points, phase_variance);
+    std::ostringstream text;
+    text << info.reflector.name << "\n  model        he (He, Torrance, Sillion, Greenberg 1991)\n"
+         << "  surface      " << surface_text(info.reflector.surface) << '\n'
+         << "  index        " << info.reflector.material.name() << ": n " << range_of(points, n).text()
+         << ", k " << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text()
+         << '\n'
+         << "  wavelengths  " << range_of(points, micrometres).text() << " um, "
+         << points.size() / info.theta.size() << " of them\n"
+         << "  g            " << g.text() << ": " << joined(regimes(g)) << '\n'
+         << "  memory       " << info.prepared_bytes << " bytes prepared at tolerance "
+         << brief(prepared_tolerance.relative_error()) << ", and " << info.phi_table_bytes
+         << " bytes of Phi that all materials share\n"
+         << angles_text(info) << '\n'
+         << verdict_text(info.validity) << '\n';
+    for (const Criterion criterion : criteria()) text << finding_text(info, criterion);
+    if (info.validity.perturbation_advised())
+        text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
+    text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
+         << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
+            "surfaces up to "
+            "70 deg, unpolarised)\n";
+    return text.str();
+}
+
+std::string info_json(const MaterialInfo& info) {
+    const auto points = info.validity.points();
+    const Surface& surface = info.reflector.surface;
+    const Range g = range_of(points, phase_variance);
+    Json findings = Json::array();
+    for (const Criterion criterion : criteria()) findings.push_back(finding_json(info, criterion));
+    Json wavelengths = Json::array();
+    for (std::size_t i = 0; i < points.size(); i += info.theta.size())
+        wavelengths.push_back(micrometres(points[i]));
+    const Json result{{"name", info.reflector.name},
+                      {"model", "he"},
+                      {"rms_roughness_um", surface.rms_roughness()},
+                      {"correlation_length_um", surface.correlation_length()},
+                      {"rms_slope", spectral::rms_slope(surface)},
+                      {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
+                      {"curvature_radius_um", spectral::curvature_radius(surface)},
+                      {"index", info.reflector.material.name()},
+                      {"n", range_of(points, n).json()},
+                      {"k", range_of(points, k).json()},
+                      {"diffuse_albedo", range_of(points, albedo).json()},
+                      {"wavelengths_um", wavelengths},
+                      {"theta_deg", info.theta},
+                      {"phase_variance", g.json()},
+                      {"regimes", regimes(g)},
+                      {"mirror_share", range_of(points, mirror_share).json()},
+                      {"validity", name(info.validity.severity())},
+                      {"findings", findings},
+                      {"perturbation_advised", info.validity.perturbation_advised()},
+                      {"expected_error_db", error_json(info.validity.error())},
+                      {"prepared_bytes", info.prepared_bytes},
+                      {"phi_table_bytes", info.phi_table_bytes}};
+    return result.dump(1) + "\n";
+}
+
+void write_info_table(Output& output, const MaterialInfo& info) {
+    TableWriter table{output,
+                      Format::csv,
+                      {"wavelength_um", "theta_deg", "n", "k", "diffuse_albedo", "g", "regime",
+                       "mirror_share", "tau_over_lambda", "curvature", "slope", "shadowing", "mirror_loss",
+                       "energy", "validity", "least_error_db", "most_error_db"}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::string text;
+    for (const Point& point : info.validity.points()) {
+        const double g = phase_variance(point);
+        const auto error = decibels(point.validity.error).value_or(spectral::Decibels{nan, nan});
+        TableWriter::Row row{table, text};
+        row.field(shortest(micrometres(point))).field(shortest(degrees_of(info, point)));
+        row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));
+        row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
+        for (const Finding& finding : point.validity.findings) row.number(finding.measured);
+        row.word(name(point.validity.severity())).number(error.least).number(error.most).end();
+    }
+    table.add(text);
+    table.finish();
+}
+
+}  // namespace hts::cli

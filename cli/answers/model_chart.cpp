@@ -1,0 +1,274 @@
+#include "cli/answers/model_chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "bench/charts/machine.hpp"
+#include "hts/error.hpp"
+#include "hts/phi.hpp"
+#include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/reflectance.hpp"
+#include "spectral/processor_time.hpp"
+#include "spectral/random_directions.hpp"
+#include "tables/table/build_table.hpp"
+#include "validation/fit/fit.hpp"
+
+namespace hts::cli {
+namespace {
+
+using tables::DirectionPair;
+
+/// Writes the BRDF of a pair at the chart's wavelengths.
+using Evaluator = std::function<void(const DirectionPair& pair, std::span<double> values)>;
+
+constexpr std::size_t channels = 4;
+using Spectrum = std::array<double, channels>;
+
+const spectral::WavelengthGrid& wavelengths() {
+    static const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.54, 0.62, 0.70});
+    return grid;
+}
+
+struct ChartSurface {
+    const char* title;
+    Surface surface;
+    const char* material;
+    double diffuse_albedo;
+};
+
+std::vector<ChartSurface> surfaces() {
+    return {{"fine: σ₀ 0.05 µm, τ 1 µm, glass", {0.05, 1.0}, "SiO2", 0},
+            {"aluminium: σ₀ 0.28 µm, τ 1.77 µm", {0.28, 1.77}, "Al", 0},
+            {"ceramic: σ₀ 1.45 µm, τ 13.2 µm, a 0.9", {1.45, 13.2}, "MgO", 0.9},
+            {"very rough: σ₀ 2.5 µm, τ 16 µm, copper", {2.5, 16.0}, "Cu", 0}};
+}
+
+spectral::Reflector reflector(const ChartSurface& chosen) {
+    return {chosen.title, chosen.surface, spectral::built_in_material(chosen.material),
+            spectral::DiffuseAlbedo{chosen.diffuse_albedo}};
+}
+
+/// He-Torrance on a surface, its pairs for fitting and for judging, and the peak of the lobe for each incidence.
+class Truth {
+  public:
+    Truth(const ChartSurface& chosen, std::size_t fitted, std::size_t judged, std::uint64_t seed)
+        : surface_{chosen}, exact_{reflector(chosen), wavelengths()} {
+        std::mt19937_64 random{seed};
+        for (std::size_t i = 0; i < fitted + judged; ++i) pairs_.push_back(pair(random, i % 2 == 0));
+        values_.resize(pairs_.size());
+        peaks_.resize(pairs_.size());
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            exact_.brdf(pairs_[i], values_[i]);
+            peaks_[i] = peak(pairs_[i].in);
+        }
+        fitted_ = fitted;
+    }
+
+    [[nodiscard]] std::span<const DirectionPair> judged_pairs() const {
+        return std::span{pairs_}.subspan(fitted_);
+    }
+
+    /// |f - f_he|/(f_he + peak/100) of all judged pairs and wavelengths, sorted.
+    [[nodiscard]] std::vector<double> errors(const Evaluator& model) const {
+        std::vector<double> errors;
+        Spectrum spectrum{};
+        for (std::size_t i = fitted_; i < pairs_.size(); ++i) {
+            model(pairs_[i], spectrum);
+            for (std::size_t k = 0; k < channels; ++k) {
+                errors.push_back(std::abs(spectrum[k] - values_[i][k]) / floor_of(i, k));
+            }
+        }
+        std::sort(errors.begin(), errors.end());
+        return errors;
+    }
+
+    /// For fits: the uncertainty is what errors are measured by.
+    [[nodiscard]] validation::FitData fit_data() const {
+        std::vector<validation::FitSample> samples;
+        for (std::size_t i = 0; i < fitted_; ++i) {
+            for (std::size_t k = 0; k < channels; ++k) {
+                samples.push_back({pairs_[i], k, values_[i][k], floor_of(i, k)});
+            }
+        }
+        return validation::fit_data(surface_.title, wavelengths(), std::move(samples));
+    }
+
+  private:
+    [[nodiscard]] double floor_of(std::size_t i, std::size_t k) const {
+        return values_[i][k] + peaks_[i][k] / 100;
+    }
+
+    /// Half of them near the mirror direction, where the light is.
+    static DirectionPair pair(std::mt19937_64& random, bool near_mirror) {
+        constexpr double lowest = 0.1736;  // 80 deg
+        const Direction in = spectral::random_direction(random, lowest);
+        if (!near_mirror) return {in, spectral::random_direction(random, lowest)};
+        const Vector3 off = spectral::random_direction(random).vector();
+        const Vector3 out =
+            in.mirror().vector() + 0.3 * spectral::uniform(random) * (off - Vector3{0, 0, 0.5});
+        if (out.z <= lowest * std::sqrt(dot(out, out))) return {in, in.mirror()};
+        return {in, Direction::from_vector(out)};
+    }
+
+    /// The largest value within the plane of incidence, from -85 to 85 deg.
+    [[nodiscard]] Spectrum peak(const Direction& in) const {
+        Spectrum largest{}, spectrum{};
+        for (int degrees = -85; degrees <= 85; degrees += 5) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const Direction mirror = in.mirror();
+            const Direction out = Direction::from_vector(
+                {std::sin(angle) * mirror.cos_phi(), std::sin(angle) * mirror.sin_phi(), std::cos(angle)});
+            exact_.brdf({in, out}, spectrum);
+            for (std::size_t k = 0; k < channels; ++k) largest[k] = std::max(largest[k], spectrum[k]);
+        }
+        return largest;
+    }
+
+    ChartSurface surface_;
+    spectral::SpectralReflectance exact_;
+    std::vector<DirectionPair> pairs_;
+    std::vector<Spectrum> values_, peaks_;
+    std::size_t fitted_ = 0;
+};
+
+/// Median over passes of the time of a pair [ns].
+double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs) {
+    constexpr std::size_t passes = 15;
+    Spectrum spectrum{};
+    double sum = 0;  // keeps the calls alive
+    std::array<double, passes> times{};
+    for (double& time : times) {
+        const double start = spectral::thread_seconds();
+        for (const DirectionPair& pair : pairs) {
+            model(pair, spectrum);
+            sum += spectrum[0];
+        }
+        time = (spectral::thread_seconds() - start) * 1e9 / static_cast<double>(pairs.size());
+    }
+    std::sort(times.begin(), times.end());
+    return std::isnan(sum) ? 0 : times[passes / 2];
+}
+
+ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
+                 const Evaluator& evaluator, std::size_t bytes = 0) {
+    const std::vector<double> errors = truth.errors(evaluator);
+    return {surface,
+            model,
+            errors[errors.size() / 2],
+            errors[errors.size() * 99 / 100],
+            nanoseconds(evaluator, truth.judged_pairs()),
+            bytes};
+}
+
+/// The rungs of the model itself.
+struct Rung {
+    const char* name;
+    DiffuseLobe lobe;
+    double tolerance;
+};
+constexpr std::array rungs{
+    Rung{"He-Torrance, 1e-6", DiffuseLobe::full, 1e-6}, Rung{"He-Torrance, 1e-3", DiffuseLobe::full, 1e-3},
+    Rung{"first order", DiffuseLobe::first_order, 1e-3}, Rung{"rough limit", DiffuseLobe::rough_limit, 1e-3}};
+
+/// Lookup tables of the model.
+struct ChartTolerance {
+    const char* title;
+    double tolerance;
+};
+constexpr std::array table_tolerances{ChartTolerance{"table, 1e-2", 1e-2},
+                                      ChartTolerance{"table, 1e-4", 1e-4}};
+
+/// What is fitted, apart from He-Torrance.
+struct Rival {
+    const char* family;
+    const char* title;
+};
+constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann"},
+                            Rival{"ggx", "Walter, GGX"},
+                            Rival{"ashikhmin", "Ashikhmin, Gaussian"},
+                            Rival{"kurt", "Kurt"},
+                            Rival{"ward", "Ward"},
+                            Rival{"ward_duer", "Ward-Duer"},
+                            Rival{"cook_torrance", "Cook-Torrance"},
+                            Rival{"blinn_phong", "Blinn-Phong"},
+                            Rival{"ashikhmin_shirley", "Ashikhmin-Shirley"},
+                            Rival{"lafortune", "Lafortune"},
+                            Rival{"oren_nayar", "Oren-Nayar"},
+                            Rival{"lambert", "Lambert"}};
+
+Evaluator evaluator_of(std::shared_ptr<const tables::SpectralBrdf> brdf) {
+    return [brdf = std::move(brdf)](const DirectionPair& pair, std::span<double> values) {
+        brdf->brdf(pair, values);
+    };
+}
+
+/// The optical constants are no free parameters of models that have them.
+std::string index_of(const Rival& rival, const ChartSurface& chosen) {
+    const auto& families = validation::fit_families();
+    const auto family =
+        std::find_if(families.begin(), families.end(),
+                     [&](const validation::FitFamily& each) { return each.name == rival.family; });
+    return family != families.end() && family->has_index ? '"' + std::string{chosen.material} + '"'
+                                                         : std::string{};
+}
+
+Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const validation::FitData& data,
+                       bool quick) {
+    validation::FitRequest request{.model = rival.family, .index = index_of(rival, chosen)};
+    request.residual = validation::Residual::weighted;
+    request.followed_starts = quick ? 2 : 8;
+    const validation::Fit fit = validation::fitted(request, data);
+    return evaluator_of(tables::model_brdf(validation::fitted_reflector(fit), wavelengths()));
+}
+
+void add_rungs(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
+    for (const Rung& rung : rungs) {
+        const Tolerance tolerance{rung.tolerance};
+        const spectral::SpectralReflectance brdf{reflector(chosen), wavelengths(),
+                                                 spectral::OutsideRange::error, tolerance, rung.lobe};
+        const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
+            brdf.brdf(pair, values);
+        };
+        chart.points.push_back(point(truth, chosen.title, rung.name, evaluator,
+                                     rung.lobe == DiffuseLobe::full ? phi_table_bytes(tolerance) : 0));
+    }
+}
+
+void add_tables(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
+    const auto exact = tables::model_brdf(spectral::AnyReflector{reflector(chosen)}, wavelengths());
+    for (const auto& [title, tolerance] : table_tolerances) {
+        const tables::Table table =
+            tables::build_table(*exact, {exact->name(), "", ""}, {.tolerance = tolerance});
+        const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
+            table.brdf(pair, values);
+        };
+        chart.points.push_back(point(truth, chosen.title, title, evaluator, table.bytes()));
+    }
+}
+
+}  // namespace
+
+ModelChart measured_models(bool quick, std::uint64_t seed,
+                           const std::function<void(const std::string& step)>& progress) {
+    ModelChart chart{{}, seed, bench::machine().text()};
+    for (const ChartSurface& chosen : surfaces()) {
+        const Truth truth{chosen, quick ? std::size_t{200} : std::size_t{800},
+                          quick ? std::size_t{500} : std::size_t{4000}, seed};
+        add_rungs(chart, chosen, truth);
+        progress(std::string{chosen.title} + ", tables");
+        add_tables(chart, chosen, truth);
+        const validation::FitData data = truth.fit_data();
+        for (const Rival& rival : rivals) {
+            progress(std::string{chosen.title} + ", " + rival.title);
+            chart.points.push_back(
+                point(truth, chosen.title, rival.title, fitted_rival(rival, chosen, data, quick)));
+        }
+    }
+    return chart;
+}
+
+}  // namespace hts::cli

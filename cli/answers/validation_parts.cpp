@@ -1,0 +1,47 @@
+#include "cli/answers/validation_parts.hpp"
+
+#include "validation/curves/comparison_section.hpp"
+#include "validation/fit/fit_section.hpp"
+#include "validation/papers/he_figures.hpp"
+#include "validation/pictures/renders_section.hpp"
+#include "validation/scattering/dielectric_scattering.hpp"
+#include "validation/scattering/exact_scattering.hpp"
+#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/rays/ray_report.hpp"
+
+namespace hts::cli {
+namespace {
+
+using validation::Effort;
+using validation::Section;
+
+/// A part that is one section.
+template <Section (*make)(Effort)>
+std::vector<Section> alone(Effort effort, const std::filesystem::path& /*curves*/) {
+    return {make(effort)};
+}
+
+std::vector<Section> measurements(Effort effort, const std::filesystem::path& /*curves*/) {
+    return validation::fits_sections(effort);
+}
+
+std::vector<Section> paper_figures(Effort effort, const std::filesystem::path& curves) {
+    return {validation::paper_figures_section(effort), validation::slots_section(curves)};
+}
+
+}  // namespace
+
+const std::vector<ValidationPart>& validation_parts() {
+    static const std::vector<ValidationPart> parts{
+        {"measurements", measurements},
+        {"models", alone<validation::models_section>},
+        {"moments", alone<validation::exact_scattering_section>},
+        {"dielectric", alone<validation::dielectric_scattering_section>},
+        {"fourier", alone<validation::fourier_section>},
+        {"rays", alone<validation::rays_section>},
+        {"figures", paper_figures},
+        {"pictures", alone<validation::renders_section>}};
+    return parts;
+}
+
+}  // namespace hts::cli

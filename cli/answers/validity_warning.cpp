@@ -1,0 +1,46 @@
+#include "cli/answers/validity_warning.hpp"
+
+#include <iostream>
+
+namespace hts::cli {
+
+using spectral::Severity;
+
+void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
+    ++count_;
+    if (verdict.severity() != Severity::outside) return;
+    ++outside_;
+    for (const spectral::Finding& finding : verdict.findings) {
+        if (finding.severity() == Severity::outside)
+            broken_[static_cast<std::size_t>(finding.criterion)] = true;
+    }
+}
+
+void ValidityWarning::note(const Surface& surface, const spectral::DirectionPair& pair,
+                           std::span<const SpectralSample> samples) noexcept {
+    for (const SpectralSample& sample : samples) note(spectral::validity(surface, pair, sample));
+}
+
+void ValidityWarning::note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
+                           const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy) {
+    const spectral::Reflector* he = reflector.he_torrance();
+    if (he == nullptr) return;
+    note(he->surface, pair, spectral_samples(*he, wavelengths, policy));
+}
+
+void ValidityWarning::print() const {
+    if (outside_ == 0) return;
+    std::cerr << "hts: " << outside_ << " of " << count_ << " values " << (count_ == 1 ? "is" : "are")
+              << " outside the model's validity (" << criteria() << "): see hts info\n";
+}
+
+std::string ValidityWarning::criteria() const {
+    std::string names;
+    for (std::size_t i = 0; i < broken_.size(); ++i) {
+        if (!broken_[i]) continue;
+        names.append(names.empty() ? "" : ", ").append(name(static_cast<spectral::Criterion>(i)));
+    }
+    return names;
+}
+
+}  // namespace hts::cli

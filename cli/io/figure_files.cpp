@@ -1,0 +1,37 @@
+#include "cli/io/figure_files.hpp"
+
+#include "cli/io/gnuplot.hpp"
+#include "cli/io/table_writer.hpp"
+
+namespace hts::cli {
+namespace {
+
+void write_table(const std::filesystem::path& path, Format format, const validation::FigureTable& numbers) {
+    Output output{path.string()};
+    TableWriter table{output, format, numbers.columns};
+    std::string text;
+    for (const auto& values : numbers.rows) {
+        TableWriter::Row row{table, text};
+        for (const double value : values) row.number(value);
+        row.end();
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+}  // namespace
+
+std::filesystem::path write_figure(const std::filesystem::path& folder, const validation::Figure& figure,
+                                   bool json) {
+    auto picture = folder / (figure.stem + ".svg");
+    require_gnuplot(picture.string());
+    for (const validation::FigureTable& table : figure.tables) {
+        write_table(folder / (table.stem + ".csv"), Format::csv, table);
+        if (json) write_table(folder / (table.stem + ".json"), Format::json, table);
+    }
+    draw(picture.string(), figure.script);
+    return picture;
+}
+
+}  // namespace hts::cli

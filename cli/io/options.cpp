@@ -1,0 +1,154 @@
+#include "cli/io/options.hpp"
+
+#include <charconv>
+#include <iostream>
+#include <limits>
+
+#include "cli/io/csv_reader.hpp"
+#include "cli/io/usage.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/measured_model.hpp"
+
+namespace hts::cli {
+namespace {
+
+std::vector<double> numbers(const std::string& text, const std::string& quantity) {
+    std::vector<double> values;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        values.push_back(number(text.substr(start, end - start), quantity));
+        start = end + 1;
+    }
+    return values;
+}
+
+Stokes stokes_from_numbers(const std::string& text) {
+    const std::vector<double> s = numbers(text, "Stokes parameter");
+    if (s.size() != 4) throw Error{"\"" + text + "\": must be s, p, unpolarised or s0,s1,s2,s3"};
+    return {s[0], s[1], s[2], s[3]};
+}
+
+/// "" where `legal` holds, else what is wrong; the command line puts the option's name in front.
+template <class Legal>
+CLI::Validator must_be(const std::string& range, Legal&& legal) {
+    return {[range, legal](const std::string& text) {
+                return legal(text) ? std::string{} : spectral::in_quotes(text) + ": must be " + range;
+            },
+            ""};
+}
+
+/// "+30" is 30.
+template <class Number>
+bool within(const std::string& text, Number first, Number last) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const bool plus = text.starts_with('+') && !text.starts_with("+-");
+    const auto [stop, problem] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
+    return problem == std::errc{} && stop == end && value >= first && value <= last;
+}
+
+}  // namespace
+
+CLI::Validator whole_number(std::uint64_t first, std::uint64_t last) {
+    const std::string range = "a whole number from " + std::to_string(first) + " to " + std::to_string(last);
+    return must_be(range, [=](const std::string& text) { return within(text, first, last); });
+}
+
+CLI::Validator number_within(double first, double last) {
+    const std::string range = "a number from " + shortest(first) + " to " + shortest(last);
+    return must_be(range, [=](const std::string& text) { return within(text, first, last); });
+}
+
+CLI::Validator seed_number() {
+    return whole_number(0, std::numeric_limits<std::uint64_t>::max());
+}
+
+CLI::Validator path_to_write() {
+    return must_be("a name", [](const std::string& path) { return !path.empty(); });
+}
+
+CLI::Validator svg_file() {
+    return must_be("a file .svg", [](const std::string& path) { return path.ends_with(".svg"); });
+}
+
+void DirectionOptions::add_to(CLI::App& verb) {
+    verb.add_option("--theta-i", theta_i, "polar angle of the light [deg], 0 ... 90");
+    verb.add_option("--theta-r", theta_r, "polar angle of the view [deg], 0 ... 90");
+    verb.add_option("--phi", phi, "azimuth between light and view [deg]; mirror: 180");
+    verb.add_option("--phi-i", phi_i, "azimuth of the light [deg], default 0");
+    verb.add_option("--phi-r", phi_r, "azimuth of the view [deg]");
+}
+
+bool DirectionOptions::any() const noexcept {
+    return theta_i || theta_r || phi || phi_i || phi_r;
+}
+
+std::string DirectionOptions::missing() const {
+    if (!theta_i) return "--theta-i";
+    if (!theta_r) return "--theta-r";
+    if (phi || phi_r) return "";
+    return phi_i ? "--phi-r" : "--phi";
+}
+
+spectral::DirectionPair DirectionOptions::pair() const {
+    if (!missing().empty()) throw UsageError{missing() + " missing: must be given in degrees"};
+    if (phi && (phi_i || phi_r)) throw UsageError{"--phi: must not come with --phi-i or --phi-r"};
+    const auto incident = [&] { return Direction::from_degrees(*theta_i, incident_azimuth()); };
+    const auto reflected = [&] { return Direction::from_degrees(*theta_r, reflected_azimuth()); };
+    return {from_option("light", incident), from_option("view", reflected)};
+}
+
+void OutputOptions::add_to(CLI::App& verb) {
+    verb.add_option("--output,-o", path, "file to write, - for standard output; .json gives JSON")
+        ->check(path_to_write())
+        ->capture_default_str();
+    verb.add_flag("--json", json, "write JSON instead of CSV");
+}
+
+CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
+    verb.add_flag("--clamp", clamp, "outside the material's wavelength range use its end values");
+    return verb.add_option("--material,-m", path, "material file (JSON)");
+}
+
+spectral::AnyReflector MaterialOptions::read() const {
+    auto reflector = spectral::read_any_reflector(path, tables::models_with_files());
+    for (const std::string& warning : reflector.warnings())
+        std::cerr << "hts: " << path << ": " << warning << '\n';
+    return reflector;
+}
+
+const spectral::Reflector& MaterialOptions::he_torrance(const spectral::AnyReflector& reflector,
+                                                        const std::string& option) {
+    if (const spectral::Reflector* he = reflector.he_torrance()) return *he;
+    throw UsageError{option + ": must come with a material of model he; " + reflector.name() + " has model " +
+                     reflector.model_name()};
+}
+
+Stokes stokes_from_option(const std::string& text) {
+    if (text == "s") return Stokes::s_polarised();
+    if (text == "p") return Stokes::p_polarised();
+    if (text == "unpolarised") return Stokes::unpolarised();
+    return from_option("--polarisation", [&] { return stokes_from_numbers(text); });
+}
+
+void require_angles(const std::string& option, const std::vector<double>& degrees) {
+    for (const double angle : degrees) {
+        from_option(option, [angle] { return Direction::from_degrees(angle, 0); });
+    }
+}
+
+spectral::AnySpectrum spectrum_from_option(const std::string& option, const spectral::AnyReflector& reflector,
+                                           const spectral::WavelengthGrid& wavelengths,
+                                           spectral::OutsideRange policy) {
+    return spectral::located(option, [&] { return reflector.spectrum(wavelengths, policy); });
+}
+
+Wavelength wavelength_from_option(double um) {
+    return from_option("--wavelength", [&] { return Wavelength::from_micrometres(um); });
+}
+
+spectral::WavelengthGrid wavelengths_from_option(const std::string& text) {
+    return from_option("--wavelengths", [&] { return spectral::WavelengthGrid::parse(text); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,83 @@
+/// Options that several verbs share, and their way from degrees and text to the library's types.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hts/polarisation.hpp"
+#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/reflectance.hpp"
+
+namespace hts::cli {
+
+/// --theta-i, --theta-r and the azimuths: --phi between the two, or --phi-i and --phi-r [deg].
+struct DirectionOptions {
+    std::optional<double> theta_i, theta_r, phi, phi_i, phi_r;
+
+    void add_to(CLI::App& verb);
+    /// Whether any of them was given.
+    [[nodiscard]] bool any() const noexcept;
+    /// The first option that is lacking, "" if none is.
+    [[nodiscard]] std::string missing() const;
+    [[nodiscard]] double incident_azimuth() const noexcept { return phi_i.value_or(0); }
+    [[nodiscard]] double reflected_azimuth() const noexcept { return phi ? *phi : phi_r.value_or(0); }
+    /// Throws UsageError if an option is missing or an angle out of range.
+    [[nodiscard]] spectral::DirectionPair pair() const;
+};
+
+/// --output and --json.
+struct OutputOptions {
+    std::string path = "-";
+    bool json = false;
+
+    void add_to(CLI::App& verb);
+};
+
+/// --material and --clamp.
+struct MaterialOptions {
+    std::string path;
+    bool clamp = false;
+
+    /// The option of the file, for `required()`.
+    CLI::Option* add_to(CLI::App& verb);
+    /// Reads the file; what it warns of goes to standard error.
+    [[nodiscard]] spectral::AnyReflector read() const;
+    /// The same for what only the He-Torrance model has; UsageError that names `option` for others.
+    [[nodiscard]] static const spectral::Reflector& he_torrance(const spectral::AnyReflector& reflector,
+                                                                const std::string& option);
+    [[nodiscard]] spectral::OutsideRange policy() const noexcept {
+        return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+    }
+};
+
+/// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
+[[nodiscard]] Stokes stokes_from_option(const std::string& text);
+
+/// For `check`: a whole number, a number from `first` to `last`. What is neither (-1, 1.5, nan) is wrong usage, with the range in
+/// the message.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
+[[nodiscard]] CLI::Validator number_within(double first, double last);
+/// For `check` of seeds: any whole number of 64 bits.
+[[nodiscard]] CLI::Validator seed_number();
+/// For `check` of files and folders to write: no empty name.
+[[nodiscard]] CLI::Validator path_to_write();
+/// For `check` of pictures: a name that ends in .svg.
+[[nodiscard]] CLI::Validator svg_file();
+
+/// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
+void require_angles(const std::string& option, const std::vector<double>& degrees);
+
+/// The model at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
+[[nodiscard]] spectral::AnySpectrum spectrum_from_option(const std::string& option,
+                                                         const spectral::AnyReflector& reflector,
+                                                         const spectral::WavelengthGrid& wavelengths,
+                                                         spectral::OutsideRange policy);
+
+/// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
+Wavelength wavelength_from_option(double um);
+[[nodiscard]] spectral::WavelengthGrid wavelengths_from_option(const std::string& text);
+
+}  // namespace hts::cli

@@ -1,0 +1,79 @@
+/// A table turned into a longer or wider one, row by row on all cores.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/io/csv_reader.hpp"
+#include "cli/io/summary.hpp"
+#include "cli/io/table_writer.hpp"
+#include "hts/error.hpp"
+#include "spectral/parallel.hpp"
+
+namespace hts::cli {
+
+/// Turns every input row into `each` output rows: the input's cells and what `append` adds. Works on a chunk
+/// at a time, so memory does not grow with the table; the output is the same for any number of threads.
+template <class Value>
+class Transform {
+  public:
+    Transform(CsvReader& input, TableWriter& output, std::size_t each)
+        : input_{input}, output_{output}, each_{each} {}
+
+    ///   evaluate   (const CsvRow&, std::span<Value> of size each)   may throw hts::Error; path and line are
+    ///              put in front
+    ///   append     (TableWriter::Row&, const Value&)
+    template <class Evaluate, class Append>
+    Summary run(const Evaluate& evaluate, const Append& append) {
+        const std::size_t rows = std::max<std::size_t>(1, values_per_chunk / each_);
+        std::size_t count = 0;
+        for (auto chunk = input_.read(rows); !chunk.empty(); chunk = input_.read(rows)) {
+            count += chunk.size();
+            write(chunk, values(chunk, evaluate), append);
+        }
+        output_.finish();
+        return {count, each_, watch_.seconds()};
+    }
+
+  private:
+    static constexpr std::size_t values_per_chunk = 1 << 15;  // some 30 MB
+
+    template <class Evaluate>
+    std::vector<Value> values(const std::vector<CsvRow>& rows, const Evaluate& evaluate) {
+        std::vector<Value> values(rows.size() * each_);
+        watch_.start();
+        spectral::parallel_for(rows.size(), [&](std::size_t i) {
+            try {
+                evaluate(rows[i], std::span{values}.subspan(i * each_, each_));
+            } catch (const Error& error) {
+                throw Error{input_.where(rows[i].line) + error.what()};
+            }
+        });
+        watch_.stop();
+        return values;
+    }
+
+    template <class Append>
+    void write(const std::vector<CsvRow>& rows, const std::vector<Value>& values, const Append& append) {
+        std::vector<std::string> lines(rows.size());
+        spectral::parallel_for(rows.size(), [&](std::size_t i) {
+            for (std::size_t j = i * each_; j < (i + 1) * each_; ++j) {
+                TableWriter::Row row{output_, lines[i]};
+                for (const std::string& field : rows[i].fields) row.field(field);
+                append(row, values[j]);
+                row.end();
+            }
+        });
+        for (const std::string& line : lines) output_.add(line);
+    }
+
+    CsvReader& input_;
+    TableWriter& output_;
+    std::size_t each_;
+    Stopwatch watch_;
+};
+
+}  // namespace hts::cli

@@ -1,0 +1,184 @@
+// hts albedo: how much light a material reflects in all, and how much uniform-diffuse albedo it leaves room for.
+
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "cli/io/options.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "spectral/energy/compensation.hpp"
+#include "spectral/energy/energy.hpp"
+#include "spectral/parallel.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+Directional-hemispherical reflectance of unpolarised light, a row per wavelength and angle:
+  specular, directional_diffuse, uniform_diffuse, total   what each term and all reflect
+and for materials of model he:
+  largest_albedo     the diffuse albedo with which the total stays <= 1 up to --steepest:
+                     1 less the most that the first two terms reflect there
+  limited_at_deg     the angle of incidence where they reflect most
+  measured_albedo    with --measured: the diffuse albedo with which the total is what was
+                     measured, at one angle and one wavelength
+  compensated_total  with --compensate-energy: the total with the optional, reciprocal
+                     energy compensation, which is not part of the published model
+By reciprocity the columns are the hemispherical-directional reflectance too.
+
+Examples:
+  hts albedo --material aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
+  hts albedo --material plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195)";
+
+struct AlbedoOptions {
+    MaterialOptions material;
+    OutputOptions output;
+    std::string wavelengths = "0.4:0.7:7";
+    std::vector<double> theta_i{0, 15, 30, 45, 60, 75, 85};
+    double phi_i = 0, steepest = 85;
+    std::optional<double> measured;
+    bool compensate = false;
+};
+
+/// What is asked of the library, checked.
+struct AlbedoQuery {
+    spectral::AnyReflector reflector;
+    spectral::OutsideRange policy;
+    spectral::WavelengthGrid grid;
+    std::vector<Direction> in;
+    double steepest;  ///< [rad]
+};
+
+/// All rows of one wavelength.
+struct AlbedoSpectralRow {
+    std::vector<spectral::HemisphericalReflectance> terms;
+    std::optional<spectral::DiffuseAlbedoLimit> limit{};  // of model he
+    std::vector<double> compensated;
+};
+
+AlbedoQuery query(const AlbedoOptions& options) {
+    const auto grid = wavelengths_from_option(options.wavelengths);
+    std::vector<Direction> in;
+    for (const double theta : options.theta_i) {
+        in.push_back(
+            from_option("--theta-i, --phi-i", [&] { return Direction::from_degrees(theta, options.phi_i); }));
+    }
+    static_cast<void>(
+        from_option("--steepest", [&] { return Direction::from_degrees(options.steepest, 0); }));
+    if (options.measured && (grid.size() != 1 || in.size() != 1)) {
+        throw UsageError{"--measured: must come with one wavelength and one --theta-i"};
+    }
+    auto reflector = options.material.read();
+    if (options.measured) static_cast<void>(MaterialOptions::he_torrance(reflector, "--measured"));
+    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(reflector, "--compensate-energy"));
+    static_cast<void>(spectrum_from_option("--wavelengths", reflector, grid, options.material.policy()));
+    return {std::move(reflector), options.material.policy(), grid, in,
+            options.steepest * std::numbers::pi / 180};
+}
+
+/// Total of the compensated lobes and the uniform-diffuse term.
+std::vector<double> compensated_totals(const AlbedoQuery& query, const spectral::Reflector& reflector,
+                                       const Wavelength& wavelength) {
+    const Surface& surface = reflector.surface;
+    const spectral::EnergyCompensation compensation{surface, wavelength};
+    const auto index = reflector.material.index(wavelength, query.policy);
+    const double albedo = reflector.albedo(wavelength, query.policy);
+    std::vector<double> totals;
+    for (const Direction& in : query.in) {
+        totals.push_back(
+            spectral::directional_hemispherical_reflectance(compensation, surface, index, wavelength, in)
+                .total() +
+            albedo);
+    }
+    return totals;
+}
+
+AlbedoSpectralRow evaluated(const AlbedoQuery& query, const Wavelength& wavelength, bool compensate) {
+    AlbedoSpectralRow row;
+    const spectral::AnyModel model = query.reflector.at(wavelength, query.policy);
+    for (const Direction& in : query.in) row.terms.push_back(model.albedo(in));
+    const spectral::Reflector* he = query.reflector.he_torrance();
+    if (he == nullptr) return row;
+    row.limit = spectral::largest_diffuse_albedo(*he, wavelength, query.steepest, query.policy);
+    if (compensate) row.compensated = compensated_totals(query, *he, wavelength);
+    return row;
+}
+
+std::vector<std::string> columns(const AlbedoOptions& options, bool he) {
+    std::vector<std::string> names{"wavelength_um",       "theta_i_deg",     "specular",
+                                   "directional_diffuse", "uniform_diffuse", "total"};
+    if (he) names.insert(names.end(), {"largest_albedo", "limited_at_deg"});
+    if (options.measured) names.emplace_back("measured_albedo");
+    if (options.compensate) names.emplace_back("compensated_total");
+    return names;
+}
+
+void append(TableWriter::Row& row, const AlbedoSpectralRow& values, std::size_t angle) {
+    const auto& terms = values.terms[angle];
+    row.number(terms.specular).number(terms.directional_diffuse).number(terms.uniform_diffuse);
+    row.number(terms.total());
+    if (!values.limit) return;
+    row.number(values.limit->albedo).number(values.limit->theta * 180 / std::numbers::pi);
+}
+
+void run(const AlbedoOptions& options) {
+    const AlbedoQuery asked = query(options);
+    std::optional<double> albedo;
+    if (options.measured) {
+        albedo = spectral::diffuse_albedo_from(*options.measured, *asked.reflector.he_torrance(),
+                                               asked.grid[0], asked.in[0], asked.policy);
+    }
+    std::vector<AlbedoSpectralRow> rows(asked.grid.size());
+    spectral::parallel_for(
+        rows.size(), [&](std::size_t i) { rows[i] = evaluated(asked, asked.grid[i], options.compensate); },
+        1);
+
+    Output output{options.output.path};
+    TableWriter table{output, format_of(options.output.path, options.output.json),
+                      columns(options, asked.reflector.he_torrance() != nullptr)};
+    std::string text;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t j = 0; j < asked.in.size(); ++j) {
+            TableWriter::Row row{table, text};
+            row.field(shortest(asked.grid.micrometres()[i])).field(shortest(options.theta_i[j]));
+            append(row, rows[i], j);
+            if (albedo) row.number(*albedo);
+            if (options.compensate) row.number(rows[i].compensated[j]);
+            row.end();
+        }
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+}  // namespace
+
+void add_albedo(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("albedo", "directional-hemispherical reflectance, split by term");
+    auto options = std::make_shared<AlbedoOptions>();
+    options->material.add_to(*verb)->required();
+    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+        ->capture_default_str();
+    verb->add_option("--theta-i", options->theta_i,
+                     "angles of incidence [deg], 0 ... 90, separated by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
+        ->capture_default_str();
+    verb->add_option("--steepest", options->steepest, "up to where the total must stay <= 1 [deg], 0 ... 90")
+        ->capture_default_str();
+    verb->add_option(
+            "--measured", options->measured,
+            "a measured directional-hemispherical reflectance, 0 ... 1, to find the diffuse albedo from")
+        ->check(number_within(0, 1));
+    verb->add_flag("--compensate-energy", options->compensate, "add the total with energy compensation");
+    options->output.add_to(*verb);
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,114 @@
+// hts compare: a model beside measured curves.
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/io/curve_argument.hpp"
+#include "cli/io/figure_files.hpp"
+#include "cli/io/folder.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "hts/error.hpp"
+#include "validation/curves/comparison_section.hpp"
+
+namespace hts::cli {
+namespace {
+
+using validation::Check;
+using validation::ReportTable;
+using validation::Section;
+
+constexpr auto help = R"(
+The model is averaged over the band and the instrument's solid angles and set beside each
+point. CURVES is a curve set (see hts curves) or the name of one that comes with the
+program. Figures of merit go to standard output; criteria, where the set has any, to
+standard error, and a criterion that fails makes the exit code 1. With --output the plots,
+their scripts and numbers go into a folder.
+
+Examples:
+  hts compare mwir-aluminium-sandblasted --material sandblasted.json --output out
+  hts compare my-curves.json --material m.json --detector-solid-angle 2e-3)";
+
+struct CompareOptions {
+    std::string curves, folder;
+    MaterialOptions material;
+    std::optional<double> source, detector;
+    int wavelengths = 8, rings = 2;
+    bool json = false;
+};
+
+void write_report_table(Output& output, Format format, const ReportTable& report) {
+    TableWriter table{output, format, report.columns};
+    std::string text;
+    for (const auto& cells : report.rows) {
+        TableWriter::Row row{table, text};
+        for (const std::string& cell : cells) row.field(cell);
+        row.end();
+    }
+    table.add(text);
+    table.finish();
+}
+
+void draw_section(const Section& section, const std::filesystem::path& folder, bool json) {
+    make_folder(folder);
+    for (const ReportTable& table : section.tables) {
+        Output output{(folder / (table.stem + ".csv")).string()};
+        write_report_table(output, Format::csv, table);
+        output.commit();
+    }
+    for (const validation::Figure& figure : section.figures)
+        std::cerr << write_figure(folder, figure, json).string() << '\n';
+}
+
+void run(const CompareOptions& options) {
+    auto set = curves_from_argument(options.curves);
+    if (options.source) set.source_solid_angle = options.source;
+    if (options.detector) set.detector_solid_angle = options.detector;
+    set = from_option("--source-solid-angle, --detector-solid-angle",
+                      [&] { return validation::checked(std::move(set), "curves"); });
+    const auto reflector = options.material.read();
+    const Section section = validation::comparison_section(set, reflector,
+                                                           {.model = validation::described(reflector),
+                                                            .policy = options.material.policy(),
+                                                            .nodes = {options.wavelengths, options.rings}});
+    Output output{"-"};
+    write_report_table(output, options.json ? Format::json : Format::csv, section.tables.front());
+    output.commit();
+    bool passed = true;
+    for (const Check& check : section.checks) {
+        std::cerr << (check.passed ? "passed: " : "FAILED: ") << check.claim << ": " << check.measured
+                  << '\n';
+        passed = passed && check.passed;
+    }
+    if (!options.folder.empty()) draw_section(section, options.folder, options.json);
+    if (!passed) throw Error{set.surface + ": the model does not meet the criteria"};
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("compare", "a model beside measured curves: figures of merit, plots");
+    auto options = std::make_shared<CompareOptions>();
+    verb->add_option("curves", options->curves, "curve set (JSON), or the name of one in hts curves list")
+        ->required();
+    options->material.add_to(*verb)->required();
+    verb->add_option("-o,--output", options->folder, "folder for plots, numbers and tables (needs gnuplot)")
+        ->check(path_to_write());
+    verb->add_option("--source-solid-angle", options->source, "in place of the set's [sr]");
+    verb->add_option("--detector-solid-angle", options->detector, "in place of the set's [sr]");
+    verb->add_option("--band-nodes", options->wavelengths, "wavelengths per band, 1 ... 64")
+        ->check(whole_number(1, 64))
+        ->capture_default_str();
+    verb->add_option("--cone-rings", options->rings, "rings of nodes per cone, 0 ... 8")
+        ->check(whole_number(0, 8))
+        ->capture_default_str();
+    verb->add_flag("--json", options->json, "figures of merit as JSON");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,261 @@
+// hts eval: BRDF, specular reflectance and Mueller matrix at given directions and wavelengths.
+
+#include <iostream>
+#include <memory>
+
+#include "cli/answers/eval_answer.hpp"
+#include "cli/answers/eval_plan.hpp"
+#include "cli/answers/random_pairs.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/transform.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "spectral/models/spectral_brdf.hpp"
+#include "spectral/parallel.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
+phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
+albedo, which go before the material's (model he alone). Without wavelength_um every row
+is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
+The answer repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr]
+and specular_reflectance [1]. All directions point away from the surface; the mirror
+direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of
+polarisation are those of model he; others have neither.
+With --transmission the view is behind the surface, theta_r counts from the inward normal,
+and the answer is btdf [1/sr], radiance out per irradiance in; straight on is theta_r =
+theta_i, phi_r = phi_i + 180.
+With --plan, --material is the name of one of its materials, and the wavelengths are the
+plan's. A spectral plan adds wavelength_um, brdf, specular_reflectance, an rgb one linear
+sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_green,
+specular_blue of the specular reflectance.
+
+Examples:
+  hts eval --material aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
+  hts eval --material aluminium.json --points points.csv --output values.csv --detail
+  hts eval --material aluminium.json --points - --wavelengths 0.4:0.7:31 < pairs.csv
+  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
+  hts eval --plan plan.json --material "copper sphere" --points pairs.csv)";
+
+struct EvalOptions {
+    MaterialOptions material;
+    DirectionOptions directions;
+    OutputOptions output;
+    std::optional<double> wavelength;
+    std::string wavelengths, points, polarisation, plan;
+    std::optional<std::uint64_t> random_pairs;
+    std::uint64_t seed = 1;
+    bool mueller = false, detail = false, transmission = false, compensate = false;
+};
+
+std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) {
+    if (!options.wavelengths.empty()) return wavelengths_from_option(options.wavelengths);
+    if (!options.wavelength) return std::nullopt;
+    return spectral::WavelengthGrid::from_micrometres(
+        {wavelength_from_option(*options.wavelength).micrometres()});
+}
+
+/// The one point that the options describe, as a file of one row.
+CsvReader single_point(const EvalOptions& options) {
+    const DirectionOptions& to = options.directions;
+    const bool needs_wavelength = options.plan.empty();
+    if (!to.any() && !wavelengths(options)) {
+        throw UsageError{
+            "points missing: must be given by --points, or by --wavelength, --theta-i, --theta-r and --phi"};
+    }
+    if (needs_wavelength && !wavelengths(options))
+        throw UsageError{"--wavelength missing: must be given in um"};
+    static_cast<void>(to.pair());  // complains about options, where the row would complain about a file
+    const std::string header = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";
+    const std::string row = shortest(*to.theta_i) + "," + shortest(to.incident_azimuth()) + "," +
+                            shortest(*to.theta_r) + "," + shortest(to.reflected_azimuth()) + "\n";
+    if (!options.wavelength) return CsvReader::from_text(header + row);
+    return CsvReader::from_text("wavelength_um," + header + shortest(*options.wavelength) + "," + row);
+}
+
+void warn_of_unused(const CsvReader& points) {
+    std::string names;
+    for (const std::string& name : PointEvaluator::unused_columns(points))
+        names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty())
+        std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
+}
+
+std::optional<spectral::AnyReflector> reflector(const EvalOptions& options) {
+    if (options.material.path.empty()) return std::nullopt;
+    auto described = options.material.read();
+    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(described, "--compensate-energy"));
+    if (options.mueller) static_cast<void>(MaterialOptions::he_torrance(described, "--mueller"));
+    if (!options.polarisation.empty())
+        static_cast<void>(MaterialOptions::he_torrance(described, "--polarisation"));
+    return described;
+}
+
+/// The model at the wavelengths that the options give, none if the points bring theirs.
+std::optional<spectral::AnySpectrum> spectrum(const EvalOptions& options,
+                                              const spectral::AnyReflector& reflector) {
+    const auto grid = wavelengths(options);
+    if (!grid) return std::nullopt;
+    const char* option = options.wavelength ? "--wavelength" : "--wavelengths";
+    return spectrum_from_option(option, reflector, *grid, options.material.policy());
+}
+
+bool has_own_constants(const CsvReader& points) {
+    return points.column("n") || points.column("k") || points.column("albedo");
+}
+
+CsvReader points_of(const EvalOptions& options) {
+    return options.points.empty() ? single_point(options) : CsvReader{options.points};
+}
+
+void evaluate_as_planned(const EvalOptions& options) {
+    if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
+        options.compensate || !options.polarisation.empty()) {
+        throw UsageError{
+            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
+            "--compensate-energy, --polarisation"};
+    }
+    CsvReader points = points_of(options);
+    evaluate_planned({options.plan, options.material.path, options.mueller}, points, options.output);
+}
+
+void evaluate_points(const EvalOptions& options) {
+    CsvReader points = points_of(options);
+    const bool own_wavelength = options.points.empty() && options.wavelength;
+    const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
+    const auto described = reflector(options);
+    if (described && !has_own_constants(points)) static_cast<void>(spectrum(options, *described));
+    const PointEvaluator evaluator{points, described, grid, options.material.policy(), options.compensate};
+    warn_of_unused(points);
+    const bool he = !described || described->he_torrance() != nullptr;
+    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he, options.transmission};
+    if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
+
+    Output output{options.output.path};
+    std::vector<std::string> columns = points.columns();
+    for (std::string& added : answer.columns()) columns.push_back(std::move(added));
+    TableWriter table{output, format_of(options.output.path, options.output.json), columns};
+    ValidityWarning warning;
+    const Summary summary = Transform<Evaluation>{points, table, evaluator.wavelengths()}.run(
+        [&](const CsvRow& row, std::span<Evaluation> result) {
+            if (answer.transmission) return evaluator.evaluate_transmission(row, result);
+            evaluator.evaluate(row, answer.needs_mueller(), result, warning);
+        },
+        [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
+    output.commit();
+    warning.print();
+    if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
+}
+
+/// The library's batch call, in blocks on all cores.
+BrdfBatch batch_of(const spectral::AnyReflector& reflector, const EvalOptions& options,
+                   const spectral::WavelengthGrid& grid) {
+    const auto policy = options.material.policy();
+    const std::shared_ptr<const spectral::SpectralBrdf> brdf =
+        options.compensate ? compensated_brdf(*reflector.he_torrance(), grid, policy)
+                           : model_brdf(reflector, grid, policy);
+    return [brdf](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
+        constexpr std::size_t block = 256;
+        const std::size_t width = brdf->wavelengths().size();
+        spectral::parallel_for(
+            (pairs.size() + block - 1) / block,
+            [&](std::size_t i) {
+                const std::size_t first = i * block, count = std::min(block, pairs.size() - first);
+                brdf->brdf_batch(pairs.subspan(first, count), result.subspan(first * width, count * width));
+            },
+            1);
+    };
+}
+
+void evaluate_random(const EvalOptions& options) {
+    const auto grid = wavelengths(options);
+    const auto described = reflector(options);
+    if (!grid || !described) throw UsageError{"--random-pairs: must come with --material and --wavelengths"};
+    static_cast<void>(spectrum(options, *described));  // names the option where the material is not known
+    const Direction normal = Direction::from_degrees(0, 0);
+    ValidityWarning warning;
+    warning.note(*described, {normal, normal}, *grid, options.material.policy());
+    const auto [summary, mean_brdf] = evaluate_random_pairs(
+        batch_of(*described, options, *grid), grid->size(), *options.random_pairs, options.seed);
+    Output output{options.output.path};
+    TableWriter table{output,
+                      format_of(options.output.path, options.output.json),
+                      {"pairs", "wavelengths", "seed", "mean_brdf"}};
+    std::string text;
+    TableWriter::Row row{table, text};
+    row.field(std::to_string(summary.pairs)).field(std::to_string(summary.wavelengths));
+    row.field(std::to_string(options.seed)).number(mean_brdf).end();
+    table.add(text);
+    table.finish();
+    output.commit();
+    warning.print();
+    std::cerr << "hts: " << summary.text() << '\n';
+}
+
+void require_one_of(bool first, bool second, const char* names) {
+    if (first && second) throw UsageError{std::string{names} + " both given: must be one of them"};
+}
+
+void run(const EvalOptions& options) {
+    require_one_of(options.wavelength.has_value(), !options.wavelengths.empty(),
+                   "--wavelength and --wavelengths");
+    require_one_of(!options.points.empty(), options.directions.any(), "--points and a direction");
+    require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
+    require_one_of(options.directions.any(), options.random_pairs.has_value(),
+                   "--random-pairs and a direction");
+    require_one_of(options.mueller || !options.polarisation.empty(), options.random_pairs.has_value(),
+                   "--random-pairs and --mueller or --polarisation");
+    if (options.transmission &&
+        (options.mueller || options.detail || options.compensate || !options.polarisation.empty() ||
+         !options.plan.empty() || options.random_pairs)) {
+        throw UsageError{
+            "--transmission: must not come with --mueller, --detail, --compensate-energy, --polarisation, "
+            "--plan, --random-pairs"};
+    }
+    if (!options.plan.empty()) return evaluate_as_planned(options);
+    options.random_pairs ? evaluate_random(options) : evaluate_points(options);
+}
+
+}  // namespace
+
+void add_eval(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
+    auto options = std::make_shared<EvalOptions>();
+    options->material.add_to(*verb);
+    verb->add_option("--plan", options->plan, "plan file of hts plan");
+    verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
+    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
+    verb->add_option("--points", options->points, "CSV file of points, - for standard input");
+    options->directions.add_to(*verb);
+    options->output.add_to(*verb);
+    verb->add_flag("--mueller", options->mueller,
+                   "add the Mueller matrix m00 ... m33 of the directional-diffuse term");
+    verb->add_flag("--detail", options->detail,
+                   "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
+                   "goes to standard error");
+    verb->add_flag(
+        "--compensate-energy", options->compensate,
+        "with the optional energy compensation, which is not part of the published model he;\nsome "
+        "50 ms for each surface and wavelength");
+    verb->add_flag("--transmission", options->transmission,
+                   "the view is behind the surface: btdf of transparent materials of model walter");
+    verb->add_option(
+        "--polarisation", options->polarisation,
+        "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
+        "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
+    verb->add_option("--random-pairs", options->random_pairs,
+                     "instead of points: this many random pairs of directions,\n"
+                     "the BRDF at all wavelengths in one call; prints mean and speed")
+        ->check(whole_number(1, 1'000'000'000));
+    verb->add_option("--seed", options->seed, "of the random pairs")
+        ->check(seed_number())
+        ->capture_default_str();
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

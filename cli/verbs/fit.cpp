@@ -1,0 +1,243 @@
+// hts fit: the parameters with which a model comes closest to measured curves, and what those leave open.
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/answers/fit_report.hpp"
+#include "cli/io/curve_argument.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+#include "validation/fit/fit_table.hpp"
+
+namespace hts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using validation::CurveSet;
+using validation::Fit;
+using validation::FitRequest;
+
+constexpr auto help = R"(
+Prints the parameters with standard errors, how close the model comes, and what the data
+cannot tell. Parameters are those of the material file, or their symbols (sigma0, tau, a);
+a factor "scale" on all values is 1 unless freed. Where --index is not given, n is fitted
+and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--free my).
+--output writes the material, ready for --material of other verbs, without "scale", which
+no material has; --report writes everything.
+
+Examples:
+  hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
+  hts fit curves.json --model kurt --lobes 2 --residual cosine --largest-theta 80
+  hts fit curves.json --model he --free scale,k --fix a=0 --start sigma0=0.3 --json
+  hts fit --all-models curves-a.json curves-b.json --residual cosine)";
+
+struct FitOptions {
+    std::vector<std::string> curves, fixed, freed, starts;
+    std::string model = "he", index, residual = "log", loss = "squares", output, report;
+    int lobes = 1, nodes = 1;
+    double loss_scale = 1, largest_theta = 87;
+    std::size_t followed_starts = 8, most_points = 0;
+    bool all_models = false, json = false;
+};
+
+/// A bare word is text, anything else JSON.
+std::string json_of(const std::string& text) {
+    return text.empty() || text.front() == '{' || text.front() == '"' ? text : json_string(text);
+}
+
+/// "name=value".
+std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {
+    const auto at = text.find('=');
+    if (at == std::string::npos) throw UsageError{option + ": " + text + ": must be name=value"};
+    return {text.substr(0, at),
+            from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
+}
+
+template <class Choice>
+Choice choice(const std::string& option, const std::string& text, std::initializer_list<Choice> choices) {
+    std::vector<std::string> names;
+    for (const Choice c : choices) {
+        if (text == name(c)) return c;
+        names.emplace_back(name(c));
+    }
+    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " +
+                     spectral::joined(names)};
+}
+
+validation::FitSelection selection(const FitOptions& options) {
+    return {options.largest_theta, options.most_points, {4, options.nodes}};
+}
+
+validation::Residual residual(const FitOptions& options) {
+    using enum validation::Residual;
+    return choice("--residual", options.residual, {logarithmic, relative, weighted, cosine});
+}
+
+FitRequest request(const FitOptions& options) {
+    using enum validation::Loss;
+    FitRequest result{.model = options.model,
+                      .lobes = options.lobes,
+                      .index = json_of(options.index),
+                      .freed = options.freed,
+                      .residual = residual(options),
+                      .loss = choice("--loss", options.loss, {squares, huber, cauchy}),
+                      .loss_scale = options.loss_scale,
+                      .followed_starts = options.followed_starts};
+    for (const std::string& text : options.fixed) {
+        if (text.starts_with("index=")) {
+            if (!options.index.empty()) throw UsageError{"--fix index: must not come with --index"};
+            result.index = json_of(text.substr(6));
+        } else {
+            result.fixed.insert(assignment("--fix", text));
+        }
+    }
+    for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
+    result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
+        bar->show("fitting", static_cast<double>(done) / static_cast<double>(all));
+    };
+    return result;
+}
+
+/// What `make` returns; a request that cannot be is wrong usage.
+template <class Make>
+auto from_request(const Make& make) {
+    try {
+        return make();
+    } catch (const validation::RequestError& error) {
+        throw UsageError{error.what()};
+    }
+}
+
+void fit_one(const FitOptions& options) {
+    const CurveSet set = curves_from_argument(options.curves.front());
+    FitRequest asked = request(options);
+    if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
+        asked.freed.emplace_back("scale");
+    const Fit fit = from_request(
+        [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
+    if (!options.output.empty()) {
+        write_file(options.output, fit.material);
+        if (const double scale = fit.parameter("scale").value; scale != 1) {
+            std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
+                      << ", which a material cannot hold\n";
+        }
+    }
+    if (!options.report.empty()) write_file(options.report, fit_json(fit));
+    std::cout << (options.json ? fit_json(fit) : fit_text(fit));
+}
+
+/// The files of folders, and files and names as they are.
+std::vector<std::string> expanded(const std::vector<std::string>& curves) {
+    std::vector<std::string> result;
+    for (const std::string& curve : curves) {
+        if (std::error_code ignored; !fs::is_directory(curve, ignored)) {
+            result.push_back(curve);
+            continue;
+        }
+        std::vector<std::string> inside;
+        for (const auto& entry : fs::directory_iterator{curve}) {
+            if (entry.path().extension() == ".json") inside.push_back(entry.path().string());
+        }
+        if (inside.empty()) throw Error{curve + ": no curve sets (*.json)"};
+        std::ranges::sort(inside);
+        result.insert(result.end(), inside.begin(), inside.end());
+    }
+    return result;
+}
+
+void fit_all_models(const FitOptions& options) {
+    const auto names = expanded(options.curves);
+    Output output{options.output.empty() ? "-" : options.output};
+    TableWriter table{output,
+                      format_of(options.output, options.json),
+                      {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
+                       "l2_cosine", "aic", "bic"}};
+    for (const std::string& name : names) {
+        const CurveSet set = curves_from_argument(name);
+        const auto fits = from_request([&] {
+            return validation::fits_of(
+                validation::compared_models(), set,
+                {residual(options), selection(options), json_of(options.index), options.followed_starts});
+        });
+        std::string text;
+        for (const Fit& fit : fits) {
+            const auto& s = fit.statistics;
+            TableWriter::Row row{table, text};
+            row.field(fit.data).field(choice_of(fit).label()).field(std::to_string(s.data));
+            row.field(std::to_string(s.free_parameters));
+            for (const double x : {s.median_abs_log, s.rms_log, s.rms, s.l2, s.aic, s.bic})
+                row.field(brief(x, 6));
+            row.end();
+        }
+        table.add(text);
+    }
+    table.finish();
+    output.commit();
+}
+
+void run(const FitOptions& options) {
+    if (options.all_models) return fit_all_models(options);
+    if (options.curves.size() != 1) throw UsageError{"curves: must be one set, unless --all-models is given"};
+    fit_one(options);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
+    auto options = std::make_shared<FitOptions>();
+    verb->add_option("curves", options->curves,
+                     "curve set: a file or a name of hts curves list; with --all-models several, or folders")
+        ->required();
+    std::vector<CLI::Option*> of_one{
+        verb->add_option("--model", options->model,
+                         "he, beckmann, ggx, kurt, ward, … (a wrong one lists all)")
+            ->capture_default_str(),
+        verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")
+            ->check(whole_number(1, 3))
+            ->capture_default_str(),
+        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
+        verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
+            ->delimiter(','),
+        verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
+        verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
+        verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
+            ->check(number_within(1e-9, 1e9))
+            ->capture_default_str(),
+        verb->add_option("--report", options->report, "everything about the fit (JSON)")
+            ->check(path_to_write())};
+    verb->add_option("--index", options->index,
+                     "optical constants: a built-in name, or JSON as in a material file");
+    verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
+        ->capture_default_str();
+    verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg], 0 ... 90")
+        ->check(number_within(0, 90))
+        ->capture_default_str();
+    verb->add_option("--most-points", options->most_points, "thin the data out to so many; 0: all")
+        ->check(whole_number(0, 1'000'000'000))
+        ->capture_default_str();
+    verb->add_option("--rings", options->nodes, "rings of nodes over each cone, 0 ... 8")
+        ->check(whole_number(0, 8))
+        ->capture_default_str();
+    verb->add_option("--starts", options->followed_starts,
+                     "how many of the most promising starts are followed, 1 ... 512")
+        ->check(whole_number(1, 512))
+        ->capture_default_str();
+    auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
+    for (CLI::Option* option : of_one) all->excludes(option);
+    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
+        ->check(path_to_write());
+    verb->add_flag("--json", options->json, "print JSON");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

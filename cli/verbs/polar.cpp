@@ -1,0 +1,168 @@
+// hts polar: in-plane polar plots as in He et al. 1991, Figures 7 to 10.
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <numbers>
+
+#include "cli/answers/validity_warning.hpp"
+#include "cli/io/gnuplot.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "validation/papers/polar_script.hpp"
+
+namespace hts::cli {
+namespace {
+
+using validation::EqualCones;
+using validation::PolarCurve;
+using validation::PolarPoint;
+using validation::PolarRadius;
+using validation::PolarStyle;
+
+constexpr auto help = R"(
+The polar angle is the view angle in the plane of incidence, -90 ... 90 deg, positive on
+the mirror's side; a curve per angle of incidence. The radius is the BRDF divided by the
+BRDF in the specular direction theta_r = theta_i (He et al. 1991, eq. 11), or the BRDF
+itself with --absolute.
+--output figure.svg also writes figure.csv (the numbers) and figure.gnuplot (the script);
+an output .csv or .json, or -, gives the numbers only.
+The specular term is a delta and is left out unless --solid-angle is given: then source
+and receiver are cones of that solid angle w, and the specular term is
+rho_s / (cos theta_i w) times the common part of two discs of the cones' half angle
+acos(1 - w / 2 pi), one about the mirror direction, one about the view. The diffuse terms
+are not averaged over the cones. The paper has w = pi/1024 sr = 0.0030679616.
+
+Examples:
+  hts polar --material aluminium.json --wavelength 0.5 --theta-i 10,30,45,60,75 \
+      --solid-angle 0.0030679616 --output figure.svg
+  hts polar --material aluminium.json --wavelength 2 --theta-i 45 --absolute --log -o log.svg)";
+
+struct PolarOptions {
+    MaterialOptions material;
+    OutputOptions output;
+    double wavelength = 0, phi_i = 0;
+    std::vector<double> theta_i;
+    std::optional<double> solid_angle;
+    bool absolute = false, logarithmic = false;
+
+    [[nodiscard]] PolarRadius radius() const {
+        return absolute ? PolarRadius::absolute : PolarRadius::normalised;
+    }
+};
+
+std::optional<EqualCones> cones(const PolarOptions& options) {
+    if (!options.solid_angle) return std::nullopt;
+    return from_option("--solid-angle", [&] { return EqualCones{*options.solid_angle}; });
+}
+
+std::vector<PolarCurve> curves(const PolarOptions& options, const spectral::AnyModel& model) {
+    std::vector<PolarCurve> result;
+    for (const double theta_i : options.theta_i) {
+        result.push_back(polar_curve(model, theta_i, options.phi_i, cones(options), options.radius()));
+    }
+    return result;
+}
+
+void write_table(const std::string& path, Format format, const std::vector<PolarCurve>& curves) {
+    Output output{path};
+    TableWriter table{output,
+                      format,
+                      {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
+                       "specular_average", "radius"}};
+    std::string text;
+    for (const PolarCurve& curve : curves) {
+        for (const PolarPoint& point : curve.points) {
+            TableWriter::Row row{table, text};
+            row.field(shortest(curve.theta_i)).field(shortest(point.view_angle));
+            row.number(point.directional_diffuse).number(point.uniform_diffuse).number(point.specular);
+            row.number(point.radius).end();
+        }
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+PolarStyle style(const PolarOptions& options, const std::string& name, const std::string& data_file) {
+    PolarStyle style;
+    style.title = name + ", λ = " + shortest(options.wavelength) + " µm";
+    if (options.phi_i != 0) style.title += ", light from azimuth " + shortest(options.phi_i) + "°";
+    style.captions.emplace_back(
+        options.absolute
+            ? "radius: BRDF [1/sr]"
+            : "radius: BRDF / BRDF in the specular direction θ_r = θ_i, eq. 11 of He et al. 1991");
+    if (options.logarithmic) style.captions.front() += ", logarithmic";
+    const auto averaged = cones(options);
+    style.captions.push_back(averaged ? "specular term averaged over source and receiver cones of " +
+                                            brief(averaged->solid_angle()) + " sr (half angle " +
+                                            brief(averaged->half_angle() * 180 / std::numbers::pi) + "°)"
+                                      : "specular delta left out (--solid-angle averages it)");
+    style.data_file = data_file;
+    style.logarithmic = options.logarithmic;
+    return style;
+}
+
+/// About the specular direction of each curve, where the lobe is.
+void warn(const PolarOptions& options, const spectral::AnyReflector& reflector,
+          const spectral::WavelengthGrid& grid) {
+    ValidityWarning warning;
+    for (const double degrees : options.theta_i) {
+        const Direction in = Direction::from_degrees(degrees, 0);
+        warning.note(reflector, {in, in.mirror()}, grid, options.material.policy());
+    }
+    warning.print();
+}
+
+void write(const PolarOptions& options, const std::string& name, const spectral::AnyModel& model) {
+    const auto drawn = curves(options, model);
+    const std::filesystem::path path{options.output.path};
+    if (path.extension() != ".svg") {
+        write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
+        return;
+    }
+    require_gnuplot(options.output.path);
+    const auto data = std::filesystem::path{path}.replace_extension(".csv");
+    write_table(data.string(), Format::csv, drawn);
+    draw(options.output.path, polar_script(drawn, style(options, name, data.filename().string())));
+}
+
+void run(const PolarOptions& options) {
+    wavelength_from_option(options.wavelength);
+    require_angles("--theta-i", options.theta_i);
+    static_cast<void>(cones(options));
+    if (options.output.json && std::filesystem::path{options.output.path}.extension() == ".svg") {
+        throw UsageError{"--json: must not come with an output .svg"};
+    }
+    from_option("--phi-i", [&] { return Direction::from_degrees(0, options.phi_i); });
+    const auto reflector = options.material.read();
+    const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
+    const auto model = spectrum_from_option("--wavelength", reflector, grid, options.material.policy());
+    write(options, reflector.name(), model.models().front());
+    warn(options, reflector, grid);
+}
+
+}  // namespace
+
+void add_polar(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("polar", "polar plot in the plane of incidence, SVG by gnuplot");
+    auto options = std::make_shared<PolarOptions>();
+    options->material.add_to(*verb)->required();
+    verb->add_option("--wavelength", options->wavelength, "wavelength [um]")->required();
+    verb->add_option("--theta-i", options->theta_i,
+                     "angles of incidence [deg], 0 ... 90, separated by commas")
+        ->required()
+        ->delimiter(',');
+    verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
+        ->capture_default_str();
+    verb->add_option("--solid-angle", options->solid_angle, "of source and receiver [sr], > 0 ... 1");
+    verb->add_flag("--absolute", options->absolute, "radius: the BRDF itself");
+    verb->add_flag("--log", options->logarithmic, "logarithmic radius, four decades");
+    options->output.add_to(*verb);
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,119 @@
+// hts table build: a table of a material, or one shard's part of it.
+
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "cli/io/options.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/io/summary.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
+#include "cli/verbs/table/mpi.hpp"
+#include "cli/verbs/table/table.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/table/table_parts.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+The table keeps its error, |f - exact|/(exact + 1e-3 peak), within the tolerance at these
+wavelengths and for polar angles up to 88 degrees, as measured on random directions.
+Finished slices stand in FILE.slices meanwhile: a build that was interrupted goes on where
+it ended. The bytes are the same for any number of threads, shards, ranks and interruptions.
+
+Examples:
+  hts table build --material aluminium.json --wavelengths 0.38:0.78:31 --tolerance 1e-3 \
+      --output aluminium.htst
+  hts table build ... --shard 2/3 --output part.2        then: hts table merge part.* --output m.htst
+  mpirun -n 4 hts table build ...                        in a build with -DHTS_MPI=ON
+
+As a Slurm array, a shard for each task (tables/table/slurm.sh):
+  sbatch --array=1-64 slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31)";
+
+struct BuildOptions {
+    MaterialOptions material;
+    std::string wavelengths = "0.38:0.78:41", output, shard = "1/1";
+    tables::TableRequest request;
+};
+
+std::size_t whole(std::string_view text) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) throw Error{"not a whole number"};
+    return value;
+}
+
+tables::TableShard shard_from_option(const std::string& text) {
+    try {
+        const auto parts = spectral::split(text, '/');
+        if (parts.size() == 2) {
+            const tables::TableShard shard{whole(parts[0]), whole(parts[1])};
+            if (shard.number >= 1 && shard.number <= shard.count) return shard;
+        }
+    } catch (const Error&) {
+        // told below
+    }
+    throw UsageError{"--shard: " + spectral::in_quotes(text) + ": must be k/N, k from 1 to N"};
+}
+
+tables::TableJob job_from(const BuildOptions& options) {
+    const auto grid = wavelengths_from_option(options.wavelengths);
+    const auto reflector = options.material.read();
+    return {{reflector.name(), spectral::read_text_file(options.material.path), options.material.path,
+             options.material.policy()},
+            {grid.micrometres().begin(), grid.micrometres().end()},
+            options.request};
+}
+
+void report(const std::string& path, double seconds) {
+    const auto table = tables::Table::open(path);
+    std::cerr << path << ": " << brief(static_cast<double>(table.bytes()) / 1048576.0, 3) << " MiB, error "
+              << brief(table.info().error.largest, 3) << " of " << brief(table.info().tolerance) << ", "
+              << brief(seconds, 3) << " s\n";
+}
+
+void run(const BuildOptions& options) {
+    const tables::TableShard shard = shard_from_option(options.shard);
+    const tables::TableJob job = job_from(options);
+    const auto exact = tables::exact_model(job);
+    Stopwatch watch;
+    watch.start();
+    Ranks ranks{*exact, job};
+    if (!ranks.first()) return;
+    {
+        Progress progress;
+        build_table_file(*exact, job, options.output, shard, ranks.worker(),
+                         [&](const std::string& step, double share) { progress.show(step, share); });
+    }
+    watch.stop();
+    if (shard.count == 1) report(options.output, watch.seconds());
+}
+
+}  // namespace
+
+void add_table_build(CLI::App& table) {
+    CLI::App* verb = table.add_subcommand("build", "build a table of a material");
+    auto options = std::make_shared<BuildOptions>();
+    options->material.add_to(*verb)->required();
+    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+        ->capture_default_str();
+    verb->add_option("--tolerance", options->request.tolerance, "largest error, 1e-9 ... 0.5")
+        ->check(number_within(1e-9, 0.5))
+        ->capture_default_str();
+    verb->add_flag("--mueller", options->request.polarised, "the Mueller matrix too (model he)");
+    verb->add_option("--shard", options->shard, "compute part k of N only, as k/N");
+    verb->add_option("--seed", options->request.seed, "of the directions it is measured on, 0 ... 2^52")
+        ->check(whole_number(0, std::uint64_t{1} << 52))
+        ->capture_default_str();
+    verb->add_option("--largest-bytes", options->request.largest_bytes,
+                     "stop where a table would be larger, 1024 ... 2^52")
+        ->check(whole_number(1024, std::uint64_t{1} << 52))
+        ->capture_default_str();
+    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

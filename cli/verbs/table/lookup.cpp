@@ -1,0 +1,120 @@
+// hts table lookup: values of a table at points.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "cli/io/csv_reader.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/io/transform.hpp"
+#include "cli/verbs/table/table.hpp"
+#include "hts/error.hpp"
+#include "tables/table/table.hpp"
+
+namespace hts::cli {
+namespace {
+
+constexpr auto help = R"(
+Columns of the points, in any order: wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
+phi_r_deg. Added: directional_diffuse, uniform_diffuse, brdf [1/sr], specular_reflectance
+and diffuse_albedo [1], the last the share of light that both diffuse terms reflect.
+A wavelength that is not in the table, or a polar angle above 88 degrees, stops the run.
+
+Example:
+  hts table lookup m.htst --points points.csv --output values.csv)";
+
+struct LookupOptions {
+    std::string table, points;
+    OutputOptions output;
+};
+
+struct Value {
+    double lobe, uniform, specular, albedo;
+};
+
+/// The columns of a points file.
+class Points {
+  public:
+    explicit Points(const CsvReader& reader) {
+        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.required_column(names[i]);
+    }
+    [[nodiscard]] double wavelength(const CsvRow& row) const { return cell(row, 0); }
+    [[nodiscard]] DirectionPair pair(const CsvRow& row) const {
+        return {Direction::from_degrees(cell(row, 1), cell(row, 2)),
+                Direction::from_degrees(cell(row, 3), cell(row, 4))};
+    }
+
+  private:
+    static constexpr std::array names{"wavelength_um", "theta_i_deg", "phi_i_deg", "theta_r_deg",
+                                      "phi_r_deg"};
+    [[nodiscard]] double cell(const CsvRow& row, std::size_t i) const {
+        return number(row.fields[places_[i]], names[i]);
+    }
+    std::array<std::size_t, names.size()> places_{};
+};
+
+std::size_t place_of(double um, const spectral::WavelengthGrid& grid) {
+    constexpr double rounding = 1e-9;  // relative
+    const auto all = grid.micrometres();
+    const auto near = [um](double own) { return std::abs(own - um) <= rounding * own; };
+    const auto found = std::ranges::find_if(all, near);
+    if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
+    throw out_of_range("wavelength", um, "um",
+                       "one of the " + std::to_string(all.size()) + " of the table, from " +
+                           shortest(all.front()) + " to " + shortest(all.back()) + " um");
+}
+
+Value value_at(const tables::Table& table, const DirectionPair& pair, double um) {
+    if (!tables::Table::covers(pair))
+        throw Error{"polar angle: must be at most 88 deg, where the table ends"};
+    const std::size_t place = place_of(um, table.wavelengths());
+    std::vector<double> values(table.wavelengths().size());
+    const auto read = [&](auto&& write) {
+        write();
+        return values[place];
+    };
+    return {read([&] { table.directional_diffuse(pair, values); }),
+            read([&] { table.uniform_diffuse(values); }),
+            read([&] { table.specular_reflectance(pair.in, values); }),
+            read([&] { table.diffuse_albedo(pair.in, values); })};
+}
+
+void run(const LookupOptions& options) {
+    const auto table = tables::Table::open(options.table);
+    CsvReader input{options.points};
+    const Points points{input};
+    std::vector<std::string> columns = input.columns();
+    for (const char* added :
+         {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance", "diffuse_albedo"}) {
+        columns.emplace_back(added);
+    }
+    Output output{options.output.path};
+    TableWriter writer{output, format_of(options.output.path, options.output.json), columns};
+    const Summary summary = Transform<Value>{input, writer, 1}.run(
+        [&](const CsvRow& row, std::span<Value> value) {
+            value[0] = value_at(table, points.pair(row), points.wavelength(row));
+        },
+        [](TableWriter::Row& row, const Value& value) {
+            row.number(value.lobe).number(value.uniform).number(value.lobe + value.uniform);
+            row.number(value.specular).number(value.albedo);
+        });
+    output.commit();
+    std::cerr << summary.text() << '\n';
+}
+
+}  // namespace
+
+void add_table_lookup(CLI::App& table) {
+    CLI::App* verb = table.add_subcommand("lookup", "values of a table at points");
+    auto options = std::make_shared<LookupOptions>();
+    verb->add_option("table", options->table, "file to read")->required();
+    verb->add_option("--points", options->points, "CSV with a header, - for standard input")->required();
+    options->output.add_to(*verb);
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

@@ -1,0 +1,31 @@
+// hts table merge: joins the parts that shards of a build wrote.
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/io/options.hpp"
+#include "cli/verbs/table/table.hpp"
+#include "tables/table/table_parts.hpp"
+
+namespace hts::cli {
+namespace {
+
+struct MergeOptions {
+    std::vector<std::string> parts;
+    std::string output;
+};
+
+}  // namespace
+
+void add_table_merge(CLI::App& table) {
+    CLI::App* verb = table.add_subcommand("merge", "join the parts that hts table build --shard wrote");
+    auto options = std::make_shared<MergeOptions>();
+    verb->add_option("parts", options->parts, "files of all shards, in any order")->required();
+    verb->add_option("--output,-o", options->output, "table to write")->required()->check(path_to_write());
+    verb->footer("\nExample:\n  hts table merge part.1 part.2 part.3 --output m.htst");
+    verb->callback([options] {
+        tables::merge_table_file({options->parts.begin(), options->parts.end()}, options->output);
+    });
+}
+
+}  // namespace hts::cli

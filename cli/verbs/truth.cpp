@@ -1,0 +1,104 @@
+// hts truth: the model against ground truth that knows nothing of its closed forms.
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "cli/io/figure_files.hpp"
+#include "cli/io/folder.hpp"
+#include "cli/io/options.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "hts/error.hpp"
+#include "spectral/text/output.hpp"
+#include "validation/scattering/dielectric_scattering.hpp"
+#include "validation/scattering/exact_scattering.hpp"
+#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/rays/ray_report.hpp"
+
+namespace hts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto help = R"(
+moments     Exact scattering by random profiles: perfect conductors, TE and TM, by the
+            method of moments. Writes the map of the distance [dB] of this model, of
+            Kirchhoff and of Smith's shadowing, over sigma0/lambda, tau/lambda and theta_i,
+            and the lobes.
+dielectric  The same for glass, refractive index 1.5, on four surfaces.
+fourier     Kirchhoff's integral summed over explicit surfaces and averaged, against the
+            directional-diffuse term before shadowing.
+rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of the rough
+            limit, and the light reflected more than once.
+
+Into the folder go the tables (.csv, with the command that writes them) and the pictures
+(.svg, .gnuplot). On one core moments takes some 8 minutes, dielectric 4, the others one or
+two; with --quick fewer cases and realisations, and each some seconds. The numbers are the
+same for any number of threads. Exit code 1 if a check fails.
+
+Examples:
+  hts truth rays --quick --output out/truth
+  hts truth moments --output out/truth)";
+
+struct Truth {
+    const char* name;
+    validation::GroundTruth (*study)(validation::Effort);
+};
+
+constexpr std::array studies{Truth{"moments", validation::exact_scattering_study},
+                             Truth{"dielectric", validation::dielectric_scattering_study},
+                             Truth{"fourier", validation::fourier_study},
+                             Truth{"rays", validation::rays_study}};
+
+struct TruthOptions {
+    std::string study, folder;
+    bool quick = false;
+};
+
+/// Every check on a line; whether all passed.
+bool report(const std::vector<validation::Check>& checks) {
+    bool passed = true;
+    for (const validation::Check& check : checks) {
+        std::cout << (check.passed ? "passed  " : "FAILED  ") << check.claim << ": " << check.measured
+                  << (check.remark.empty() ? "" : " (" + check.remark + ")") << '\n';
+        passed = passed && check.passed;
+    }
+    return passed;
+}
+
+void run(const TruthOptions& options) {
+    const fs::path folder{options.folder};
+    make_folder(folder);
+    validation::GroundTruth truth;
+    for (const Truth& each : studies) {
+        if (options.study == each.name)
+            truth = each.study(options.quick ? validation::Effort::quick : validation::Effort::full);
+    }
+    for (const validation::FigureTable& table : truth.tables) {
+        const auto path = (folder / (table.stem + ".csv")).string();
+        spectral::write_file(path, table_csv(table, truth.provenance));
+        std::cout << path << '\n';
+    }
+    for (const validation::Figure& figure : truth.section.figures)
+        std::cout << write_figure(folder, figure).string() << '\n';
+    if (!report(truth.section.checks)) throw Error{"truth " + options.study + ": a check failed, see above"};
+}
+
+}  // namespace
+
+void add_truth(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("truth", "the model against exact and explicit scattering");
+    auto options = std::make_shared<TruthOptions>();
+    std::vector<std::string> names;
+    names.reserve(studies.size());
+    for (const Truth& each : studies) names.emplace_back(each.name);
+    verb->add_option("study", options->study, "which")->required()->check(CLI::IsMember(names));
+    verb->add_option("-o,--output", options->folder, "folder for tables and pictures")
+        ->required()
+        ->check(path_to_write());
+    verb->add_flag("--quick", options->quick, "few cases and realisations");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

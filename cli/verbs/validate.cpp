@@ -1,0 +1,136 @@
+// hts validate: the model against measurements, exact scattering and its paper, as one report.
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/charts/machine.hpp"
+#include "cli/answers/validation_parts.hpp"
+#include "cli/io/figure_files.hpp"
+#include "cli/io/folder.hpp"
+#include "cli/io/options.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/table_writer.hpp"
+#include "cli/verbs/verbs.hpp"
+#include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+#include "validation/report/report_page.hpp"
+
+namespace hts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using validation::Section;
+
+constexpr auto help = R"(
+Writes into the folder
+  report.html     everything on one page, pictures in it; what was missed comes first
+  report.json     the criteria and the tables
+  *.csv *.svg     the numbers and the pictures, with the scripts that draw them; *.png
+--quick takes smaller samples and pictures, and shows stored results where the whole
+computation takes long. Exit code 1 if a criterion is missed.
+
+Examples:
+  hts validate --quick --output out/validation
+  hts validate --only rays --output out/rays)";
+
+struct ValidateOptions {
+    std::string folder, curves;
+    std::vector<std::string> only;
+    bool quick = false;
+};
+
+void write_rows(const fs::path& path, const validation::ReportTable& numbers) {
+    Output output{path.string()};
+    TableWriter table{output, Format::csv, numbers.columns};
+    std::string text;
+    for (const auto& cells : numbers.rows) {
+        TableWriter::Row row{table, text};
+        for (const std::string& cell : cells) row.field(cell);
+        row.end();
+    }
+    table.add(text);
+    table.finish();
+    output.commit();
+}
+
+void write_tables_and_images(const fs::path& folder, const Section& section) {
+    for (const validation::ReportTable& table : section.tables)
+        write_rows(folder / (table.stem + ".csv"), table);
+    for (const validation::Image& image : section.images) {
+        write_file((folder / (image.stem + ".png")).string(), image.png);
+    }
+}
+
+void say(const Section& section) {
+    std::cout << section.title << '\n';
+    for (const validation::Check& check : section.checks) {
+        std::cout << (check.passed ? "  met     " : "  MISSED  ") << check.claim << ": " << check.measured
+                  << '\n';
+    }
+}
+
+std::vector<Section> sections_of(const ValidateOptions& options) {
+    const auto effort = options.quick ? validation::Effort::quick : validation::Effort::full;
+    std::vector<Section> sections;
+    for (const ValidationPart& part : validation_parts()) {
+        if (!options.only.empty() && std::ranges::find(options.only, part.name) == options.only.end())
+            continue;
+        for (Section& section : part.make(effort, options.curves)) {
+            say(section);
+            sections.push_back(std::move(section));
+        }
+    }
+    return sections;
+}
+
+std::string provenance(bool quick) {
+    return "hts " HTS_VERSION + std::string{quick ? " validate --quick, " : " validate, "} +
+           bench::machine().text();
+}
+
+void run(const ValidateOptions& options) {
+    const fs::path folder{options.folder};
+    make_folder(folder);
+    const auto sections = sections_of(options);
+    for (const Section& section : sections) write_tables_and_images(folder, section);
+    const auto svg = [&](const validation::Figure& figure) {
+        return spectral::read_text_file(write_figure(folder, figure));
+    };
+    const std::string origin = provenance(options.quick);
+    write_file((folder / "report.html").string(), validation::report_page(sections, origin, svg));
+    write_file((folder / "report.json").string(), validation::report_json(sections, origin));
+    const auto [passed, all] = validation::tally(sections);
+    std::cout << passed << " of " << all << " criteria met: " << (folder / "report.html").string() << '\n';
+    if (passed < all)
+        throw Error{"validate: " + std::to_string(all - passed) +
+                    (all - passed == 1 ? " criterion missed (above)" : " criteria missed (above)")};
+}
+
+}  // namespace
+
+void add_validate(CLI::App& program) {
+    CLI::App* verb =
+        program.add_subcommand("validate", "the model against measurements, exact scattering and its paper");
+    auto options = std::make_shared<ValidateOptions>();
+    std::vector<std::string> names;
+    for (const ValidationPart& part : validation_parts()) names.emplace_back(part.name);
+    verb->add_option("-o,--output", options->folder, "folder for the report")
+        ->required()
+        ->check(path_to_write());
+    verb->add_option("--only", options->only, "parts, apart by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names));
+    verb->add_option("--curves", options->curves,
+                     "existing folder with any of he91-figure-7.json ... he91-figure-11.json, digitised")
+        ->check(CLI::ExistingDirectory);
+    verb->add_flag("--quick", options->quick, "smaller samples and pictures: a minute or two on two cores");
+    verb->footer(help);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace hts::cli

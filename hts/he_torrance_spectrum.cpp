@@ -1,0 +1,159 @@
+#include "hts/he_torrance_spectrum.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "hts/lanes/evaluation_simd.hpp"
+
+namespace hts {
+namespace {
+
+using evaluation_detail::Forms;
+using evaluation_detail::Prepared;
+
+constexpr std::size_t padding = 8;  // the longest vector
+
+double square(double x) {
+    return x * x;
+}
+
+/// Lengths and indices whose products stay far from the ends of a double's range, in any order.
+bool is_ordinary(const Surface& surface, const std::vector<SpectralSample>& samples) {
+    const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
+    return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
+           std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
+               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
+                      s.index.k() <= 1e6;
+           });
+}
+
+Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples) {
+    const double sigma_squared = square(surface.rms_roughness());
+    const double tau_squared = square(surface.correlation_length());
+    const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
+    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
+                tau_squared * std::numbers::inv_pi},
+               samples.size(),
+               padded,
+               std::vector<double>(Prepared::columns * padded)};
+    for (std::size_t i = 0; i < padded; ++i) {
+        const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
+        const double n = s.index.n();
+        const double k = s.index.k();
+        const double d_real = (n - 1) * (n + 1) - k * k;
+        const double d_imaginary_squared = square(2 * n * k);
+        const double wave_squared = square(s.wavelength.wave_number());
+        const auto set = [&p, padded, i](Prepared::Column column, double value) {
+            p.data[column * padded + i] = value;
+        };
+        set(Prepared::wave_squared, wave_squared);
+        set(Prepared::inverse_wave_squared, 1 / wave_squared);
+        set(Prepared::d_real, d_real);
+        set(Prepared::d_imaginary_squared, d_imaginary_squared);
+        set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
+        set(Prepared::uniform, s.uniform_diffuse);
+    }
+    return p;
+}
+
+}  // namespace
+
+struct PreparedReflectance::Lanes {
+    Forms forms;
+    Prepared prepared;
+};
+
+PreparedReflectance::PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples,
+                                         Tolerance tolerance, DiffuseLobe lobe)
+    : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
+    if (lobe == DiffuseLobe::none) return;
+    if (tolerance.relative_error() < accuracy::finest_lane_tolerance || !is_ordinary(surface_, samples_))
+        return;
+    const Forms forms = evaluation_detail::forms(tolerance, lobe);
+    if (forms.brdf_one == nullptr) return;
+    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_)});
+}
+
+PreparedReflectance::~PreparedReflectance() = default;
+PreparedReflectance::PreparedReflectance(const PreparedReflectance& other)
+    : surface_{other.surface_},
+      samples_{other.samples_},
+      tolerance_{other.tolerance_},
+      lobe_{other.lobe_},
+      lanes_{other.lanes_ ? std::make_unique<const Lanes>(*other.lanes_) : nullptr} {}
+PreparedReflectance::PreparedReflectance(PreparedReflectance&&) noexcept = default;
+PreparedReflectance& PreparedReflectance::operator=(PreparedReflectance other) noexcept {
+    std::swap(surface_, other.surface_);
+    std::swap(samples_, other.samples_);
+    std::swap(tolerance_, other.tolerance_);
+    std::swap(lobe_, other.lobe_);
+    std::swap(lanes_, other.lanes_);
+    return *this;
+}
+
+std::size_t PreparedReflectance::bytes() const noexcept {
+    const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
+    return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
+}
+
+void PreparedReflectance::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
+    exact_brdf(pair, result);
+}
+
+void PreparedReflectance::brdf(std::span<const DirectionPair> pairs,
+                               std::span<double> result) const noexcept {
+    const std::size_t count = samples_.size();
+    const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
+    if (lanes_take_all) return;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (lanes_ && evaluation_detail::is_ordinary(pairs[i])) continue;
+        exact_brdf(pairs[i], result.subspan(i * count, count));
+    }
+}
+
+void PreparedReflectance::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+    if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
+    exact_specular_reflectance(in, result);
+}
+
+void PreparedReflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+    if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
+    exact_mueller(pair, result);
+}
+
+void PreparedReflectance::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+    std::transform(samples_.begin(), samples_.end(), result.begin(),
+                   [](const SpectralSample& sample) { return sample.uniform_diffuse; });
+    if (lobe_ == DiffuseLobe::none) return;
+    const PairFactors shared{surface_, pair.in, pair.out};
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SpectralSample& sample = samples_[i];
+        result[i] += directional_diffuse(shared, sample.wavelength, sample.index, lobe_).brdf;
+    }
+}
+
+void PreparedReflectance::exact_specular_reflectance(const Direction& in,
+                                                     std::span<double> result) const noexcept {
+    const View seen = view(surface_, in);
+    std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
+        return hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index).value();
+    });
+}
+
+void PreparedReflectance::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+    std::transform(samples_.begin(), samples_.end(), result.begin(),
+                   [](const SpectralSample& sample) { return Mueller::depolariser(sample.uniform_diffuse); });
+    if (lobe_ == DiffuseLobe::none) return;
+    const PairFactors shared{surface_, pair.in, pair.out};
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SpectralSample& sample = samples_[i];
+        result[i] =
+            directional_diffuse_mueller(pair.in, pair.out,
+                                        directional_diffuse(shared, sample.wavelength, sample.index, lobe_)) +
+            result[i];
+    }
+}
+
+}  // namespace hts

@@ -1,0 +1,75 @@
+// The compiled forms of the spectral evaluation for one instruction set.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hts/he_torrance_spectrum.hpp"
+
+namespace hts::evaluation_detail {
+
+/// What the lanes need of a surface.
+struct SurfaceTerms {
+    double slope_width;  // 2 sigma_0 / tau
+    double variance;     // sigma_0^2 [um^2]
+    double inverse_variance;
+    double quarter_tau_squared;
+    double tau_squared_over_pi;
+};
+
+/// A surface and its optical constants, one column per quantity, each padded to whole vectors with its last value.
+struct Prepared {
+    enum Column : std::size_t {
+        wave_squared,  // k^2 [1/um^2]
+        inverse_wave_squared,
+        d_real,  // of d = N^2 - 1
+        d_imaginary_squared,
+        weight,   // k^2 |d|^2
+        uniform,  // uniform-diffuse BRDF
+        columns
+    };
+
+    SurfaceTerms surface;
+    std::size_t count, padded;
+    std::vector<double> data;
+
+    [[nodiscard]] const double* operator[](Column column) const noexcept {
+        return data.data() + column * padded;
+    }
+};
+
+/// Below it a direction grazes so much that the exact path takes the pair: K = 2 / lowest_cosine still lies within
+/// lambert_octaves.
+inline constexpr double lowest_cosine = 1.1e-5;
+
+[[nodiscard]] inline bool is_ordinary(const Direction& direction) noexcept {
+    return direction.cos_theta() >= lowest_cosine;
+}
+[[nodiscard]] inline bool is_ordinary(const DirectionPair& pair) noexcept {
+    return is_ordinary(pair.in) && is_ordinary(pair.out);
+}
+
+/// False, and the result untouched, where the pair is not ordinary.
+using BrdfOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, double* result);
+using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, Mueller* result);
+using SpecularOne = bool (*)(const Prepared& prepared, const Direction& in, double* result);
+/// Whether every pair is ordinary; the others get an arbitrary result.
+using BrdfMany = bool (*)(const Prepared& prepared, std::span<const DirectionPair> pairs, double* result);
+
+struct Forms {
+    BrdfOne brdf_one;  ///< null on a processor without vectors
+    BrdfMany brdf_many;
+    MuellerOne mueller_one;
+    SpecularOne specular_one;
+};
+
+/// What one instruction set has: Phi at 1e-3 and at 1e-6, and its limits.
+struct FormTable {
+    Forms low, medium, first_order, rough_limit;
+};
+
+/// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
+[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept;
+
+}  // namespace hts::evaluation_detail

@@ -1,0 +1,143 @@
+#include "spectral/energy/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/minima.hpp>
+
+#include "hts/error.hpp"
+#include "spectral/energy/lobe_integral.hpp"
+
+namespace hts::spectral {
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+
+double specular_part(const Surface& surface, const Facets& facets, const Wavelength& wavelength,
+                     const View& in) {
+    return facet_reflectance(facets, in.direction.cos_theta()) * coherent_fraction(surface, in, wavelength);
+}
+
+double directional_diffuse_part(const Surface& surface, const Facets& facets, const Wavelength& wavelength,
+                                const View& in) {
+    return lobe_integral(
+        surface, in, wavelength,
+        [&](const PairFactors& pair, const Direction&) {
+            return facet_reflectance(facets, pair.cos_theta_d());
+        },
+        Tolerance{accuracy::hemispherical_reflectance});
+}
+
+/// What the specular and the directional-diffuse term of a reflector reflect together.
+class Lobes {
+  public:
+    Lobes(const Reflector& reflector, const Wavelength& wavelength, OutsideRange policy)
+        : surface_{reflector.surface},
+          wavelength_{wavelength},
+          facets_{reflector.material.index(wavelength, policy)} {}
+
+    [[nodiscard]] double at(const Direction& in) const {
+        return directional_hemispherical_reflectance(surface_, facets_, wavelength_, in).total();
+    }
+    [[nodiscard]] double at(double theta) const { return at(Direction::from_angles(theta, 0)); }
+
+  private:
+    Surface surface_;
+    Wavelength wavelength_;
+    Facets facets_;
+};
+
+/// Where in from ... to a function is largest: the best of equally spaced points, refined between its neighbours.
+struct Maximum {
+    double place, value;
+};
+
+template <class Function>
+Maximum maximum(double from, double to, int intervals, Function&& f) {
+    const auto node = [&](int i) { return i == intervals ? to : from + (to - from) * i / intervals; };
+    Maximum best{from, f(from)};
+    int best_node = 0;
+    for (int i = 1; i <= intervals; ++i) {
+        const double value = f(node(i));
+        if (value > best.value) {
+            best = {node(i), value};
+            best_node = i;
+        }
+    }
+    constexpr int bits = 13;  // of the place; twice as many of the value
+    const auto [place, value] = boost::math::tools::brent_find_minima(
+        [&](double x) { return -f(x); }, node(std::max(best_node - 1, 0)),
+        node(std::min(best_node + 1, intervals)), bits);
+    return -value > best.value ? Maximum{place, -value} : best;
+}
+
+}  // namespace
+
+double facet_reflectance(const Facets& facets, double cos_theta) noexcept {
+    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    return index == nullptr ? 1 : fresnel(cos_theta, *index).unpolarised_reflectance();
+}
+
+HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface, const Facets& facets,
+                                                               const Wavelength& wavelength,
+                                                               const Direction& in) noexcept {
+    const View seen = view(surface, in);
+    return {specular_part(surface, facets, wavelength, seen),
+            directional_diffuse_part(surface, facets, wavelength, seen), 0};
+}
+
+HemisphericalReflectance directional_hemispherical_reflectance(const Reflector& reflector,
+                                                               const Wavelength& wavelength,
+                                                               const Direction& in, OutsideRange policy) {
+    const double albedo = reflector.albedo(wavelength, policy);
+    auto result = directional_hemispherical_reflectance(
+        reflector.surface, reflector.material.index(wavelength, policy), wavelength, in);
+    result.uniform_diffuse = albedo;
+    return result;
+}
+
+HemisphericalReflectance bihemispherical_reflectance(const Reflector& reflector, const Wavelength& wavelength,
+                                                     OutsideRange policy) {
+    const double albedo = reflector.albedo(wavelength, policy);
+    const Facets facets = reflector.material.index(wavelength, policy);
+    const auto mean = [&](auto&& part) {
+        constexpr unsigned levels = 8;
+        return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+            [&](double cosine) {
+                const View in = view(reflector.surface, Direction::from_angles(std::acos(cosine), 0));
+                return 2 * cosine * part(reflector.surface, facets, wavelength, in);
+            },
+            0.0, 1.0, levels, accuracy::bihemispherical_reflectance);
+    };
+    return {mean(specular_part), mean(directional_diffuse_part), albedo};
+}
+
+DiffuseAlbedoLimit largest_diffuse_albedo(const Reflector& reflector, const Wavelength& wavelength,
+                                          double steepest_theta, OutsideRange policy) {
+    if (!(steepest_theta >= 0 && steepest_theta <= right_angle)) {
+        throw out_of_range("steepest angle of incidence", steepest_theta, "rad", "from 0 to pi/2 rad");
+    }
+    const Lobes lobes{reflector, wavelength, policy};
+    constexpr double step = right_angle / 30;
+    const int intervals = std::max(1, static_cast<int>(std::ceil(steepest_theta / step - 1e-9)));
+    const Maximum most = maximum(0, steepest_theta, intervals, [&](double theta) { return lobes.at(theta); });
+    return {std::max(0.0, 1 - most.value), most.value, most.place};
+}
+
+double diffuse_albedo_from(double measured, const Reflector& reflector, const Wavelength& wavelength,
+                           const Direction& in, OutsideRange policy) {
+    const double lobes = Lobes{reflector, wavelength, policy}.at(in);
+    if (!(measured >= lobes && measured <= 1)) {
+        throw out_of_range("measured reflectance", measured, "",
+                           std::string{"from "}
+                               .append(shortest(lobes))
+                               .append(" (specular and directional-diffuse terms of the material) to 1"));
+    }
+    return measured - lobes;
+}
+
+}  // namespace hts::spectral

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "hts/error.hpp"
+#include "spectral/materials/built_in_data.hpp"
+#include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/materials/optical_constants_yaml.hpp"
+#include "spectral/text/text.hpp"
+
+namespace hts::spectral {
+namespace {
+
+const BuiltInFile& built_in_file(std::string_view name) {
+    const auto files = built_in_files();
+    const auto found =
+        std::find_if(files.begin(), files.end(), [name](const auto& f) { return f.name == name; });
+    if (found == files.end()) {
+        throw Error{"no built-in material " + in_quotes(name) + ": must be one of " +
+                    joined(built_in_material_names())};
+    }
+    return *found;
+}
+
+}  // namespace
+
+std::vector<std::string> built_in_material_names() {
+    std::vector<std::string> names;
+    for (const auto& file : built_in_files()) names.emplace_back(file.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Material built_in_material(std::string_view name) {
+    static std::mutex mutex;
+    static std::map<std::string_view, Material> parsed;
+    const BuiltInFile& file = built_in_file(name);
+    const std::lock_guard lock{mutex};
+    auto found = parsed.find(file.name);
+    if (found == parsed.end()) {
+        const std::string stem{file.name};
+        found =
+            parsed.emplace(file.name, material_from_yaml(std::string{file.text}, stem, stem + ".yml")).first;
+    }
+    return found->second;
+}
+
+}  // namespace hts::spectral

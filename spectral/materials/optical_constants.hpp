@@ -1,0 +1,46 @@
+/// Optical constants: the complex refractive index of a material as a function of wavelength.
+///
+/// Index n + ik, k >= 0, relative to vacuum, against vacuum wavelength. n and k come from a table (straight
+/// lines between rows), from one of the nine dispersion formulas of refractiveindex.info, or are constant.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hts/fresnel.hpp"
+#include "hts/wavelength.hpp"
+#include "spectral/materials/dispersion.hpp"
+#include "spectral/materials/piecewise_linear.hpp"
+
+namespace hts::spectral {
+
+class Material {
+  public:
+    /// The same index at every wavelength.
+    [[nodiscard]] static Material constant(const RefractiveIndex& index);
+
+    ///   name      for messages and lists, "Al" or a path
+    ///   source    where the numbers come from, with licence
+    ///   n         real part
+    ///   k         imaginary part; none means 0
+    /// hts::Error if there is no wavelength at which both are known.
+    Material(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k);
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] const std::string& source() const noexcept { return source_; }
+    /// Where both n and k are known.
+    [[nodiscard]] WavelengthRange range() const noexcept;
+
+    /// Index at a wavelength; outside the range as `policy` says. A table or formula that yields n <= 0 or k
+    /// < 0 there is an hts::Error too.
+    [[nodiscard]] RefractiveIndex index(const Wavelength& wavelength,
+                                        OutsideRange policy = OutsideRange::error) const;
+
+  private:
+    std::string name_;
+    std::string source_;
+    Dispersion n_;
+    std::optional<Dispersion> k_;
+};
+
+}  // namespace hts::spectral

@@ -1,0 +1,151 @@
+#include "spectral/models/reflectance.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include <omp.h>
+#include <catch2/catch.hpp>
+
+#include "hts/error.hpp"
+#include "spectral/materials/optical_constants_files.hpp"
+
+using hts::Direction;
+using hts::Stokes;
+using hts::Surface;
+using hts::Tolerance;
+using hts::spectral::DiffuseAlbedo;
+using hts::spectral::DirectionPair;
+using hts::spectral::OutsideRange;
+using hts::spectral::Reflector;
+using hts::spectral::SpectralReflectance;
+using hts::spectral::WavelengthGrid;
+
+namespace {
+
+Reflector rough_aluminium(double albedo = 0) {
+    return {"rough aluminium", Surface{0.28, 1.77}, hts::spectral::built_in_material("Al"),
+            DiffuseAlbedo{albedo}};
+}
+
+const DirectionPair forward{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
+
+std::vector<DirectionPair> fan_of_pairs() {
+    std::vector<DirectionPair> pairs;
+    for (int i = 0; i < 300; ++i) {
+        pairs.push_back(
+            {Direction::from_degrees(i % 90, 17 * i), Direction::from_degrees((7 * i) % 91, 5 * i)});
+    }
+    return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("a spectrum is the model at each wavelength") {
+    const Reflector reflector = rough_aluminium(0.2);
+    const auto grid = WavelengthGrid::linear(0.38, 0.78, 41);
+    const SpectralReflectance reflectance{reflector, grid};
+    const auto brdf = reflectance.brdf(forward);
+    const auto terms = reflectance.directional_diffuse(forward);
+    const auto uniform = reflectance.uniform_diffuse();
+    const auto specular = reflectance.specular_reflectance(forward.in);
+    REQUIRE(brdf.size() == 41);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const auto index = reflector.material.index(grid[i]);
+        const hts::View in = view(reflector.surface, forward.in);
+        const hts::PairFactors pair{reflector.surface, in, view(reflector.surface, forward.out)};
+        const double expected = hts::directional_diffuse(pair, grid[i], index).brdf;
+        CHECK(terms[i].brdf == expected);
+        CHECK(uniform[i] == hts::uniform_diffuse(0.2));
+        CHECK(brdf[i] == expected + uniform[i]);
+        CHECK(specular[i].value() ==
+              hts::specular_reflectance(reflector.surface, in, grid[i], index).value());
+    }
+}
+
+TEST_CASE("many pairs give the same bits as one at a time, on any number of threads") {
+    for (const double tolerance : {1e-12, 1e-6, 1e-3}) {
+        const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7),
+                                              OutsideRange::error, Tolerance{tolerance}};
+        const auto pairs = fan_of_pairs();
+        std::vector<double> serial;
+        for (const DirectionPair& pair : pairs) {
+            const auto spectrum = reflectance.brdf(pair);
+            serial.insert(serial.end(), spectrum.begin(), spectrum.end());
+        }
+        for (const int threads : {1, 2, 3}) {
+            omp_set_num_threads(threads);
+            std::vector<double> parallel(serial.size());
+            reflectance.brdf(pairs, parallel);
+            INFO("tolerance " << tolerance << ", " << threads << " threads");
+            CHECK(std::memcmp(parallel.data(), serial.data(), serial.size() * sizeof(double)) == 0);
+        }
+    }
+}
+
+TEST_CASE("a coarser tolerance is met, with and without polarisation") {
+    const auto grid = WavelengthGrid::linear(0.38, 0.78, 7);
+    const SpectralReflectance exact{rough_aluminium(0.2), grid};
+    CHECK(exact.tolerance().relative_error() == 1e-12);
+    for (const double tolerance : {1e-6, 1e-3}) {
+        const SpectralReflectance fast{rough_aluminium(0.2), grid, OutsideRange::error, Tolerance{tolerance}};
+        std::vector<double> brdf(grid.size());
+        std::vector<hts::Mueller> mueller(grid.size());
+        for (const DirectionPair& pair : fan_of_pairs()) {
+            fast.brdf(pair, brdf);
+            fast.mueller(pair, mueller);
+            const auto expected = exact.brdf(pair);
+            const auto expected_mueller = exact.mueller(pair);
+            for (std::size_t i = 0; i < grid.size(); ++i) {
+                CHECK(brdf[i] == Approx(expected[i]).epsilon(tolerance));
+                CHECK(mueller[i](0, 0) == Approx(expected[i]).epsilon(tolerance));
+                CHECK(mueller[i](1, 2) ==
+                      Approx(expected_mueller[i](1, 2)).epsilon(tolerance).margin(tolerance * expected[i]));
+            }
+        }
+        CHECK(fast.bytes() > exact.bytes());
+    }
+}
+
+TEST_CASE("a result of the wrong size is refused") {
+    const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7)};
+    const auto pairs = fan_of_pairs();
+    std::vector<double> result(12);
+    CHECK_THROWS_WITH(reflectance.brdf(pairs, result),
+                      "brdf: result has 12 values: must be pairs x wavelengths = 2100");
+    CHECK_THROWS_WITH(reflectance.brdf(forward, result),
+                      "brdf: result has 12 values: must be wavelengths = 7");
+    std::vector<hts::Mueller> matrices(1);
+    CHECK_THROWS_WITH(reflectance.mueller(forward, matrices),
+                      "mueller: result has 1 values: must be wavelengths = 7");
+}
+
+TEST_CASE("polarised reflection adds up to the BRDF") {
+    const SpectralReflectance reflectance{rough_aluminium(0.3), WavelengthGrid::linear(0.4, 0.7, 4)};
+    const auto brdf = reflectance.brdf(forward);
+    const auto mueller = reflectance.mueller(forward);
+    const auto specular = reflectance.specular_reflectance(forward.in);
+    const auto specular_mueller = reflectance.specular_mueller(forward.in);
+    for (std::size_t i = 0; i < brdf.size(); ++i) {
+        CHECK(mueller[i](0, 0) == Approx(brdf[i]).epsilon(1e-13));
+        CHECK((mueller[i] * Stokes::unpolarised()).intensity() == Approx(brdf[i]).epsilon(1e-13));
+        const Stokes lit = mueller[i] * Stokes::s_polarised();
+        CHECK(lit.degree_of_polarisation() < 1);  // the uniform-diffuse term depolarises
+        CHECK(lit.degree_of_polarisation() > 0.1);
+        CHECK(specular_mueller[i](0, 0) == Approx(specular[i].value()).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("the mirror term grows and the lobe fades with wavelength") {
+    const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.5, 8, 16)};
+    const auto specular = reflectance.specular_reflectance(Direction::from_degrees(10, 0));
+    for (std::size_t i = 1; i < specular.size(); ++i) CHECK(specular[i].value() > specular[i - 1].value());
+}
+
+TEST_CASE("wavelengths beyond the optical constants are refused unless clamped") {
+    const Reflector tungsten{"tungsten", Surface{0.1, 1}, hts::spectral::built_in_material("W"),
+                             DiffuseAlbedo{0}};
+    const auto visible = WavelengthGrid::linear(0.4, 0.7, 4);
+    CHECK_THROWS_AS((SpectralReflectance{tungsten, visible}), hts::Error);
+    const SpectralReflectance clamped{tungsten, visible, hts::spectral::OutsideRange::clamp};
+    CHECK(clamped.brdf(forward)[0] > 0);
+}

@@ -1,0 +1,267 @@
+#include "spectral/plans/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <set>
+#include <string_view>
+
+#include "hts/error.hpp"
+#include "hts/tolerance.hpp"
+#include "spectral/models/model_readers.hpp"
+#include "spectral/models/reflectance.hpp"
+#include "spectral/text/json_value.hpp"
+#include "spectral/text/text.hpp"
+
+namespace hts::spectral {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double finest_delta_e = 1e-3;
+constexpr double coarsest_delta_e = 100;
+constexpr double largest_budget = 0x1p53;  // whole numbers up to here are exact in JSON
+
+// ---- reading
+
+AnyReflector reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number,
+                            const std::vector<ModelEntry>& models) {
+    if (item.is_object())
+        return any_reflector_from_json({item, folder, "material " + std::to_string(number)}, models);
+    if (!item.is_text()) throw item.error("must be the path of a material file or a material");
+    return located(item.place(), [&] { return read_any_reflector(folder / item.text(), models); });
+}
+
+std::vector<AnyReflector> materials_from(const JsonValue& list, const fs::path& folder,
+                                         const std::vector<ModelEntry>& models) {
+    std::vector<AnyReflector> materials;
+    std::set<std::string> names;
+    for (const JsonValue& item : list.items()) {
+        materials.push_back(reflector_from(item, folder, materials.size() + 1, models));
+        const std::string& name = materials.back().name();
+        if (!names.insert(name).second)
+            throw item.error("name " + in_quotes(name) + " stands twice: must differ");
+    }
+    if (materials.empty()) throw list.error("must have at least one material");
+    return materials;
+}
+
+WavelengthGrid wavelengths_from(const JsonValue& value) {
+    return located(value.place(), [&] {
+        if (value.is_text()) return WavelengthGrid::parse(value.text());
+        std::vector<double> micrometres;
+        for (const JsonValue& item : value.items()) micrometres.push_back(item.number());
+        return WavelengthGrid::from_micrometres(std::move(micrometres));
+    });
+}
+
+double angle_from(const JsonValue& value) {
+    const double degrees = value.number();
+    if (degrees > 0 && degrees <= 90) return degrees * std::numbers::pi / 180;
+    throw value.error(shortest(degrees) + " deg: must be > 0 and <= 90 deg");
+}
+
+bool flag_from(const JsonValue& file, const char* key) {
+    const auto flag = file.find(key);
+    return flag && flag->boolean();
+}
+
+std::optional<Illuminant> illuminant_from(const JsonValue& file) {
+    const JsonValue output = file["output"];
+    const auto illuminant = file.find("illuminant");
+    if (output.text() == "rgb") {
+        if (!illuminant) return Illuminant::D65;
+        return located(illuminant->place(), [&] { return illuminant_named(illuminant->text()); });
+    }
+    if (output.text() != "spectral")
+        throw output.error(in_quotes(output.text()) + ": must be spectral or rgb");
+    if (illuminant) throw illuminant->error(R"(contradicts "output": "spectral": must come with "rgb" only)");
+    return std::nullopt;
+}
+
+JsonValue tolerance_key(const JsonValue& tolerance) {
+    tolerance.require_keys_among({name(ErrorMeasure::relative_brdf_error), name(ErrorMeasure::delta_e_2000)});
+    const auto relative = tolerance.find(name(ErrorMeasure::relative_brdf_error));
+    const auto colour = tolerance.find(name(ErrorMeasure::delta_e_2000));
+    if (relative && colour) {
+        throw tolerance.error(
+            "relative_brdf_error and delta_e_2000 contradict each other: must be one of the two");
+    }
+    if (!relative && !colour) throw tolerance.error("must have relative_brdf_error or delta_e_2000");
+    return relative ? *relative : *colour;
+}
+
+void require_colour(const JsonValue& tolerance, bool rgb, bool polarised) {
+    if (!rgb) throw tolerance.error(R"(contradicts "output": "spectral": must come with "output": "rgb")");
+    if (polarised) {
+        throw tolerance.error(R"(contradicts "polarised": true, of which a colour says nothing: must be )"
+                              "relative_brdf_error");
+    }
+}
+
+std::optional<std::size_t> budget_from(const JsonValue& file) {
+    const auto budget = file.find("memory_budget_bytes");
+    if (!budget) return std::nullopt;
+    const double bytes = budget->number();
+    if (bytes >= 1 && bytes <= largest_budget && bytes == std::floor(bytes))
+        return static_cast<std::size_t>(bytes);
+    throw budget->error(shortest(bytes) + ": must be a whole number of bytes, > 0");
+}
+
+/// What only the He-Torrance model has.
+void require_he_torrance(const JsonValue& file, const char* key, const Scene& scene) {
+    if (!flag_from(file, key)) return;
+    for (const AnyReflector& material : scene.materials) {
+        if (material.he_torrance() != nullptr) continue;
+        throw file[key].error("true: materials must be of model he; " + in_quotes(material.name()) +
+                              " has model " + material.model_name());
+    }
+}
+
+void require_wavelengths(const JsonValue& key, const Scene& scene) {
+    located(key.place(), [&] {
+        if (scene.illuminant)
+            static_cast<void>(tristimulus_weights(scene.wavelengths.micrometres(), *scene.illuminant));
+        for (const AnyReflector& material : scene.materials) {
+            located(in_quotes(material.name()),
+                    [&] { return material.spectrum(scene.wavelengths, scene.outside_range); });
+        }
+    });
+}
+
+// ---- fingerprint
+
+/// FNV-1a of 64 bits over text.
+class Checksum {
+  public:
+    void add(std::string_view text) {
+        for (const char c : text) step(static_cast<unsigned char>(c));
+        step(0);
+    }
+    void add(double value, int significant_digits = 12) {
+        std::array<char, 32> digits{};
+        static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.*g", significant_digits, value));
+        add(std::string_view{digits.data()});
+    }
+    [[nodiscard]] std::string text() const {
+        std::array<char, 17> digits{};
+        static_cast<void>(
+            std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(state_)));
+        return digits.data();
+    }
+
+  private:
+    void step(std::uint64_t byte) {
+        state_ ^= byte;
+        state_ *= 0x100000001b3;
+    }
+    std::uint64_t state_ = 0xcbf29ce484222325;
+};
+
+void add_spectra(Checksum& checksum, const Reflector& material, const WavelengthGrid& wavelengths,
+                 OutsideRange policy) {
+    for (const SpectralSample& sample : spectral_samples(material, wavelengths, policy)) {
+        checksum.add(sample.index.n());
+        checksum.add(sample.index.k());
+        checksum.add(sample.uniform_diffuse);
+    }
+}
+
+/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface singles out.
+void add_probes(Checksum& checksum, const AnyModel& model) {
+    constexpr int digits = 9;
+    for (const double theta_i : {5., 50.}) {
+        const Direction in = Direction::from_degrees(theta_i, 17 + theta_i);
+        checksum.add(model.brdf(in, in.mirror()), digits);
+        for (const double away : {1., 7., 25.}) {
+            const Direction out = Direction::from_degrees(theta_i + away, 197 + theta_i + 3 * away);
+            checksum.add(model.brdf(in, out), digits);
+        }
+    }
+}
+
+/// Equally spaced over the range of a grid, for what a material does between its wavelengths.
+WavelengthGrid between(const WavelengthGrid& wavelengths) {
+    if (wavelengths.size() == 1) return wavelengths;
+    return WavelengthGrid::linear(wavelengths.micrometres().front(), wavelengths.micrometres().back(), 257);
+}
+
+void add_material(Checksum& checksum, const AnyReflector& material, const Scene& scene) {
+    checksum.add(material.name());
+    checksum.add(material.model_name());
+    if (const Reflector* he = material.he_torrance()) {
+        checksum.add(he->surface.rms_roughness());
+        checksum.add(he->surface.correlation_length());
+        add_spectra(checksum, *he, scene.wavelengths, scene.outside_range);
+        add_spectra(checksum, *he, between(scene.wavelengths), scene.outside_range);
+        return;
+    }
+    for (const WavelengthGrid& grid : {scene.wavelengths, between(scene.wavelengths)}) {
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            add_probes(checksum, material.at(grid[i], scene.outside_range));
+    }
+}
+
+}  // namespace
+
+const char* name(ErrorMeasure measure) noexcept {
+    return measure == ErrorMeasure::delta_e_2000 ? "delta_e_2000" : "relative_brdf_error";
+}
+
+void require_tolerance(ErrorMeasure measure, double tolerance) {
+    const bool colour = measure == ErrorMeasure::delta_e_2000;
+    const double finest = colour ? finest_delta_e : hts::accuracy::finest_tolerance;
+    const double coarsest = colour ? coarsest_delta_e : hts::accuracy::coarsest_tolerance;
+    if (tolerance >= finest && tolerance <= coarsest) return;
+    throw out_of_range("tolerance", tolerance, "", "from " + shortest(finest) + " to " + shortest(coarsest));
+}
+
+Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
+    const JsonValue file = JsonValue::read(path);
+    file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
+                             "compensate_energy", "clamp", "largest_theta_i_deg", "largest_theta_r_deg",
+                             "tolerance", "memory_budget_bytes"});
+    if (const auto name = file.find("name")) static_cast<void>(name->text());
+    const JsonValue tolerance = tolerance_key(file["tolerance"]);
+    const JsonValue wavelengths = file["wavelengths_um"];
+    const bool colour = file["tolerance"].find(name(ErrorMeasure::delta_e_2000)).has_value();
+    Scene scene{path,
+                materials_from(file["materials"], path.parent_path(), models),
+                wavelengths_from(wavelengths),
+                flag_from(file, "clamp") ? OutsideRange::clamp : OutsideRange::error,
+                angle_from(file["largest_theta_i_deg"]),
+                angle_from(file["largest_theta_r_deg"]),
+                flag_from(file, "polarised"),
+                illuminant_from(file),
+                colour ? ErrorMeasure::delta_e_2000 : ErrorMeasure::relative_brdf_error,
+                tolerance.number(),
+                budget_from(file),
+                flag_from(file, "compensate_energy")};
+    require_he_torrance(file, "polarised", scene);
+    require_he_torrance(file, "compensate_energy", scene);
+    if (colour) require_colour(tolerance, scene.illuminant.has_value(), scene.polarised);
+    located(tolerance.place(), [&] { require_tolerance(scene.measure, scene.tolerance); });
+    require_wavelengths(wavelengths, scene);
+    return scene;
+}
+
+std::string fingerprint(const Scene& scene) {
+    Checksum checksum;
+    for (const double um : scene.wavelengths.micrometres()) checksum.add(um);
+    checksum.add(std::string_view{scene.outside_range == OutsideRange::clamp ? "clamp" : "error"});
+    checksum.add(scene.largest_theta_i);
+    checksum.add(scene.largest_theta_r);
+    checksum.add(std::string_view{scene.polarised ? "polarised" : "unpolarised"});
+    checksum.add(std::string_view{scene.illuminant ? name(*scene.illuminant) : "spectral"});
+    checksum.add(std::string_view{name(scene.measure)});
+    checksum.add(scene.tolerance);
+    checksum.add(static_cast<double>(scene.memory_budget.value_or(0)));
+    checksum.add(std::string_view{scene.compensate_energy ? "compensated" : "as published"});
+    for (const AnyReflector& material : scene.materials) add_material(checksum, material, scene);
+    return checksum.text();
+}
+
+}  // namespace hts::spectral

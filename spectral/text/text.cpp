@@ -1,0 +1,159 @@
+#include "spectral/text/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+namespace hts::spectral {
+namespace {
+
+constexpr std::string_view white_space = " \t\r\n\f\v";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+void require_file(const std::filesystem::path& path) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(path, failure);
+    if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
+    if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
+    if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};
+}
+
+std::string contents(const std::filesystem::path& path) {
+    errno = 0;
+    std::ifstream file{path, std::ios::binary};
+    std::string text{std::istreambuf_iterator<char>{file}, {}};
+    if (!file.is_open() || file.bad()) {
+        throw Error{path.string() + ": cannot be read: " + std::strerror(errno)};
+    }
+    return text;
+}
+
+// Bytes of the UTF-8 sequence that begins with this byte; 0 if none does.
+std::size_t sequence_length(unsigned char first) noexcept {
+    if (first < 0x80) return 1;
+    if (first >= 0xC2 && first <= 0xDF) return 2;
+    if (first >= 0xE0 && first <= 0xEF) return 3;
+    if (first >= 0xF0 && first <= 0xF4) return 4;
+    return 0;
+}
+
+// The second byte's range excludes overlong forms, surrogates and code points above U+10FFFF.
+bool is_second_byte(unsigned char first, unsigned char second) noexcept {
+    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    return low <= second && second <= high;
+}
+
+bool is_sequence(std::string_view bytes) noexcept {
+    const auto byte = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    const std::size_t length = sequence_length(byte(0));
+    if (length == 0 || length > bytes.size()) return false;
+    if (length > 1 && !is_second_byte(byte(0), byte(1))) return false;
+    for (std::size_t i = 2; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return false;
+    }
+    return true;
+}
+
+// Where the first byte stands that is not UTF-8 or is NUL.
+std::optional<std::size_t> first_bad_byte(std::string_view text) noexcept {
+    for (std::size_t i = 0; i < text.size(); i += sequence_length(static_cast<unsigned char>(text[i]))) {
+        if (text[i] == '\0' || !is_sequence(text.substr(i))) return i;
+    }
+    return std::nullopt;
+}
+
+void require_utf8(const std::string& text, const std::filesystem::path& path) {
+    const auto bad = first_bad_byte(text);
+    if (!bad) return;
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*bad), '\n');
+    throw Error{path.string() + ":" + std::to_string(line) + ": not UTF-8 text"};
+}
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& path) {
+    require_file(path);
+    std::string text = contents(path);
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+    if (trimmed(text).empty()) throw Error{path.string() + ": file is empty"};
+    require_utf8(text, path);
+    return text;
+}
+
+std::string_view trimmed(std::string_view text) noexcept {
+    const auto first = text.find_first_not_of(white_space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(white_space) - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> pieces;
+    for (auto end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+        pieces.push_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    pieces.push_back(text);
+    return pieces;
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> pieces;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const auto end = std::min(text.find_first_of(white_space), text.size());
+        pieces.push_back(text.substr(0, end));
+        text.remove_prefix(end);
+    }
+    return pieces;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string list;
+    for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
+    return list;
+}
+
+std::string in_quotes(std::string_view text) {
+    std::string line = '"' + std::string{text} + '"';
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
+    return line;
+}
+
+std::string gnuplot_string(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string brief(double value, int digits) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    return {text.data(), end};
+}
+
+double number_in(std::string_view text) {
+    std::string_view digits = trimmed(text);
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (failure == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+        throw Error{in_quotes(text) + " is not a number"};
+    }
+    if (failure == std::errc::result_out_of_range) {
+        throw Error{in_quotes(text) + " is too large or too small for a number"};
+    }
+    if (!std::isfinite(value)) throw Error{in_quotes(text) + " is not a finite number"};
+    return value;
+}
+
+}  // namespace hts::spectral

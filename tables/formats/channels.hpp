@@ -1,0 +1,50 @@
+/// Few channels in place of a spectrum, for file formats that hold no more: linear sRGB, or luminance alone.
+///
+/// Such a channel is no wavelength, but SpectralBrdf needs one to name it by: 0.46, 0.55 and 0.62 um stand for blue, green
+/// and red, 0.55 um for luminance, as everywhere in this project.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "spectral/colour/colour.hpp"
+#include "tables/formats/spectral_brdf.hpp"
+
+namespace hts::tables {
+
+/// Wavelengths that name blue, green and red: 0.46, 0.55, 0.62 um.
+[[nodiscard]] const spectral::WavelengthGrid& rgb_wavelengths();
+/// The wavelength that names luminance: 0.55 um.
+[[nodiscard]] const spectral::WavelengthGrid& luminance_wavelength();
+
+/// Most wavelengths that a spectrum may have where channels are made of it: 1024.
+inline constexpr std::size_t most_channels = 1024;
+
+/// Linear sRGB of a BRDF [1/sr] and of its specular reflectance [1], blue first; a perfect white has 1/pi and 1 in all three.
+///   formula   colour.hpp and display_colour.hpp; components below 0 (out of gamut) become 0
+///   source    must cover the visible (else hts::Error, see tristimulus_weights)
+[[nodiscard]] std::unique_ptr<SpectralBrdf> linear_srgb_brdf(std::shared_ptr<const SpectralBrdf> source,
+                                                             spectral::Illuminant illuminant);
+
+/// BRDF as the eye weighs it, luminance factor over pi [1/sr], and the Y of the specular reflectance [1].
+///   source    as above
+[[nodiscard]] std::unique_ptr<SpectralBrdf> luminance_brdf(std::shared_ptr<const SpectralBrdf> source,
+                                                           spectral::Illuminant illuminant);
+
+/// One wavelength of a BRDF.
+///   index   < source.wavelengths().size(), else hts::Error
+[[nodiscard]] std::unique_ptr<SpectralBrdf> brdf_at(std::shared_ptr<const SpectralBrdf> source,
+                                                    std::size_t index);
+
+/// The same values under other names.
+///   names   as many as the source has wavelengths, else hts::Error
+[[nodiscard]] std::unique_ptr<SpectralBrdf> with_channels_named(std::shared_ptr<const SpectralBrdf> source,
+                                                                const spectral::WavelengthGrid& names);
+
+/// BRDFs of one wavelength each as one of them all.
+///   parts   in the order of increasing wavelength, at most most_channels, else hts::Error
+[[nodiscard]] std::unique_ptr<SpectralBrdf> joined(const std::string& name,
+                                                   std::vector<std::shared_ptr<const SpectralBrdf>> parts);
+
+}  // namespace hts::tables

@@ -1,0 +1,238 @@
+#include "tables/formats/measured_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "hts/microfacet/lobes.hpp"
+#include "spectral/models/model_readers.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/brdf_file.hpp"
+#include "tables/formats/channels.hpp"
+
+namespace hts::tables {
+namespace {
+
+using spectral::OutsideRange;
+
+constexpr double pi = std::numbers::pi;
+
+// A spectral BRDF at one wavelength, between two of its own.
+class OneWavelength {
+  public:
+    OneWavelength(std::shared_ptr<const SpectralBrdf> brdf, double wavelength_um) : brdf_{std::move(brdf)} {
+        const auto nodes = brdf_->wavelengths().micrometres();
+        const auto above = std::upper_bound(nodes.begin(), nodes.end(), wavelength_um);
+        const auto index = static_cast<std::size_t>(above - nodes.begin());
+        low_ = index == 0 ? 0 : index - 1;
+        high_ = std::min(index, nodes.size() - 1);
+        if (index > 0 && high_ > low_) share_ = (wavelength_um - nodes[low_]) / (nodes[high_] - nodes[low_]);
+    }
+
+    using Spectrum = std::array<double, most_channels>;
+
+    [[nodiscard]] bool same_file(const OneWavelength& other) const noexcept { return brdf_ == other.brdf_; }
+    /// At the wavelengths of the file.
+    void spectrum(const Direction& in, const Direction& out, Spectrum& result) const noexcept {
+        brdf_->brdf({in, out}, std::span{result}.first(brdf_->wavelengths().size()));
+    }
+    [[nodiscard]] double operator()(const Spectrum& spectrum) const noexcept {
+        return std::lerp(spectrum[low_], spectrum[high_], share_);
+    }
+    [[nodiscard]] double operator()(const Direction& in, const Direction& out) const noexcept {
+        Spectrum all;
+        spectrum(in, out, all);
+        return (*this)(all);
+    }
+
+  private:
+    std::shared_ptr<const SpectralBrdf> brdf_;
+    std::size_t low_, high_;
+    double share_ = 0;
+};
+
+Direction turned(double cosine, double azimuth, const Direction& from) {
+    const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
+    const double x = sine * std::cos(azimuth), y = sine * std::sin(azimuth);
+    return Direction::from_unit_vector(
+        {x * from.cos_phi() - y * from.sin_phi(), x * from.sin_phi() + y * from.cos_phi(), cosine});
+}
+
+// Which cell of the hemisphere how much light goes to, per angle of incidence; azimuths are those from the light.
+class CellDraws {
+  public:
+    explicit CellDraws(const OneWavelength& brdf) : running_(incidences * cells) {
+        for (std::size_t i = 0; i < incidences; ++i) {
+            double sum = 0;
+            for (std::size_t cell = 0; cell < cells; ++cell) {
+                const double cosine = (edge(cell / turns) + edge(cell / turns + 1)) / 2;
+                for (const double phi : {0.0, 0.4, 1.7, 3.9}) {  // of the light, in case it matters
+                    const Direction in = Direction::from_angles(angle_of(i), phi);
+                    sum += brdf(in, turned(cosine, (static_cast<double>(cell % turns) + 0.5) * turn, in)) *
+                           cosine * solid_angle(cell);
+                }
+                running_[i * cells + cell] = sum;
+            }
+            for (std::size_t cell = 0; cell < cells && sum > 0; ++cell) running_[i * cells + cell] /= sum;
+        }
+    }
+
+    // Density in solid angle; 0 where there is no light.
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
+        const double x = out.cos_phi() * in.cos_phi() + out.sin_phi() * in.sin_phi();
+        const double y = out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi();
+        const double azimuth = std::atan2(y, x), theta = std::atan2(out.sin_theta(), out.cos_theta());
+        const auto ring = std::min(static_cast<std::size_t>(theta / ring_width), rings - 1);
+        const double in_turns = (azimuth < 0 ? azimuth + 2 * pi : azimuth) / turn;
+        const std::size_t cell = ring * turns + std::min(static_cast<std::size_t>(in_turns), turns - 1);
+        const auto [low, share] = incidence(in);
+        return std::lerp(probability(low, cell), probability(low + 1, cell), share) / solid_angle(cell);
+    }
+    // Whether anything is drawn is up to pdf.
+    [[nodiscard]] Vector3 draw(const Direction& in, double choice, double u1, double u2) const noexcept {
+        const auto [low, share] = incidence(in);
+        const bool upper = choice < share;
+        const double u = upper ? choice / share : (choice - share) / (1 - share);
+        const auto first = running_.begin() + static_cast<std::ptrdiff_t>((upper ? low + 1 : low) * cells);
+        const auto found = std::upper_bound(first, first + cells, u);
+        const auto cell = std::min(static_cast<std::size_t>(found - first), cells - 1);
+        return turned(std::lerp(edge(cell / turns), edge(cell / turns + 1), u1),
+                      (static_cast<double>(cell % turns) + u2) * turn, in)
+            .vector();
+    }
+
+  private:
+    static constexpr std::size_t incidences = 24, rings = 45, turns = 90, cells = rings * turns;
+    static constexpr double ring_width = pi / 2 / rings, turn = 2 * pi / turns;
+
+    static double angle_of(std::size_t incidence) {
+        return static_cast<double>(incidence) * (89 * pi / 180) / (incidences - 1);
+    }
+    static double edge(std::size_t ring) noexcept {
+        return ring == rings ? 0 : std::cos(static_cast<double>(ring) * ring_width);
+    }
+    static double solid_angle(std::size_t cell) noexcept {
+        return (edge(cell / turns) - edge(cell / turns + 1)) * turn;
+    }
+    struct Incidence {
+        std::size_t low;
+        double share;
+    };
+    static Incidence incidence(const Direction& in) noexcept {
+        const double at =
+            std::min(std::atan2(in.sin_theta(), in.cos_theta()) / (89 * pi / 180), 1.0) * (incidences - 1);
+        const auto low = std::min(static_cast<std::size_t>(at), incidences - 2);
+        return {low, at - static_cast<double>(low)};
+    }
+    [[nodiscard]] double probability(std::size_t incidence, std::size_t cell) const noexcept {
+        const std::size_t at = incidence * cells + cell;
+        return running_[at] - (cell > 0 ? running_[at - 1] : 0);
+    }
+
+    std::vector<double> running_;  // sums of probability
+};
+
+// A hts::ReflectanceModel.
+class MeasuredModel {
+  public:
+    explicit MeasuredModel(OneWavelength brdf) : prepared_{std::make_shared<Prepared>(std::move(brdf))} {}
+
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
+    // Reads the file's spectrum once.
+    static void brdf(std::span<const MeasuredModel> alike, const Direction& in, const Direction& out,
+                     std::span<double> result) noexcept {
+        if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
+        OneWavelength::Spectrum spectrum;
+        alike.front().prepared_->brdf.spectrum(in, out, spectrum);
+        for (std::size_t i = 0; i < alike.size(); ++i) result[i] = alike[i].prepared_->brdf(spectrum);
+    }
+    [[nodiscard]] bool shares_geometry(const MeasuredModel& other) const noexcept {
+        return prepared_->brdf.same_file(other.prepared_->brdf);
+    }
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
+        if (!above_horizon(in, out)) return 0;
+        return diffuse_share * out.cos_theta() / pi + (1 - diffuse_share) * prepared_->draws().pdf(in, out);
+    }
+    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+        if (u[0] < diffuse_share) return weighted(*this, in, cosine_vector(u[1], u[2]));
+        return weighted(
+            *this, in, prepared_->draws().draw(in, (u[0] - diffuse_share) / (1 - diffuse_share), u[1], u[2]));
+    }
+
+  private:
+    static constexpr double diffuse_share = 0.1;
+
+    // The table of draws is made when it is first asked for.
+    struct Prepared {
+        explicit Prepared(OneWavelength one) : brdf{std::move(one)} {}
+        [[nodiscard]] const CellDraws& draws() const noexcept {
+            std::call_once(once, [this] { made = std::make_unique<const CellDraws>(brdf); });
+            return *made;
+        }
+        OneWavelength brdf;
+        mutable std::once_flag once;
+        mutable std::unique_ptr<const CellDraws> made;
+    };
+    std::shared_ptr<const Prepared> prepared_;
+};
+
+double admitted(const SpectralBrdf& brdf, const Wavelength& wavelength, OutsideRange policy) {
+    const auto nodes = brdf.wavelengths().micrometres();
+    const double um = wavelength.micrometres();
+    if (policy == OutsideRange::clamp ||
+        (um >= nodes.front() * (1 - 1e-9) && um <= nodes.back() * (1 + 1e-9)))
+        return std::clamp(um, nodes.front(), nodes.back());
+    throw out_of_range(brdf.name() + ": wavelength", um, "um",
+                       nodes.size() == 1
+                           ? shortest(nodes.front()) + " um"
+                           : "from " + shortest(nodes.front()) + " to " + shortest(nodes.back()) + " um");
+}
+
+spectral::AnyReflector read_measured(const spectral::MaterialFile& file) {
+    file.json.require_keys_among({"name", "model", "file", "format", "wavelengths_um"});
+    const std::string format = file.json.find("format") ? file.json["format"].text() : "";
+    std::optional<spectral::WavelengthGrid> wavelengths;
+    if (const auto list = file.json.find("wavelengths_um")) {
+        std::vector<double> micrometres;
+        for (const auto& item : list->items()) micrometres.push_back(item.number());
+        wavelengths = spectral::located(list->place(), [&] {
+            return spectral::WavelengthGrid::from_micrometres(std::move(micrometres));
+        });
+    }
+    const auto key = file.json["file"];
+    BrdfFile found = spectral::located(
+        key.place(), [&] { return read_brdf(file.folder / key.text(), wavelengths, format); });
+    return reflector_of(std::move(found.brdf), std::move(found.notes));
+}
+
+}  // namespace
+
+spectral::AnyReflector reflector_of(std::shared_ptr<const SpectralBrdf> brdf,
+                                    std::vector<std::string> notes) {
+    if (brdf->wavelengths().size() > most_channels) {
+        throw out_of_range("number of wavelengths", static_cast<double>(brdf->wavelengths().size()), "",
+                           "at most " + std::to_string(most_channels));
+    }
+    return spectral::AnyReflector{
+        [brdf = std::move(brdf)](const Wavelength& wavelength, OutsideRange policy) {
+            return spectral::AnyModel{MeasuredModel{{brdf, admitted(*brdf, wavelength, policy)}}};
+        },
+        std::move(notes)};
+}
+
+const std::vector<spectral::ModelEntry>& models_with_files() {
+    static const std::vector<spectral::ModelEntry> models = [] {
+        auto all = spectral::built_in_models();
+        all.push_back({"measured", "the file it names", read_measured});
+        return all;
+    }();
+    return models;
+}
+
+}  // namespace hts::tables

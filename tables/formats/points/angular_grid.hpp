@@ -1,0 +1,56 @@
+/// A BRDF on a regular grid of angles: what gonioreflectometers measure and text formats hold.
+///
+/// A grid runs over the light's azimuth and polar angle and over the view's azimuth and polar angle, all in degrees as in
+/// files. The view's are taken about the normal (theta_r, phi_r - phi_i) or about the mirror direction:
+///   polar angle   between view and mirror direction
+///   azimuth       about the mirror direction, 0 towards the normal, growing counter-clockwise seen against the mirrored ray
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tables/formats/spectral_brdf.hpp"
+
+namespace hts::tables {
+
+enum class PolarAxis { normal, mirror };
+
+struct AngularGrid {
+    PolarAxis axis = PolarAxis::normal;
+    // [deg], each strictly increasing and not empty
+    std::vector<double> phi_i{0};  ///< within 360; one of them says that the surface is isotropic
+    std::vector<double> theta_i;   ///< 0 ... 90
+    std::vector<double>
+        azimuth;  ///< 0 ... 180 if the surface is symmetric to the plane of incidence, else within 360
+    std::vector<double> polar;  ///< 0 ... 90 about the normal, 0 ... 180 about the mirror direction
+    bool symmetric = true;      ///< whether azimuths above 180 follow from those below
+
+    [[nodiscard]] std::size_t size() const noexcept {
+        return phi_i.size() * theta_i.size() * azimuth.size() * polar.size();
+    }
+    /// The pair at a node; none if the view is below the horizon. Nodes are counted with `polar` fastest, then `azimuth`,
+    /// `theta_i`, `phi_i`.
+    [[nodiscard]] std::optional<DirectionPair> pair(std::size_t node) const;
+    /// hts::Error that names the axis and the value that is out of place.
+    void check() const;
+};
+
+/// Values [1/sr] at every node, all wavelengths of a node together; 0 below the horizon. Same bits for any number of threads.
+[[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const SpectralBrdf& brdf);
+
+/// Linear interpolation in all angles; nodes below the horizon have no part in it. Constant beyond the ends of an axis.
+///   values   as `values_on` gives them, finite, grid.size() times the number of wavelengths; else hts::Error
+[[nodiscard]] std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
+                                                         const spectral::WavelengthGrid& wavelengths,
+                                                         AngularGrid grid, std::vector<double> values);
+
+/// Whether the BRDF is the same on both sides of the plane of incidence, as far as random pairs can tell (1e-6).
+[[nodiscard]] bool is_plane_symmetric(const SpectralBrdf& brdf);
+
+/// The same azimuths continued to 360 degrees, for surfaces that are not symmetric.
+[[nodiscard]] AngularGrid without_symmetry(AngularGrid grid);
+
+}  // namespace hts::tables

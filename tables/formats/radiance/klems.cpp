@@ -1,0 +1,173 @@
+#include "tables/formats/radiance/klems.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+
+namespace hts::tables {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double squared_sine(double degrees) {
+    const double sine = std::sin(degrees * pi / 180);
+    return sine * sine;
+}
+
+class KlemsBrdf final : public SpectralBrdf {
+  public:
+    KlemsBrdf(const std::string& name, const spectral::WavelengthGrid& wavelength, const KlemsBasis& basis,
+              std::vector<double> means)
+        : SpectralBrdf{name, wavelength}, basis_{basis}, means_{std::move(means)} {}
+
+    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
+        const bool above = pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
+        values[0] =
+            above ? means_[basis_.patch(pair.out) * basis_.size() + basis_.patch(pair.in.mirror())] : 0;
+    }
+    void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
+        values[0] = 0;
+    }
+
+  private:
+    const KlemsBasis& basis_;
+    std::vector<double> means_;
+};
+
+// Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until it changes by 1 % at most.
+double mean_of(const SpectralBrdf& brdf, const KlemsBasis& basis, std::size_t light, std::size_t view) {
+    constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
+                                          0.5385972572236101};
+    constexpr int first = 256, most = 1 << 15;
+    double sum = 0, before = -1;
+    for (int count = 0, next = first;; next *= 2) {
+        for (; count < next; ++count) {
+            const auto at = [&](std::size_t axis) { return std::fmod(0.5 + (count + 1) * steps[axis], 1.0); };
+            double value = 0;
+            brdf.brdf({basis.point(light, at(0), at(1)).mirror(), basis.point(view, at(2), at(3))},
+                      {&value, 1});
+            sum += value;
+        }
+        const double mean = sum / count;
+        if (next >= most || std::abs(mean - before) <= 0.01 * mean) return mean;
+        before = mean;
+    }
+}
+
+}  // namespace
+
+KlemsBasis::KlemsBasis(std::string name, std::vector<Ring> rings)
+    : name_{std::move(name)}, rings_{std::move(rings)} {
+    for (const Ring& ring : rings_) size_ += ring.patches;
+}
+
+const KlemsBasis& KlemsBasis::full() {
+    static const KlemsBasis basis{"LBNL/Klems Full",
+                                  {{0, 5, 1},
+                                   {5, 15, 8},
+                                   {15, 25, 16},
+                                   {25, 35, 20},
+                                   {35, 45, 24},
+                                   {45, 55, 24},
+                                   {55, 65, 24},
+                                   {65, 75, 16},
+                                   {75, 90, 12}}};
+    return basis;
+}
+
+const KlemsBasis& KlemsBasis::half() {
+    static const KlemsBasis basis{"LBNL/Klems Half",
+                                  {{0, 6.5, 1},
+                                   {6.5, 19.5, 8},
+                                   {19.5, 32.5, 12},
+                                   {32.5, 46.5, 16},
+                                   {46.5, 61.5, 20},
+                                   {61.5, 76.5, 12},
+                                   {76.5, 90, 4}}};
+    return basis;
+}
+
+const KlemsBasis& KlemsBasis::quarter() {
+    static const KlemsBasis basis{"LBNL/Klems Quarter",
+                                  {{0, 9, 1}, {9, 27, 8}, {27, 46, 12}, {46, 66, 12}, {66, 90, 8}}};
+    return basis;
+}
+
+const KlemsBasis& KlemsBasis::named(std::string_view name) {
+    for (const KlemsBasis* basis : {&full(), &half(), &quarter()}) {
+        if (basis->name() == name) return *basis;
+    }
+    throw Error{"angle basis " + spectral::in_quotes(name.substr(0, 40)) +
+                ": must be LBNL/Klems Full, LBNL/Klems Half or LBNL/Klems Quarter"};
+}
+
+std::size_t KlemsBasis::patch(const Direction& direction) const noexcept {
+    const double theta = std::atan2(direction.sin_theta(), direction.cos_theta()) * 180 / pi;
+    const double turn = std::atan2(direction.sin_phi(), direction.cos_phi()) / (2 * pi) + 1;
+    std::size_t first = 0, ring = 0;
+    for (; ring + 1 < rings_.size() && theta >= rings_[ring].high; ++ring) first += rings_[ring].patches;
+    const std::size_t count = rings_[ring].patches;
+    return first + static_cast<std::size_t>(std::lround(turn * static_cast<double>(count))) % count;
+}
+
+std::size_t KlemsBasis::ring_of(std::size_t patch, std::size_t& place) const {
+    std::size_t ring = 0;
+    for (; patch >= rings_.at(ring).patches; ++ring) patch -= rings_[ring].patches;
+    place = patch;
+    return ring;
+}
+
+double KlemsBasis::projected_solid_angle(std::size_t patch) const {
+    std::size_t place = 0;
+    const Ring& ring = rings_[ring_of(patch, place)];
+    return pi * (squared_sine(ring.high) - squared_sine(ring.low)) / static_cast<double>(ring.patches);
+}
+
+Direction KlemsBasis::point(std::size_t patch, double across, double along) const {
+    std::size_t place = 0;
+    const Ring& ring = rings_[ring_of(patch, place)];
+    const double sine = std::sqrt(std::lerp(squared_sine(ring.low), squared_sine(ring.high), across));
+    const double phi =
+        2 * pi * (static_cast<double>(place) + along - 0.5) / static_cast<double>(ring.patches);
+    return Direction::from_angles(std::min(std::asin(sine), pi / 2), phi);
+}
+
+std::vector<double> klems_means(const SpectralBrdf& brdf, const KlemsBasis& basis) {
+    if (brdf.wavelengths().size() != 1) {
+        throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
+                           "1 in a table over Klems' patches");
+    }
+    const std::size_t size = basis.size();
+    std::vector<double> means(size * size, 0);
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::size_t pair = 0; pair < size * size; ++pair)
+        means[pair] = mean_of(brdf, basis, pair % size, pair / size);
+    return means;
+}
+
+double largest_reflectance(const KlemsBasis& basis, std::span<const double> means) {
+    double largest = 0;
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+        double sum = 0;
+        for (std::size_t o = 0; o < basis.size(); ++o)
+            sum += means[o * basis.size() + i] * basis.projected_solid_angle(o);
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+std::unique_ptr<SpectralBrdf> klems_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
+                                         const KlemsBasis& basis, std::vector<double> means) {
+    if (wavelength.size() != 1 || means.size() != basis.size() * basis.size()) {
+        throw out_of_range("number of patches' means", static_cast<double>(means.size()), "",
+                           std::to_string(basis.size() * basis.size()) + " at one wavelength");
+    }
+    return std::make_unique<KlemsBrdf>(name, wavelength, basis, std::move(means));
+}
+
+}  // namespace hts::tables

@@ -1,0 +1,60 @@
+#include "tables/formats/spectral_brdf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "spectral/random_directions.hpp"
+
+namespace hts::tables {
+namespace {
+
+Direction turned(const Direction& direction, double cosine, double sine) {
+    const Vector3 v = direction.vector();
+    return Direction::from_unit_vector({cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z});
+}
+
+/// Largest relative change of the BRDF over random pairs when each becomes changed(pair, random angle).
+template <class Change>
+double largest_change(const SpectralBrdf& brdf, Change&& changed) {
+    constexpr int pairs = 256;
+    std::mt19937_64 random{1};
+    std::vector<double> before(brdf.wavelengths().size()), after(before.size());
+    double worst = 0;
+    for (int i = 0; i < pairs; ++i) {
+        const Direction in = spectral::random_direction(random, 0.1);
+        const DirectionPair pair{in, spectral::random_direction(random, 0.1)};
+        const double turn = 2 * std::numbers::pi * spectral::uniform(random);
+        brdf.brdf(pair, before);
+        brdf.brdf(changed(pair, turn), after);
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            const double larger = std::max(before[k], after[k]);
+            if (larger > 1e-12) worst = std::max(worst, std::abs(before[k] - after[k]) / larger);
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+double anisotropy(const SpectralBrdf& brdf) {
+    return largest_change(brdf, [](const DirectionPair& pair, double turn) {
+        const double cosine = std::cos(turn), sine = std::sin(turn);
+        return DirectionPair{turned(pair.in, cosine, sine), turned(pair.out, cosine, sine)};
+    });
+}
+
+bool is_isotropic(const SpectralBrdf& brdf) {
+    return anisotropy(brdf) < 1e-6;
+}
+
+double irreciprocity(const SpectralBrdf& brdf) {
+    return largest_change(brdf, [](const DirectionPair& pair, double /*turn*/) {
+        return DirectionPair{pair.out, pair.in};
+    });
+}
+
+}  // namespace hts::tables

@@ -1,0 +1,288 @@
+#include "tables/formats/zemax.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "spectral/colour/display_colour.hpp"
+#include "spectral/text/json_value.hpp"
+#include "spectral/text/output.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/channels.hpp"
+#include "tables/formats/points/tokens.hpp"
+
+namespace hts::tables {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr std::size_t most_angles = 100'000;  // per axis
+constexpr std::string_view wavelength_comment = "# wavelength_um ";
+
+// The grid's cells cut into four along the polar angle and two along the azimuth: their middles, with solid angles.
+struct FineGrid {
+    AngularGrid grid;
+    std::vector<double> solid_angle;  // per azimuth and polar angle
+};
+
+std::vector<double> cut(const std::vector<double>& nodes, int pieces, std::vector<double>& widths) {
+    std::vector<double> middles;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const double width = (nodes[i] - nodes[i - 1]) / pieces;
+        for (int k = 0; k < pieces; ++k) {
+            middles.push_back(nodes[i - 1] + (k + 0.5) * width);
+            widths.push_back(width * degree);
+        }
+    }
+    return middles;
+}
+
+FineGrid fine(const AngularGrid& coarse) {
+    FineGrid result{coarse, {}};
+    std::vector<double> turns, radii;
+    result.grid.azimuth = cut(coarse.azimuth, 2, turns);
+    result.grid.polar = cut(coarse.polar, 4, radii);
+    for (const double turn : turns) {
+        for (std::size_t r = 0; r < radii.size(); ++r) {
+            result.solid_angle.push_back((coarse.symmetric ? 2 : 1) * turn * radii[r] *
+                                         std::sin(result.grid.polar[r] * degree));
+        }
+    }
+    return result;
+}
+
+// Reflectance per angle of incidence and wavelength.
+std::vector<double> reflectances(const AngularGrid& coarse, const SpectralBrdf& brdf) {
+    const FineGrid cells = fine(coarse);
+    const std::size_t wavelengths = brdf.wavelengths().size();
+    const std::vector<double> values = values_on(cells.grid, brdf);
+    std::vector<double> sums(coarse.theta_i.size() * wavelengths, 0);
+    for (std::size_t node = 0; node < cells.grid.size(); ++node) {
+        const auto pair = cells.grid.pair(node);
+        if (!pair) continue;
+        const double share = cells.solid_angle[node % cells.solid_angle.size()] * pair->out.cos_theta();
+        for (std::size_t k = 0; k < wavelengths; ++k)
+            sums[node / cells.solid_angle.size() * wavelengths + k] += share * values[node * wavelengths + k];
+    }
+    return sums;
+}
+
+void append_list(std::string& text, const char* name, const std::vector<double>& angles) {
+    text.append(name).append(" ").append(std::to_string(angles.size())).append("\n");
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        if (i > 0) text += ' ';
+        append_rounded(text, angles[i], 9);
+    }
+    text += '\n';
+}
+
+std::string header(const AngularGrid& grid, const std::string& name, double wavelength_um) {
+    std::string text = "# ";
+    text.append(spectral::in_quotes(name)).append(", BRDF in 1/sr without the cosine, written by hts\n");
+    text.append(wavelength_comment).append(shortest(wavelength_um)).append("\nSource Generated\nSymmetry ");
+    text.append(grid.symmetric ? "PlaneSymmetrical" : "Asymmetrical");
+    text.append("\nSpectralContent Monochrome\nScatterType BRDF\nSampleRotation 1\n0\n");
+    append_list(text, "AngleOfIncidence", grid.theta_i);
+    append_list(text, "ScatterAzimuth", grid.azimuth);
+    append_list(text, "ScatterRadial", grid.polar);
+    return text + "\nMonochrome\nDataBegin\n";
+}
+
+// What stands in front of the data.
+struct Header {
+    AngularGrid grid;
+    bool tristimulus = false;
+};
+
+std::vector<double> take_list(Tokens& tokens, std::string_view keyword, const char* quantity) {
+    tokens.take_word(keyword);
+    const std::size_t count = tokens.take_count(quantity, most_angles);
+    return tokens.take_numbers(quantity, count);
+}
+
+void take_choice(Tokens& tokens, std::string_view keyword, std::string_view choice, const char* reason) {
+    tokens.take_word(keyword);
+    if (tokens.next() != choice) {
+        throw tokens.error(
+            std::string{keyword}.append(" ").append(tokens.next().substr(0, 40)).append(": ").append(reason));
+    }
+    tokens.take();
+}
+
+Header take_header(Tokens& tokens) {
+    Header header;
+    header.grid.axis = PolarAxis::mirror;
+    tokens.take_word("Source");
+    tokens.take();
+    tokens.take_word("Symmetry");
+    header.grid.symmetric = tokens.next() == "PlaneSymmetrical";
+    if (!header.grid.symmetric && tokens.next() != "Asymmetrical" && tokens.next() != "ASymmetrical")
+        throw tokens.error("Symmetry: must be PlaneSymmetrical or Asymmetrical");
+    tokens.take();
+    tokens.take_word("SpectralContent");
+    header.tristimulus = tokens.next() == "XYZ";
+    if (!header.tristimulus && tokens.next() != "Monochrome")
+        throw tokens.error("SpectralContent: must be Monochrome or XYZ");
+    tokens.take();
+    take_choice(tokens, "ScatterType", "BRDF", "only reflection can be read");
+    take_choice(tokens, "SampleRotation", "1", "only isotropic surfaces, with one rotation, can be read");
+    tokens.take_number("rotation of the sample");
+    header.grid.theta_i = take_list(tokens, "AngleOfIncidence", "angle of incidence");
+    header.grid.azimuth = take_list(tokens, "ScatterAzimuth", "azimuth");
+    header.grid.polar = take_list(tokens, "ScatterRadial", "radial angle");
+    try {
+        header.grid.check();
+    } catch (const Error& failure) {
+        throw tokens.error(failure.what());
+    }
+    return header;
+}
+
+// One value per node.
+std::vector<double> take_block(Tokens& tokens, std::string_view keyword, const AngularGrid& grid) {
+    tokens.take_word(keyword);
+    tokens.take_word("DataBegin");
+    std::vector<double> values;
+    for (std::size_t i = 0; i < grid.theta_i.size(); ++i) {
+        tokens.take_word("TIS");
+        tokens.take_number("TIS");
+        for (std::size_t k = 0; k < grid.azimuth.size(); ++k) {
+            for (std::size_t r = 0; r < grid.polar.size(); ++r)
+                values.push_back(std::max(0.0, tokens.take_number("BRDF")));
+        }
+    }
+    tokens.take_word("DataEnd");
+    return values;
+}
+
+std::vector<double> take_linear_srgb(Tokens& tokens, const AngularGrid& grid) {
+    const auto X = take_block(tokens, "TristimulusX", grid), Y = take_block(tokens, "TristimulusY", grid),
+               Z = take_block(tokens, "TristimulusZ", grid);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < X.size(); ++i) {
+        const auto rgb = spectral::linear_srgb({X[i], Y[i], Z[i]}, spectral::Illuminant::D65);
+        for (const double value : {rgb.blue, rgb.green, rgb.red}) values.push_back(std::max(0.0, value));
+    }
+    return values;
+}
+
+std::optional<spectral::WavelengthGrid> commented_wavelength(std::string_view text, const std::string& name) {
+    const auto at = text.find(wavelength_comment);
+    if (at == std::string_view::npos) return std::nullopt;
+    text.remove_prefix(at + wavelength_comment.size());
+    return spectral::located(name, [&] {
+        return spectral::WavelengthGrid::from_micrometres(
+            {spectral::number_in(text.substr(0, text.find('\n')))});
+    });
+}
+
+}  // namespace
+
+AngularGrid zemax_grid() {
+    AngularGrid grid;
+    grid.axis = PolarAxis::mirror;
+    for (double theta = 0; theta < 40; theta += 2.5) grid.theta_i.push_back(theta);
+    for (double theta = 40; theta < 90; theta += 1) grid.theta_i.push_back(theta);
+    for (double azimuth = 0; azimuth <= 180; azimuth += 10) grid.azimuth.push_back(azimuth);
+    grid.polar = {0, 0.1, 0.2, 0.5};
+    for (double r = 1; r < 20; r += 1) grid.polar.push_back(r);
+    for (double r = 20; r < 60; r += 2) grid.polar.push_back(r);
+    for (double r = 60; r <= 170; r += 5) grid.polar.push_back(r);
+    return grid;
+}
+
+std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid) {
+    if (!is_isotropic(brdf)) {
+        throw Error{brdf.name() +
+                    ": depends on the azimuth of the light, which OpticStudio's BSDF does not know"};
+    }
+    grid.check();
+    if (!is_plane_symmetric(brdf)) grid = without_symmetry(std::move(grid));
+    const std::vector<double> values = values_on(grid, brdf), tis = reflectances(grid, brdf);
+    const std::size_t wavelengths = brdf.wavelengths().size();
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < wavelengths; ++k) {
+        std::string text = header(grid, brdf.name(), brdf.wavelengths().micrometres()[k]);
+        std::size_t node = 0;
+        for (std::size_t i = 0; i < grid.theta_i.size(); ++i) {
+            text += "TIS ";
+            append_rounded(text, tis[i * wavelengths + k]);
+            text += '\n';
+            for (std::size_t a = 0; a < grid.azimuth.size(); ++a) {
+                for (std::size_t r = 0; r < grid.polar.size(); ++r, ++node) {
+                    append_rounded(text, values[node * wavelengths + k]);
+                    text += r + 1 < grid.polar.size() ? ' ' : '\n';
+                }
+            }
+        }
+        texts.push_back(text + "DataEnd\n");
+    }
+    return texts;
+}
+
+std::unique_ptr<SpectralBrdf> zemax_brdf(std::string_view text, const std::string& name,
+                                         const std::optional<spectral::WavelengthGrid>& wavelengths) {
+    Tokens tokens{text, name};
+    const Header header = take_header(tokens);
+    std::vector<double> values = header.tristimulus ? take_linear_srgb(tokens, header.grid)
+                                                    : take_block(tokens, "Monochrome", header.grid);
+    auto channels = wavelengths          ? wavelengths
+                    : header.tristimulus ? rgb_wavelengths()
+                                         : commented_wavelength(text, name);
+    if (!channels) throw Error{name + ": does not say its wavelength, which must be given"};
+    if (channels->size() != (header.tristimulus ? 3U : 1U)) {
+        throw Error{name + ": holds " + (header.tristimulus ? "3 channels" : "1 wavelength") + ", not " +
+                    std::to_string(channels->size())};
+    }
+    return gridded_brdf(name, *channels, header.grid, std::move(values));
+}
+
+std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    const auto wavelengths = brdf.wavelengths().micrometres();
+    if (wavelengths.size() > 1 && path.extension() != ".json") {
+        throw Error{path.string() + ": one file holds one wavelength; for " +
+                    std::to_string(wavelengths.size()) + " name an index that ends in .json"};
+    }
+    const std::vector<std::string> texts = zemax_texts(brdf);
+    if (texts.size() == 1 && path.extension() != ".json") return {{path.string(), texts.front()}};
+    std::vector<spectral::TextFile> files;
+    std::string index = "{\"zemax_files\": [";
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        std::string nanometres;
+        append_rounded(nanometres, 1000 * wavelengths[k], 9);
+        const auto file = path.parent_path() / (path.stem().string() + "_" + nanometres + "nm.bsdf");
+        files.push_back({file.string(), texts[k]});
+        index.append(k == 0 ? "\n" : ",\n").append("  {\"wavelength_um\": ").append(shortest(wavelengths[k]));
+        index.append(", \"file\": ").append(spectral::in_quotes(file.filename().string())).append("}");
+    }
+    files.push_back({path.string(), index + "\n]}\n"});
+    return files;
+}
+
+void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+    spectral::write_files(zemax_files(brdf, path));
+}
+
+std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path,
+                                               const std::optional<spectral::WavelengthGrid>& wavelengths) {
+    const auto one = [](const std::filesystem::path& file,
+                        const std::optional<spectral::WavelengthGrid>& channels) {
+        return zemax_brdf(spectral::read_text_file(file), file.string(), channels);
+    };
+    if (path.extension() != ".json") return one(path, wavelengths);
+    if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
+    const auto index = spectral::JsonValue::read(path);
+    std::vector<std::shared_ptr<const SpectralBrdf>> parts;
+    for (const auto& item : index["zemax_files"].items()) {
+        item.require_keys_among({"wavelength_um", "file"});
+        const double micrometres = item["wavelength_um"].number();
+        parts.push_back(spectral::located(item.place(), [&] {
+            return one(path.parent_path() / item["file"].text(),
+                       spectral::WavelengthGrid::from_micrometres({micrometres}));
+        }));
+    }
+    return spectral::located(path.string(), [&] { return joined(path.string(), std::move(parts)); });
+}
+
+}  // namespace hts::tables

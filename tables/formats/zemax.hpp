@@ -1,0 +1,51 @@
+/// Tabular `.bsdf` text of Zemax OpticStudio, the BSDF data interchange format of Radiant Imaging (Rykowski, "Zemax Tabular
+/// BSDF data file format"), also read by libbsdf.
+///
+/// A file holds BRDFs [1/sr] without the cosine, of one wavelength (or of three tristimulus values), on a grid of angles of
+/// incidence, and of azimuth and polar angle about the mirror direction; views below the horizon are 0. The wavelength is no
+/// part of the format: files written here say it in a comment, "# wavelength_um 0.633".
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spectral/text/output.hpp"
+#include "tables/formats/points/angular_grid.hpp"
+
+namespace hts::tables {
+
+/// Angles that suit lobes of 5 degrees and wider: incidence every 2.5 degrees to 40, then every degree to 89; azimuth every 10; polar angle
+/// from 0.1 degrees on in growing steps, at most 5, to 170.
+[[nodiscard]] AngularGrid zemax_grid();
+
+/// A file's text for each wavelength, six digits.
+///   brdf   isotropic, else hts::Error      grid   axis mirror, phi_i one value
+/// "TIS" is the reflectance of each angle of incidence, integrated on a grid four times finer along the polar angle, twice along the azimuth.
+[[nodiscard]] std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid = zemax_grid());
+
+/// The BRDF of a file; one with tristimulus values comes as linear sRGB (rgb_wavelengths).
+///   text          the whole file      name   its path, for messages and as the BRDF's name
+///   wavelengths   what the channels are called: one, for tristimulus values three; if none is given the comment, 0.46,
+///                 0.55 and 0.62 um for tristimulus values, else hts::Error
+/// hts::Error "path:line: …" for anything else than reflection of an isotropic surface.
+[[nodiscard]] std::unique_ptr<SpectralBrdf> zemax_brdf(
+    std::string_view text, const std::string& name,
+    const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
+
+/// Writes files: at one wavelength `path` itself unless it ends in .json; at several `path` must end in .json and becomes an index,
+/// {"zemax_files": [{"wavelength_um": 0.633, "file": "NAME_633nm.bsdf"}, …]}, of files beside it. hts::Error if one cannot be written.
+void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path);
+/// What that writes, the index last.
+[[nodiscard]] std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf,
+                                                          const std::filesystem::path& path);
+
+/// Reads either kind; errors as of zemax_brdf.
+[[nodiscard]] std::shared_ptr<const SpectralBrdf> read_zemax(
+    const std::filesystem::path& path,
+    const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
+
+}  // namespace hts::tables

@@ -1,0 +1,162 @@
+#include "tables/table/table_probes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hts/error.hpp"
+#include "spectral/random_directions.hpp"
+#include "tables/table/build_table.hpp"
+
+namespace hts::tables {
+namespace {
+
+const double lowest_cosine = std::cos(steepest_theta);
+constexpr int whole_degrees = 88;
+constexpr double degree = std::numbers::pi / 180;
+
+}  // namespace
+
+std::vector<DirectionPair> RandomPairs::next(std::size_t count) {
+    std::vector<DirectionPair> pairs;
+    pairs.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        pairs.push_back(about_lobe_ ? lobe_pair() : uniform_pair());
+        about_lobe_ = !about_lobe_;
+    }
+    return pairs;
+}
+
+DirectionPair RandomPairs::uniform_pair() {
+    const Direction in = spectral::random_direction(random_, lowest_cosine);
+    return {in, spectral::random_direction(random_, lowest_cosine)};
+}
+
+DirectionPair RandomPairs::lobe_pair() {
+    for (;;) {
+        const Direction in = Direction::from_angles(steepest_theta * spectral::uniform(random_), 0);
+        const double slope = std::pow(10, -2.5 + 3 * spectral::uniform(random_));
+        const double azimuth = 2 * std::numbers::pi * spectral::uniform(random_);
+        const double up = 1 / std::sqrt(1 + slope * slope);
+        const Vector3 half{up * slope * std::cos(azimuth), up * slope * std::sin(azimuth), up};
+        const Vector3 out = 2 * dot(in.vector(), half) * half - in.vector();
+        if (out.z >= lowest_cosine) return {in, Direction::from_vector(out)};
+    }
+}
+
+LobePeaks::LobePeaks(const SpectralBrdf& exact)
+    : wavelengths_{exact.wavelengths().size()}, peaks_((whole_degrees + 1) * wavelengths_) {
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i <= whole_degrees; ++i) {
+        const Direction in = Direction::from_degrees(i, 0);
+        std::vector<double> values(wavelengths_);
+        double* const peaks = peaks_.data() + static_cast<std::size_t>(i) * wavelengths_;
+        for (int half = -2 * whole_degrees; half <= 2 * whole_degrees; ++half) {
+            exact.directional_diffuse({in, Direction::from_degrees(std::abs(half) / 2.0, half < 0 ? 0 : 180)},
+                                      values);
+            for (std::size_t w = 0; w < wavelengths_; ++w) peaks[w] = std::max(peaks[w], values[w]);
+        }
+    }
+}
+
+double LobePeaks::operator()(const Direction& in, std::size_t wavelength) const noexcept {
+    const double degrees = std::atan2(in.sin_theta(), in.cos_theta()) / degree;
+    const int below = std::min(static_cast<int>(degrees), whole_degrees - 1);
+    const double share = degrees - below;
+    const double* const peaks = peaks_.data() + static_cast<std::size_t>(below) * wavelengths_ + wavelength;
+    return (1 - share) * peaks[0] + share * peaks[wavelengths_];
+}
+
+double LobePeaks::least(std::size_t wavelength) const noexcept {
+    double least = peaks_[wavelength];
+    for (std::size_t i = wavelength; i < peaks_.size(); i += wavelengths_) least = std::min(least, peaks_[i]);
+    return least;
+}
+
+double error_scale(double exact, double peak) noexcept {
+    constexpr double nothing = 1e-30;  // where there is no lobe at all
+    return exact + 1e-3 * peak + nothing;
+}
+
+namespace {
+
+/// Errors of one pair at all wavelengths.
+class PairErrors {
+  public:
+    PairErrors(const SpectralBrdf& table, const SpectralBrdf& exact, const LobePeaks& peaks)
+        : table_{table},
+          exact_{exact},
+          peaks_{peaks},
+          lobe_(exact.wavelengths().size()),
+          tabulated_(lobe_.size()),
+          matrices_(table.polarised() ? lobe_.size() : 0),
+          tabulated_matrices_(matrices_.size()) {}
+
+    void write(const DirectionPair& pair, float* errors) {
+        exact_.directional_diffuse(pair, lobe_);
+        table_.directional_diffuse(pair, tabulated_);
+        if (!matrices_.empty()) {
+            exact_.mueller(pair, matrices_);
+            table_.mueller(pair, tabulated_matrices_);
+        }
+        for (std::size_t w = 0; w < lobe_.size(); ++w) {
+            double difference = std::abs(tabulated_[w] - lobe_[w]);
+            if (!matrices_.empty()) difference = std::max(difference, largest_difference(w));
+            errors[w] = static_cast<float>(difference / error_scale(lobe_[w], peaks_(pair.in, w)));
+        }
+    }
+
+  private:
+    [[nodiscard]] double largest_difference(std::size_t w) const {
+        double largest = 0;
+        for (std::size_t i = 0; i < 16; ++i) {
+            largest = std::max(largest,
+                               std::abs(matrices_[w].elements()[i] - tabulated_matrices_[w].elements()[i]));
+        }
+        return largest;
+    }
+
+    const SpectralBrdf& table_;
+    const SpectralBrdf& exact_;
+    const LobePeaks& peaks_;
+    std::vector<double> lobe_, tabulated_;
+    std::vector<Mueller> matrices_, tabulated_matrices_;
+};
+
+double nth(std::vector<float>& values, double share) {
+    if (values.empty()) return 0;
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return static_cast<double>(*place);
+}
+
+}  // namespace
+
+TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std::uint64_t pairs,
+                       std::uint64_t seed) {
+    const auto a = table.wavelengths().micrometres(), b = exact.wavelengths().micrometres();
+    if (!std::ranges::equal(a, b))
+        throw Error{"the table and the exact model must have the same wavelengths"};
+    const LobePeaks peaks{exact};
+    RandomPairs random{seed};
+    const std::vector<DirectionPair> all = random.next(pairs);
+    const std::size_t width = a.size();
+    std::vector<float> errors(all.size() * width);
+#pragma omp parallel
+    {
+        PairErrors of_pair{table, exact, peaks};
+#pragma omp for schedule(dynamic, 256)
+        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(all.size()); ++i) {
+            const auto place = static_cast<std::size_t>(i);
+            of_pair.write(all[place], errors.data() + place * width);
+        }
+    }
+    TableError result{0, 0, 0, pairs, seed};
+    if (!errors.empty()) result.largest = static_cast<double>(*std::ranges::max_element(errors));
+    result.percentile_99 = nth(errors, 0.99);
+    result.median = nth(errors, 0.5);
+    return result;
+}
+
+}  // namespace hts::tables

@@ -1,0 +1,198 @@
+#include "validation/curves/curve_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+#include "validation/curves/digitised.hpp"
+#include "validation/curves/import_formats.hpp"
+#include "validation/curves/reciprocity.hpp"
+
+namespace hts::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Angle between two vectors of length 1 [deg].
+double apart(Vector3 a, Vector3 b) {
+    return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+double from_mirror(const CurvePoint& point) {
+    const DirectionPair pair = point.pair();
+    return apart(pair.in.mirror().vector(), pair.out.vector());
+}
+
+/// A reason to leave a point out, and how many it met.
+struct Reason {
+    std::string text;
+    std::size_t count = 0;
+};
+
+/// Says which points stay.
+class Filter {
+  public:
+    explicit Filter(Selection keep) : keep_{keep} {}
+
+    bool keeps(const CurvePoint& p) {
+        const Selection& k = keep_;
+        const auto [least, most] = std::minmax(p.theta_i, p.theta_r);
+        if (k.positive_only && !(p.value > 0)) return reject(0);
+        if (least < k.least_theta || most > k.largest_theta) return reject(1);
+        const DirectionPair pair = p.pair();
+        if (apart(pair.in.vector(), pair.out.vector()) < k.least_apart) return reject(2);
+        if (from_mirror(p) < k.least_from_mirror) return reject(3);
+        const double turn = std::abs(std::remainder(p.phi_r - p.phi_i, 360));
+        if (k.in_plane_only && turn != 0 && turn != 180) return reject(4);
+        return true;
+    }
+    /// What was left out, for the reader of the file.
+    [[nodiscard]] std::vector<std::string> notes() const {
+        std::vector<std::string> result;
+        for (const Reason& reason : reasons_)
+            if (reason.count > 0)
+                result.push_back("left out: " + std::to_string(reason.count) + " values " + reason.text);
+        return result;
+    }
+
+  private:
+    bool reject(std::size_t reason) {
+        ++reasons_.at(reason).count;
+        return false;
+    }
+    Selection keep_;
+    std::array<Reason, 5> reasons_{
+        Reason{"that are 0 or negative"},
+        Reason{"with a polar angle outside " + shortest(keep_.least_theta) + " ... " +
+               shortest(keep_.largest_theta) + " deg"},
+        Reason{"with light and viewer less than " + shortest(keep_.least_apart) + " deg apart"},
+        Reason{"less than " + shortest(keep_.least_from_mirror) + " deg from the mirror direction"},
+        Reason{"out of the plane of incidence"}};
+};
+
+std::vector<ImportedPoint> points_in(const fs::path& path, const ImportRecipe& recipe) {
+    if (recipe.format == ImportFormat::csv) return read_csv_points(path, recipe);
+    return recipe.format == ImportFormat::fred ? read_fred_points(path, recipe)
+                                               : read_astm_points(path, recipe);
+}
+
+/// What `checked` would say without the line.
+void check_value(const CurvePoint& p) {
+    if (!(p.value >= 0)) throw out_of_range("value", p.value, "", ">= 0");
+    for (const double theta : {p.theta_i, p.theta_r})
+        if (!(theta >= 0 && theta <= 90)) throw out_of_range("polar angle", theta, "deg", "0 ... 90 deg");
+}
+
+bool same_curve(const Curve& curve, const ImportedPoint& p) {
+    if (curve.band.first != p.band.first || curve.band.last != p.band.last) return false;
+    if (curve.sweep == Sweep::scattered) return true;
+    return curve.fixed_angle() == (curve.sweep == Sweep::incident ? p.point.theta_r : p.point.theta_i);
+}
+
+/// Points by band and by the angle that stands still, in the file's order.
+std::vector<Curve> grouped(const std::vector<ImportedPoint>& points, Sweep sweep) {
+    std::vector<Curve> curves;
+    for (const ImportedPoint& p : points) {
+        auto curve =
+            std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return same_curve(c, p); });
+        if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{p.band, sweep, {}});
+        curve->points.push_back(p.point);
+    }
+    for (Curve& curve : curves) {
+        if (sweep == Sweep::scattered) continue;
+        std::stable_sort(curve.points.begin(), curve.points.end(),
+                         [&](const CurvePoint& a, const CurvePoint& b) {
+                             return curve.swept_angle(a) < curve.swept_angle(b);
+                         });
+    }
+    return curves;
+}
+
+Curve thinned(const Curve& curve, const Selection& keep) {
+    const auto largest =
+        std::max_element(curve.points.begin(), curve.points.end(),
+                         [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; });
+    Curve result{curve.band, curve.sweep, {}};
+    for (auto p = curve.points.begin(); p != curve.points.end(); ++p) {
+        const bool in_turn = (p - curve.points.begin()) % keep.every == 0;
+        if (in_turn || p == largest || from_mirror(*p) < keep.all_within) result.points.push_back(*p);
+    }
+    return result;
+}
+
+/// To three significant digits, which is more than an uncertainty has.
+double rounded(double value) {
+    return spectral::number_in(spectral::brief(value, 3));
+}
+
+/// Of all points, from what the data say of themselves and from rounding.
+void add_uncertainty(CurveSet& set, const ImportRecipe& recipe) {
+    const Reciprocity pairs = recipe.uncertainty_from_reciprocity ? reciprocity(set) : Reciprocity{};
+    const double relative = pairs.relative_uncertainty(), rounding = recipe.resolution / std::sqrt(12.0);
+    if (relative == 0 && rounding == 0) return;
+    set.uncertainty = "one standard deviation: " + spectral::brief(relative, 3) + " of the value, from " +
+                      std::to_string(pairs.pairs) + " reciprocal pairs of the data themselves";
+    if (rounding > 0)
+        set.uncertainty += ", and values printed in steps of " + spectral::brief(recipe.resolution);
+    for (Curve& curve : set.curves)
+        for (CurvePoint& p : curve.points) p.uncertainty = rounded(std::hypot(relative * p.value, rounding));
+}
+
+/// The points that the recipe keeps; bad ones are errors only where it would keep them.
+std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, const ImportRecipe& recipe,
+                                    const fs::path& path, std::vector<std::string>& notes) {
+    Filter filter{recipe.selection};
+    std::vector<ImportedPoint> kept;
+    std::map<std::array<double, 6>, std::size_t> lines;
+    for (const ImportedPoint& p : points) {
+        spectral::located(path.string() + ":" + std::to_string(p.line), [&] {
+            if (p.point.value <= 0 && recipe.selection.positive_only) {
+                static_cast<void>(filter.keeps(p.point));
+                return;
+            }
+            check_value(p.point);
+            if (!filter.keeps(p.point)) return;
+            const CurvePoint& q = p.point;
+            const std::array place{p.band.first, p.band.last, q.theta_i, q.phi_i, q.theta_r, q.phi_r};
+            const auto [first, fresh] = lines.emplace(place, p.line);
+            if (!fresh)
+                throw Error{"the same directions as on line " + std::to_string(first->second) +
+                            ": must stand once"};
+            kept.push_back(p);
+        });
+    }
+    if (kept.empty())
+        throw Error{path.string() + ": the recipe keeps none of its " + std::to_string(points.size()) +
+                    " values: must keep one"};
+    for (std::string& note : filter.notes()) notes.push_back(std::move(note));
+    return kept;
+}
+
+}  // namespace
+
+CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const std::string& how) {
+    CurveSet set = recipe.head;
+    set.stem = path.stem().string();
+    set.how = how;
+    if (recipe.format == ImportFormat::digitised) {
+        set.curves = digitised_curves(path);
+        set.uncertainty = "one standard deviation: the reading of a pixel along the axis of values";
+        return checked(std::move(set), path.string());
+    }
+    set.curves = grouped(selected(points_in(path, recipe), recipe, path, set.notes), recipe.sweep);
+    set = checked(std::move(set), path.string());
+    add_uncertainty(set, recipe);
+    const std::size_t before = set.point_count();
+    for (Curve& curve : set.curves) curve = thinned(curve, recipe.selection);
+    if (set.point_count() < before)
+        set.notes.push_back("thinned: " + std::to_string(set.point_count()) + " of " +
+                            std::to_string(before) + " values kept");
+    return checked(std::move(set), path.string());
+}
+
+}  // namespace hts::validation

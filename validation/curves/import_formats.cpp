@@ -1,0 +1,233 @@
+#include "validation/curves/import_formats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "hts/error.hpp"
+#include "spectral/text/csv.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/points/astm.hpp"
+
+namespace hts::validation {
+namespace {
+
+namespace fs = std::filesystem;
+using spectral::CsvTable;
+
+/// A line of a text file that is neither blank nor a comment.
+struct Line {
+    std::size_t number;
+    std::vector<std::string_view> words;
+};
+
+std::vector<Line> lines_of(std::string_view text) {
+    std::vector<Line> result;
+    std::size_t number = 0;
+    for (const std::string_view line : spectral::split(text, '\n')) {
+        ++number;
+        const std::string_view content = spectral::trimmed(line);
+        if (!content.empty() && content.front() != '#') result.push_back({number, spectral::words(content)});
+    }
+    return result;
+}
+
+std::string where(const fs::path& path, std::size_t line) {
+    return path.string() + ":" + std::to_string(line);
+}
+
+/// The only wavelength that the recipe gives a file without any.
+Band only_band(const ImportRecipe& recipe, const fs::path& path) {
+    if (recipe.values.size() == 1 && recipe.values[0].band) return *recipe.values[0].band;
+    throw Error{path.string() + ": no wavelength in the file: the recipe must give one"};
+}
+
+/// Full directions as a file counts azimuths, turned so that the mirror direction lies at 180 deg.
+CurvePoint full_point(const ImportRecipe& recipe, const std::array<double, 4>& angles, double value) {
+    return {angles[0], angles[1], angles[2], angles[3] + 180 - recipe.mirror_azimuth, value, 0};
+}
+
+/// A point in the plane of incidence, to a thousandth of a degree, gets the azimuths of in_plane_point.
+CurvePoint flattened(const CurvePoint& p, Sweep sweep) {
+    const double apart = std::abs(std::remainder(p.phi_r - p.phi_i, 360));
+    const bool in_plane = std::min(apart, 180 - apart) < 1e-3;
+    if (sweep == Sweep::scattered || !in_plane) return p;
+    const double side = apart < 90 ? -1 : 1;
+    return sweep == Sweep::incident
+               ? in_plane_point(sweep, p.theta_r, side * p.theta_i, p.value, p.uncertainty)
+               : in_plane_point(sweep, p.theta_i, side * p.theta_r, p.value, p.uncertainty);
+}
+
+// ---- CSV
+
+/// An angle column whose name says its unit.
+class AngleColumn {
+  public:
+    AngleColumn(const CsvTable& table, const std::string& name) : table_{table}, column_{table.column(name)} {
+        if (name.ends_with("_rad")) {
+            degrees_ = 180 / std::numbers::pi;
+        } else if (!name.ends_with("_deg")) {
+            throw Error{table.name() + ": column " + spectral::in_quotes(name) +
+                        ": no unit: must end in _deg or _rad"};
+        }
+    }
+    [[nodiscard]] double operator()(std::size_t row) const { return degrees_ * table_.number(row, column_); }
+
+  private:
+    const CsvTable& table_;
+    std::size_t column_;
+    double degrees_ = 1;
+};
+
+const std::string& column_of(const ImportRecipe& recipe, const char* angle) {
+    const auto found = recipe.angle_columns.find(angle);
+    if (found != recipe.angle_columns.end()) return found->second;
+    throw Error{std::string{"recipe: key \"columns."}.append(angle).append("\": missing")};
+}
+
+/// What turns a row into directions.
+class CsvDirections {
+  public:
+    CsvDirections(const CsvTable& table, const ImportRecipe& recipe) : recipe_{recipe} {
+        const bool full = recipe.angle_columns.contains("phi_r");
+        for (const char* angle : {"theta_i", "theta_r"})
+            columns_.emplace_back(table, column_of(recipe, angle));
+        if (full)
+            for (const char* angle : {"phi_i", "phi_r"})
+                columns_.emplace_back(table, column_of(recipe, angle));
+    }
+    [[nodiscard]] CurvePoint operator()(std::size_t row, double value) const {
+        const double theta_i = columns_[0](row), theta_r = columns_[1](row);
+        if (columns_.size() == 4)
+            return flattened(
+                full_point(recipe_, {theta_i, columns_[2](row), theta_r, columns_[3](row)}, value),
+                recipe_.sweep);
+        const bool incident = recipe_.sweep == Sweep::incident;
+        const double swept = recipe_.mirror_sign * (incident ? theta_i : theta_r);
+        return in_plane_point(recipe_.sweep, incident ? theta_r : theta_i, swept, value, 0);
+    }
+
+  private:
+    const ImportRecipe& recipe_;
+    std::vector<AngleColumn> columns_;
+};
+
+// ---- ASTM
+
+/// Wavelength of a channel: that of the recipe, or in the name, "450nm".
+Band channel_band(const std::string& channel, const std::optional<Band>& of_recipe, const fs::path& path) {
+    if (of_recipe) return *of_recipe;
+    const auto nanometres = channel.find("nm");
+    if (nanometres == std::string::npos || nanometres == 0)
+        throw Error{path.string() + ": channel " + spectral::in_quotes(channel) +
+                    " names no wavelength: the recipe must"};
+    const double um = spectral::located(path.string() + ": channel " + spectral::in_quotes(channel), [&] {
+        return spectral::number_in(std::string_view{channel}.substr(0, nanometres)) / 1000;
+    });
+    return {um, um};
+}
+
+/// A channel that the recipe asks for; all of them where it names none.
+struct AstmChannel {
+    std::size_t column;
+    Band band;
+};
+
+std::vector<AstmChannel> astm_channels(const tables::AstmFile& file, const ImportRecipe& recipe,
+                                       const fs::path& path) {
+    std::vector<AstmChannel> result;
+    std::vector<ValueColumn> wanted = recipe.values;
+    const auto& names = file.channel_names;
+    if (wanted.empty())
+        for (const std::string& channel : names) wanted.push_back({channel});
+    for (const ValueColumn& value : wanted) {
+        const auto found = std::find(names.begin(), names.end(), value.column);
+        if (found == names.end())
+            throw Error{path.string() + ": no channel " + spectral::in_quotes(value.column) +
+                        ": must be one of " + spectral::joined(names)};
+        result.push_back({file.channels[static_cast<std::size_t>(found - names.begin())],
+                          channel_band(*found, value.band, path)});
+    }
+    return result;
+}
+
+// ---- FRED
+
+std::vector<double> numbers_in(const Line& line, const fs::path& path) {
+    std::vector<double> result;
+    spectral::located(where(path, line.number), [&] {
+        for (const std::string_view word : line.words)
+            for (const std::string_view piece : spectral::split(word, ','))
+                if (!piece.empty()) result.push_back(spectral::number_in(piece));
+    });
+    return result;
+}
+
+Error wrong_count(const fs::path& path, std::size_t line, std::size_t count, const std::string& legal) {
+    return Error{where(path, line) + ": " + std::to_string(count) + " numbers: must be " + legal};
+}
+
+}  // namespace
+
+std::vector<ImportedPoint> read_csv_points(const fs::path& path, const ImportRecipe& recipe) {
+    const CsvTable table = CsvTable::read(path);
+    const CsvDirections directions{table, recipe};
+    std::vector<ImportedPoint> points;
+    for (const ValueColumn& value : recipe.values) {
+        const std::size_t column = table.column(value.column);
+        for (std::size_t row = 0; row < table.row_count(); ++row) {
+            points.push_back(
+                {value.band.value(), directions(row, table.number(row, column)), table.line(row)});
+        }
+    }
+    return points;
+}
+
+std::vector<ImportedPoint> read_fred_points(const fs::path& path, const ImportRecipe& recipe) {
+    const Band band = only_band(recipe, path);
+    const std::string text = spectral::read_text_file(path);
+    const auto lines = lines_of(text);
+    const std::vector<std::vector<std::string_view>> head{{"type", "bsdf_data"},
+                                                          {"format", "angles=deg", "bsdf=value", "scale=1"}};
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        if (lines.size() > i && lines[i].words == head[i]) continue;
+        throw Error{where(path, lines.size() > i ? lines[i].number : i + 1) + ": must be \"" +
+                    (i == 0 ? "type bsdf_data" : "format angles=deg bsdf=value scale=1") + "\""};
+    }
+    std::vector<ImportedPoint> points;
+    std::optional<std::array<double, 2>> light;
+    for (std::size_t i = head.size(); i < lines.size(); ++i) {
+        const auto numbers = numbers_in(lines[i], path);
+        if (numbers.size() == 2) light = {numbers[0], numbers[1]};
+        if (numbers.size() == 2) continue;
+        if (numbers.size() != 3)
+            throw wrong_count(path, lines[i].number, numbers.size(),
+                              "2 (theta_i phi_i) or 3 (theta_s phi_s bsdf)");
+        if (!light)
+            throw Error{where(path, lines[i].number) +
+                        ": values before the light's direction: must follow \"theta_i phi_i\""};
+        const CurvePoint point =
+            full_point(recipe, {(*light)[0], (*light)[1], numbers[0], numbers[1]}, numbers[2]);
+        points.push_back({band, flattened(point, recipe.sweep), lines[i].number});
+    }
+    return points;
+}
+
+std::vector<ImportedPoint> read_astm_points(const fs::path& path, const ImportRecipe& recipe) {
+    const tables::AstmFile file = tables::astm_file(spectral::read_text_file(path), path.string());
+    constexpr double degrees = 180 / std::numbers::pi;
+    std::vector<ImportedPoint> points;
+    for (const AstmChannel& channel : astm_channels(file, recipe, path)) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const auto n = file.row(i);
+            const std::array angles{degrees * n[file.theta_i], file.phi_i ? degrees * n[*file.phi_i] : 0,
+                                    degrees * n[file.theta_s], degrees * n[file.phi_s]};
+            const CurvePoint point = full_point(recipe, angles, n[channel.column]);
+            points.push_back({channel.band, flattened(point, recipe.sweep), file.lines[i]});
+        }
+    }
+    return points;
+}
+
+}  // namespace hts::validation

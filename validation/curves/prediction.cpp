@@ -1,0 +1,322 @@
+#include "validation/curves/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "spectral/models/reflectance.hpp"
+#include "validation/scattering/quadrature.hpp"
+
+namespace hts::validation {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void require_nodes(const AveragingNodes& nodes) {
+    const auto require = [](const char* quantity, int value, int least, int most) {
+        if (value >= least && value <= most) return;
+        throw out_of_range(quantity, value, "", std::to_string(least) + " ... " + std::to_string(most));
+    };
+    require("number of wavelengths per band", nodes.wavelengths, 1, 64);
+    require("number of rings per cone", nodes.rings, 0, 8);
+}
+
+double half_angle(double solid_angle) {
+    return 2 * std::asin(std::sqrt(solid_angle / (4 * pi)));
+}
+
+double angle_between(Vector3 a, Vector3 b) {
+    const Vector3 chord = a - b;
+    return 2 * std::asin(std::min(1.0, std::sqrt(dot(chord, chord)) / 2));
+}
+
+/// A direction and its share of a cone [sr, projected].
+struct ConeNode {
+    Direction direction;
+    double weight;
+};
+
+/// Vectors that with `axis` are at right angles to each other.
+std::pair<Vector3, Vector3> across(const Direction& axis) {
+    const double c = axis.cos_theta(), x = axis.cos_phi(), y = axis.sin_phi();
+    return {{c * x, c * y, -axis.sin_theta()}, {-y, x, 0}};
+}
+
+/// Rings at Gauss-Legendre nodes of the solid angle inside them, each turned against the one before.
+std::vector<ConeNode> cone_nodes(const Direction& axis, double half_angle, int rings) {
+    const GaussLegendre inside = gauss_legendre(rings);
+    const auto [u, v] = across(axis);
+    const double height = 2 * std::pow(std::sin(half_angle / 2), 2);
+    const int around = 4 * rings;
+    std::vector<ConeNode> nodes;
+    for (std::size_t k = 0; k < inside.nodes.size(); ++k) {
+        const double drop = inside.nodes[k] * height, sine = std::sqrt(drop * (2 - drop));
+        for (int j = 0; j < around; ++j) {
+            const double turn = 2 * pi * (j + (k % 2 == 0 ? 0.0 : 0.5)) / around;
+            const Vector3 at =
+                (1 - drop) * axis.vector() + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
+            if (at.z > 0)
+                nodes.push_back(
+                    {Direction::from_unit_vector(at), inside.weights[k] * 2 * pi * height / around * at.z});
+        }
+    }
+    return nodes;
+}
+
+double total(const std::vector<ConeNode>& nodes) {
+    double sum = 0;
+    for (const ConeNode& node : nodes) sum += node.weight;
+    return sum;
+}
+
+/// The source's or the detector's cone about one direction.
+struct Cone {
+    Cone(const Direction& towards, const std::optional<double>& solid_angle, int rings)
+        : axis{towards}, stated{solid_angle.has_value()}, half{stated ? half_angle(*solid_angle) : 0} {
+        const bool whole = axis.cos_theta() >= std::sin(half);
+        projected = pi * std::pow(std::sin(half), 2) * axis.cos_theta();
+        if (!whole) projected = total(cone_nodes(axis, half, 8));
+        if (stated && rings > 0) {
+            nodes = cone_nodes(axis, half, rings);
+        } else if (axis.cos_theta() > 0) {
+            nodes = {{axis, axis.cos_theta()}};
+        }
+    }
+
+    Direction axis;
+    bool stated;
+    double half;       // [rad]
+    double projected;  // of what is above the horizon [sr]; 0 for a single direction
+    std::vector<ConeNode> nodes;
+};
+
+/// The middle of the light that both the source's cone sends and the detector's mirrored cone takes, and its amount over
+/// both projected solid angles [1/sr].
+struct SpecularView {
+    Direction incidence;
+    double weight;
+};
+
+SpecularView specular_view(const Cone& source, const Cone& detector) {
+    const Direction wanted = detector.axis.mirror();
+    const double apart = angle_between(source.axis.vector(), wanted.vector());
+    const double first = std::max(-source.half, apart - detector.half);
+    const double last = std::min(source.half, apart + detector.half);
+    if (last < first || (!source.stated && !detector.stated)) return {source.axis, 0};
+    const double part = apart > 0 ? (first + last) / (2 * apart) : 0;
+    Vector3 middle = (1 - part) * source.axis.vector() + part * wanted.vector();
+    middle.z = std::max(middle.z, 0.0);
+    const Direction incidence = Direction::from_vector(middle);
+    if (!detector.stated) return {incidence, source.projected > 0 ? 1 / source.projected : 0};
+    if (!source.stated) return {incidence, detector.projected > 0 ? 1 / detector.projected : 0};
+    const double both = source.projected * detector.projected;
+    const double common = common_solid_angle(source.half, detector.half, apart) * incidence.cos_theta();
+    return {incidence, both > 0 ? common / both : 0};
+}
+
+double quantity_factor(Quantity quantity, const Direction& out) {
+    switch (quantity) {
+        case Quantity::brdf:
+            return 1;
+        case Quantity::brdf_cosine:
+            return out.cos_theta();
+        case Quantity::reflectance_factor:
+            break;
+    }
+    return pi;
+}
+
+Prediction::Job job_of(const Band& band, int wavelengths) {
+    const GaussLegendre rule = gauss_legendre(band.single() ? 1 : wavelengths);
+    std::vector<double> um;
+    for (const double node : rule.nodes) um.push_back(band.first + node * (band.last - band.first));
+    return {spectral::WavelengthGrid::from_micrometres(std::move(um)), rule.weights, {}, {}};
+}
+
+Prediction::Answer answer_of(const spectral::Reflector& reflector, const Prediction::Job& job,
+                             spectral::OutsideRange policy) {
+    const spectral::SpectralReflectance model{reflector, job.wavelengths, policy,
+                                              Tolerance{hts::accuracy::finest_lane_tolerance}};
+    Prediction::Answer answer{std::vector<double>(job.pairs.size() * model.size()), {}};
+    model.prepared().brdf(job.pairs, answer.brdf);
+    for (const Direction& in : job.incidences)
+        for (const SpecularReflectance& part : model.specular_reflectance(in))
+            answer.specular_reflectance.push_back(part.value());
+    return answer;
+}
+
+Prediction::Answer answer_of(const spectral::AnyReflector& reflector, const Prediction::Job& job,
+                             spectral::OutsideRange policy) {
+    const spectral::AnySpectrum model = reflector.spectrum(job.wavelengths, policy);
+    const std::size_t count = model.size();
+    Prediction::Answer answer{std::vector<double>(job.pairs.size() * count),
+                              std::vector<double>(job.incidences.size() * count)};
+    for (std::size_t i = 0; i < job.pairs.size(); ++i)
+        model.brdf(job.pairs[i], std::span{answer.brdf}.subspan(i * count, count));
+    for (std::size_t i = 0; i < job.incidences.size(); ++i)
+        model.specular_reflectance(job.incidences[i],
+                                   std::span{answer.specular_reflectance}.subspan(i * count, count));
+    return answer;
+}
+
+template <class Model>
+std::vector<Prediction::Answer> answers_of(const Model& reflector, const std::vector<Prediction::Job>& jobs,
+                                           spectral::OutsideRange policy) {
+    std::vector<Prediction::Answer> answers;
+    answers.reserve(jobs.size());
+    for (const Prediction::Job& job : jobs) answers.push_back(answer_of(reflector, job, policy));
+    return answers;
+}
+
+}  // namespace
+
+double common_solid_angle(double a, double b, double apart) noexcept {
+    const double smaller = std::min(a, b), larger = std::max(a, b);
+    if (apart >= a + b || smaller <= 0) return 0;
+    const double whole = 4 * pi * std::pow(std::sin(smaller / 2), 2);
+    if (apart <= larger - smaller) return whole;
+    // half the angles at the corners of the spherical triangle (axis, axis, crossing), from its sides
+    const double s = (a + b + apart) / 2;
+    const auto half_corner = [&](double opposite, double one, double other) {
+        return std::atan2(std::sqrt(std::max(0.0, std::sin(s - one) * std::sin(s - other))),
+                          std::sqrt(std::max(0.0, std::sin(s) * std::sin(s - opposite))));
+    };
+    const double at_a = 2 * half_corner(b, a, apart), at_b = 2 * half_corner(a, b, apart);
+    const double crossing = 2 * half_corner(apart, a, b);
+    // two sectors of the caps less the two triangles between them
+    const double sectors =
+        2 * at_a * 2 * std::pow(std::sin(a / 2), 2) + 2 * at_b * 2 * std::pow(std::sin(b / 2), 2);
+    const double triangles = 2 * (at_a + at_b + crossing - pi);
+    return std::clamp(sectors - triangles, 0.0, whole);
+}
+
+/// Fills a Prediction, row by row.
+class Prediction::Builder {
+  public:
+    Builder(Prediction& result, const CurveSet& set, AveragingNodes nodes)
+        : result_{result}, set_{set}, nodes_{nodes} {}
+
+    void add_all() {
+        std::vector<std::pair<Band, Direction>> lights;
+        for (const Curve& curve : set_.curves) {
+            for (const CurvePoint& point : curve.points) {
+                const DirectionPair pair = point.pair();
+                lights.emplace_back(curve.band, pair.in);
+                add(curve.band, pair);
+            }
+        }
+        result_.point_count_ = result_.rows_.size();
+        if (set_.scale == Scale::specular) add_mirrors(lights);
+    }
+
+  private:
+    void add_mirrors(const std::vector<std::pair<Band, Direction>>& lights) {
+        std::map<std::tuple<double, double, double, double>, std::size_t> known;
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const auto& [band, in] = lights[i];
+            const Vector3 v = in.vector();
+            const auto [at, fresh] =
+                known.emplace(std::tuple{band.first, band.last, v.x, v.y}, result_.rows_.size());
+            if (fresh) add(band, {in, in.mirror()});
+            result_.rows_[i].mirror = at->second;
+        }
+    }
+
+    std::size_t job(const Band& band) {
+        const auto [at, fresh] = jobs_.emplace(std::pair{band.first, band.last}, result_.jobs_.size());
+        if (fresh) {
+            result_.jobs_.push_back(job_of(band, nodes_.wavelengths));
+            result_.pair_weights_.emplace_back();
+        }
+        return at->second;
+    }
+
+    void add(const Band& band, const DirectionPair& pair) {
+        const std::size_t at = job(band);
+        Job& job = result_.jobs_[at];
+        const Cone source{pair.in, set_.source_solid_angle, nodes_.rings};
+        const Cone detector{pair.out, set_.detector_solid_angle, nodes_.rings};
+        const double norm = total(source.nodes) * total(detector.nodes);
+        Row row{at,
+                job.pairs.size(),
+                0,
+                job.incidences.size(),
+                0,
+                quantity_factor(set_.quantity, pair.out),
+                result_.rows_.size()};
+        for (const ConeNode& in : source.nodes) {
+            for (const ConeNode& out : detector.nodes) {
+                job.pairs.push_back({in.direction, out.direction});
+                result_.pair_weights_[at].push_back(in.weight * out.weight / norm);
+            }
+        }
+        row.last_pair = job.pairs.size();
+        const SpecularView seen = specular_view(source, detector);
+        row.specular_weight = seen.weight;
+        if (seen.weight > 0) job.incidences.push_back(seen.incidence);
+        result_.rows_.push_back(row);
+    }
+
+    Prediction& result_;
+    const CurveSet& set_;
+    AveragingNodes nodes_;
+    std::map<std::pair<double, double>, std::size_t> jobs_;
+};
+
+Prediction::Prediction(const CurveSet& set, AveragingNodes nodes) {
+    require_nodes(nodes);
+    Builder{*this, set, nodes}.add_all();
+}
+
+std::vector<double> Prediction::average(std::span<const Answer> answers) const {
+    std::vector<double> result;
+    result.reserve(rows_.size());
+    for (const Row& row : rows_) {
+        const Answer& answer = answers[row.job];
+        const std::vector<double>& over_band = jobs_[row.job].wavelength_weights;
+        const std::size_t n = over_band.size();
+        double sum = 0;
+        for (std::size_t i = row.first_pair; i < row.last_pair; ++i) {
+            const double weight = pair_weights_[row.job][i];
+            for (std::size_t k = 0; k < n; ++k) sum += weight * over_band[k] * answer.brdf[i * n + k];
+        }
+        if (row.specular_weight > 0) {
+            for (std::size_t k = 0; k < n; ++k)
+                sum +=
+                    row.specular_weight * over_band[k] * answer.specular_reflectance[row.incidence * n + k];
+        }
+        result.push_back(sum);
+    }
+    return result;
+}
+
+std::vector<double> Prediction::values(std::span<const Answer> answers) const {
+    const std::vector<double> averages = average(answers);
+    std::vector<double> result;
+    result.reserve(point_count_);
+    for (std::size_t i = 0; i < point_count_; ++i) {
+        const Row& row = rows_[i];
+        const double value = averages[i] * row.factor;
+        const double mirror = averages[row.mirror] * rows_[row.mirror].factor;
+        const bool relative = row.mirror != i;
+        result.push_back(relative ? (mirror > 0 ? value / mirror : 0) : value);
+    }
+    return result;
+}
+
+std::vector<double> Prediction::values(const spectral::Reflector& reflector,
+                                       spectral::OutsideRange policy) const {
+    return values(answers_of(reflector, jobs_, policy));
+}
+
+std::vector<double> Prediction::values(const spectral::AnyReflector& reflector,
+                                       spectral::OutsideRange policy) const {
+    if (const spectral::Reflector* he = reflector.he_torrance()) return values(*he, policy);
+    return values(answers_of(reflector, jobs_, policy));
+}
+
+}  // namespace hts::validation

@@ -1,0 +1,104 @@
+/// What the instrument behind a set of curves would have measured on a surface that a model describes.
+///
+/// The source fills a cone about `in`, the detector one about `out`, and a detector of a band adds up wavelengths. With
+/// projected solid angles, dw' = cos theta dw,
+///
+///   f_measured = integral f dw'_i dw'_r / (W'_i W'_r) + specular                                 averaged over the band
+///   specular   = integral rho_s(in) dw'_i over the light whose mirror direction the detector sees / (W'_i W'_r)
+///
+/// which is rho_s/(cos theta_i w_i) where the source's cone holds the detector's [He91 (70)]. The average is reciprocal. What
+/// of a cone is below the horizon neither lights nor is seen. A cone that nobody stated is taken as a single direction; where
+/// neither is stated, the specular term, which has no finite value then, is left out.
+///
+/// Everything geometric is prepared once:
+///
+///     const Prediction prediction{set};
+///     for (…) residuals = prediction.values(reflector) …      // any number of times, a few ns per node
+///
+/// Averaging is linear, so `average` carries derivatives of the nodes as well as values.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "spectral/models/any_reflector.hpp"
+#include "validation/curves/curve.hpp"
+
+namespace hts::validation {
+
+namespace accuracy {
+/// Of the specular term, relative: rho_s is taken at the middle of the light that reaches the detector. For cones up to 2e-3 sr and incidence
+/// up to 75 deg.
+inline constexpr double specular_average = 5e-3;
+/// Of the band 2 ... 5.7 um with 8 wavelengths, relative to the largest value of a curve, sigma_0 0.1 ... 2 um.
+inline constexpr double band_average = 4e-6;
+/// Of `common_solid_angle`, relative, for half angles from 0.01 and parts from 1 % of the overlapping range on.
+inline constexpr double common_solid_angle = 5e-9;
+}  // namespace accuracy
+
+/// Nodes of the averages.
+struct AveragingNodes {
+    int wavelengths = 8;  ///< per band, of Gauss and Legendre; 1 for a single wavelength
+    int rings =
+        2;  ///< per cone, with 4 nodes per ring each: exact for polynomials of degree 4 rings - 2; 0: the axis alone
+};
+
+/// Part of two cones that they share [sr].
+///   half_angle_a, half_angle_b   0 … pi/2 [rad]      apart   angle between the axes, 0 … pi [rad]
+[[nodiscard]] double common_solid_angle(double half_angle_a, double half_angle_b, double apart) noexcept;
+
+class Prediction {
+  public:
+    /// Diffuse and specular terms to be had at every wavelength of one band.
+    struct Job {
+        spectral::WavelengthGrid wavelengths;
+        std::vector<double> wavelength_weights;  ///< add up to 1
+        std::vector<DirectionPair> pairs;        ///< where the BRDF is needed
+        std::vector<Direction> incidences;       ///< where the specular reflectance is needed
+    };
+    /// What a model answers to a job, all wavelengths of a pair (an incidence) together.
+    struct Answer {
+        std::vector<double> brdf, specular_reflectance;
+    };
+
+    /// hts::Error for numbers of nodes outside 1 … 64 wavelengths and 0 … 8 rings.
+    explicit Prediction(const CurveSet& set, AveragingNodes nodes = {});
+
+    [[nodiscard]] const std::vector<Job>& jobs() const noexcept { return jobs_; }
+    [[nodiscard]] std::size_t point_count() const noexcept { return point_count_; }
+
+    /// The points of all curves in order, in the quantity and scale of the set; a set of unknown scale is predicted as if it
+    /// were absolute. Runs on the calling thread.
+    ///   error   of the engine: at most 1e-6, relative; of the averages: see AveragingNodes
+    [[nodiscard]] std::vector<double> values(
+        const spectral::AnyReflector& reflector,
+        spectral::OutsideRange policy = spectral::OutsideRange::error) const;
+    /// The same for a He-Torrance surface without wrapping it up.
+    [[nodiscard]] std::vector<double> values(
+        const spectral::Reflector& reflector,
+        spectral::OutsideRange policy = spectral::OutsideRange::error) const;
+    /// The same from answers to all jobs.
+    [[nodiscard]] std::vector<double> values(std::span<const Answer> answers) const;
+    /// The measured BRDF [1/sr] of each point, then of the mirror direction of each where the scale is specular: linear in the
+    /// answers, before quantity and scale.
+    [[nodiscard]] std::vector<double> average(std::span<const Answer> answers) const;
+
+  private:
+    /// Nodes of one measurement: ranges of a job's pairs and incidences.
+    struct Row {
+        std::size_t job, first_pair, last_pair;
+        std::size_t incidence;   // where the specular term is seen
+        double specular_weight;  // 0: it is not [1/sr]
+        double factor;           // from BRDF to the quantity
+        std::size_t mirror;      // row of the mirror direction, itself where the scale is not specular
+    };
+    class Builder;
+
+    std::vector<Job> jobs_;
+    std::vector<std::vector<double>> pair_weights_;  // one list per job
+    std::vector<Row> rows_;                          // points, then mirror directions
+    std::size_t point_count_ = 0;
+};
+
+}  // namespace hts::validation

@@ -1,0 +1,109 @@
+#include "validation/fit/fit_cases.hpp"
+
+#include <map>
+
+#include "validation/curves/built_in_curves.hpp"
+
+namespace hts::validation {
+namespace {
+
+/// What most sets get: sigma0, tau and a, and n where the optical constants are not known.
+FitCase plain_case(const std::string& set) {
+    return {set, set, {.index = known_index(set), .followed_starts = 4}};
+}
+
+/// A smooth surface scatters from within alone. At 70 and 80 deg of incidence the instrument's values fall to nothing.
+FitCase blue_acrylic() {
+    FitCase result = plain_case("blue-acrylic");
+    result.label = "blue-acrylic, as smooth";
+    result.request.fixed = {{"sigma0", 1e-4}, {"tau", 1}};
+    result.request.loss = Loss::huber;
+    result.request.loss_scale = 0.1;
+    result.selection.largest_theta = 60;
+    return result;
+}
+
+/// A set whose rms roughness was measured by other means: fitted freely, and held there.
+std::vector<FitCase> of_known_roughness(const std::string& set, double rms_um) {
+    FitCase held = plain_case(set);
+    held.label = set + ", sigma0 as measured";
+    held.request.fixed = {{"sigma0", rms_um}};
+    held.judged = false;
+    return {plain_case(set), held};
+}
+
+/// The surface that a criterion is asked of, with and without aluminium's own optical constants.
+std::vector<FitCase> sandblasted() {
+    const std::string set = "mwir-aluminium-sandblasted";
+    FitCase metal = plain_case(set), effective = plain_case(set);
+    metal.label = set + ", index of Al";
+    metal.judged = false;
+    effective.label = set + ", n and scale free";
+    effective.request.index = "";
+    effective.request.freed = {"scale"};
+    effective.quick_points = 0;
+    return {metal, effective};
+}
+
+}  // namespace
+
+std::string known_index(const std::string& set) {
+    static const std::map<std::string, std::string> materials{{"mwir-aluminium", "\"Al\""},
+                                                              {"mwir-aluminium-sandblasted", "\"Al\""},
+                                                              {"curet-aluminium-foil", "\"Al\""},
+                                                              {"mwir-brass", "\"Cu\""},
+                                                              {"mwir-stainless-steel-brushed", "\"Fe\""},
+                                                              {"blue-acrylic", "\"PMMA\""}};
+    const auto found = materials.find(set);
+    return found == materials.end() ? "" : found->second;
+}
+
+std::vector<FitCase> fit_cases() {
+    std::vector<FitCase> cases;
+    const auto add = [&](const std::vector<FitCase>& more) {
+        cases.insert(cases.end(), more.begin(), more.end());
+    };
+    for (const std::string& set : built_in_curve_names()) {
+        const auto roughness = built_in_curves(set).roughness;
+        if (set == "blue-acrylic") {
+            add({blue_acrylic()});
+        } else if (set == "mwir-aluminium-sandblasted") {
+            add(sandblasted());
+        } else if (roughness) {
+            add(of_known_roughness(set, roughness->rms_um));
+        } else {
+            add({plain_case(set)});
+        }
+    }
+    return cases;
+}
+
+std::string fits_text() {
+    return "Every set is fitted with rms roughness sigma0, correlation length tau and uniform-diffuse albedo "
+           "a; where the optical "
+           "constants of a surface are not known, a constant index n with k = 0 is fitted too. Brass is "
+           "given those of "
+           "copper and stainless steel those of iron, which they only resemble. Predictions "
+           "are averaged over the "
+           "band and the cones of the instrument, and residuals are logarithms, so that every decade counts "
+           "alike. Standard "
+           "errors take residuals for independent noise: where reduced chi squared is far above 1 the model "
+           "itself is wrong "
+           "somewhere and they are too small.\n\n"
+           "Sandblasted aluminium is fitted twice. Aluminium's own optical constants make it too bright near "
+           "the normal and "
+           "push the maxima towards grazing. With an effective index and a factor on all values free, one "
+           "sigma0 and tau are fitted to "
+           "all ten camera angles; the criteria are asked of this fit. The factor stands for light that is "
+           "lost between "
+           "facets, and for whatever a blasted surface has that clean metal has not; curves alone do not "
+           "tell which.\n\n"
+           "Two oxides have an rms roughness measured by an optical profiler. The table "
+           "below shows sigma0 fitted freely beside it; the rows where it is held at "
+           "the measured value "
+           "show by how much worse the curves are met then. A profiler's rms takes in waves much longer than "
+           "tau, which tilt "
+           "facets little and hardly scatter.";
+}
+
+}  // namespace hts::validation

@@ -1,0 +1,24 @@
+/// Measured curves as what a fit is made to, band, cones and normalisation included.
+#pragma once
+
+#include "validation/curves/curve.hpp"
+#include "validation/curves/prediction.hpp"
+#include "validation/fit/fit_data.hpp"
+
+namespace hts::validation {
+
+/// Which points of a curve set are fitted, and how finely averages are taken.
+struct FitSelection {
+    double largest_theta = 87;    ///< of both polar angles [deg]
+    std::size_t most_points = 0;  ///< every so-manieth point, so that at most these are left; 0: all
+    AveragingNodes nodes{4, 1};   ///< enough for lobes much wider than the cones
+};
+
+/// The points > 0 of a set that are selected; each band is a channel. Uncertainties are those of the set.
+/// hts::Error "STEM: …" if no point is left.
+[[nodiscard]] FitData fit_data(const CurveSet& set, const FitSelection& selection = {});
+
+/// The set with the selected points alone, in the order of the fit's data.
+[[nodiscard]] CurveSet selected(const CurveSet& set, const FitSelection& selection);
+
+}  // namespace hts::validation

@@ -1,0 +1,67 @@
+#include "validation/fit/fit_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hts/error.hpp"
+#include "tables/formats/spectral_brdf.hpp"
+
+namespace hts::validation {
+namespace {
+
+void require(bool good, const std::string& name, std::size_t datum, const std::string& problem) {
+    if (!good) throw Error{name + ": sample " + std::to_string(datum + 1) + ": " + problem};
+}
+
+}  // namespace
+
+FitData checked(FitData data) {
+    const std::size_t count = data.values.size();
+    if (count == 0) throw Error{data.name + ": no samples: must be at least one"};
+    if (data.cosines.size() != count || (!data.uncertainties.empty() && data.uncertainties.size() != count) ||
+        data.channels.size() != data.wavelengths.size()) {
+        throw Error{data.name +
+                    ": values, uncertainties, cosines and channels must be as many as they belong to"};
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = data.values[i];
+        require(std::isfinite(value) && value >= 0, data.name, i,
+                "value " + std::to_string(value) + ": must be a finite number >= 0");
+        if (data.uncertainties.empty()) continue;
+        const double uncertainty = data.uncertainties[i];
+        require(std::isfinite(uncertainty) && uncertainty > 0, data.name, i,
+                "uncertainty " + std::to_string(uncertainty) +
+                    ": must be a finite number > 0, or 0 for all samples");
+    }
+    return data;
+}
+
+FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths, std::vector<FitSample> samples) {
+    FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}, {}};
+    data.channels.resize(data.wavelengths.size());
+    std::iota(data.channels.begin(), data.channels.end(), std::size_t{0});
+    const bool uncertain =
+        std::ranges::any_of(samples, [](const FitSample& s) { return s.uncertainty != 0; });
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        require(samples[i].wavelength < data.wavelengths.size(), data.name, i,
+                "wavelength " + std::to_string(samples[i].wavelength) + ": must be one of the grid's " +
+                    std::to_string(data.wavelengths.size()));
+        data.values.push_back(samples[i].value);
+        data.cosines.push_back(samples[i].pair.in.cos_theta());
+        if (uncertain) data.uncertainties.push_back(samples[i].uncertainty);
+    }
+    data.view = [samples = std::move(samples),
+                 grid = data.wavelengths](const spectral::AnyReflector& reflector) {
+        const auto brdf = tables::model_brdf(reflector, grid);
+        std::vector<double> values, spectrum(grid.size());
+        for (const FitSample& sample : samples) {
+            brdf->brdf(sample.pair, spectrum);
+            values.push_back(spectrum[sample.wavelength]);
+        }
+        return values;
+    };
+    return checked(std::move(data));
+}
+
+}  // namespace hts::validation

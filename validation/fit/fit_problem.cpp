@@ -1,0 +1,278 @@
+#include "validation/fit/fit_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+
+namespace hts::validation {
+namespace {
+
+constexpr std::size_t most_starts = 512;
+/// A weight of exactly 0 would hide what its lobe could do.
+constexpr double least_linear_start = 1e-4;
+
+const ParameterRange scale_range{"scale",        "scale", "1", Motion::factors, 1e-3, 1e3, {1},
+                                 StartUnit::own, "",      true};
+
+double coordinate(const ParameterRange& range, double value) {
+    return range.motion == Motion::factors ? std::log(value) : value;
+}
+
+double value_at(const ParameterRange& range, double coordinate) {
+    const double value = range.motion == Motion::factors ? std::exp(coordinate) : coordinate;
+    return std::clamp(value, range.lowest, range.highest);
+}
+
+void require_within(const FitParameter& parameter, const char* what, double value) {
+    const ParameterRange& range = parameter.range;
+    if (value >= range.lowest && value <= range.highest) return;
+    const std::string unit = range.unit == "1" ? "" : " " + range.unit;
+    throw RequestError{parameter.name + ": " + what + " " + shortest(value) + unit + ": must be " +
+                       shortest(range.lowest) + " ... " + shortest(range.highest) + unit};
+}
+
+/// sign(r) s sqrt(rho((r/s)^2)), whose square is what r counts for.
+double robust(double residual, Loss loss, double scale) {
+    const double r = std::abs(residual) / scale;
+    double rho = r * r;
+    if (loss == Loss::huber && r > 1) rho = 2 * r - 1;
+    if (loss == Loss::cauchy) rho = std::log1p(rho);
+    return std::copysign(scale * std::sqrt(rho), residual);
+}
+
+FitLayout layout(const FitRequest& request, const FitData& data) {
+    const auto um = data.wavelengths.micrometres();
+    return {request.lobes, {um.begin(), um.end()}, data.channels, request.index};
+}
+
+}  // namespace
+
+FitProblem::FitProblem(const FitRequest& request, const FitData& data)
+    : request_{request},
+      data_{data},
+      model_{request.model, layout(request, data)},
+      separable_{data.affine && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
+    if (!(request.loss_scale > 0))
+        throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
+    for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
+    places_.push_back({{scale_range, "", "scale"}});
+    assign_roles();
+    for (const Role role : {Role::searched, Role::separated}) {
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            if (places_[i].role == role) free_.push_back(i);
+        }
+        if (role == Role::searched) searched_ = free_.size();
+    }
+    for (const std::size_t i : free_) {
+        const ParameterRange& range = places_[i].parameter.range;
+        bounds_.push_back({coordinate(range, range.lowest), coordinate(range, range.highest)});
+    }
+    if (data_.values.size() <= free_.size()) {
+        throw Error{data_.name + ": " + std::to_string(data_.values.size()) + " values for " +
+                    std::to_string(free_.size()) + " free parameters: must be more"};
+    }
+    for (std::size_t i = 0; i < data_.values.size(); ++i) weights_.push_back(weight(i));
+}
+
+std::vector<std::size_t> FitProblem::named(const std::string& name) const {
+    std::vector<std::size_t> found;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const FitParameter& parameter = places_[i].parameter;
+        names.push_back(parameter.name);
+        if (name == parameter.name || name == parameter.range.symbol || name == parameter.range.key) {
+            found.push_back(i);
+        }
+    }
+    if (!found.empty()) return found;
+    if (!request_.index.empty() && (name == "n" || name == "k")) {
+        throw RequestError{"parameter " + spectral::in_quotes(name) +
+                           ": must not be asked for where the index is given, which holds it"};
+    }
+    throw RequestError{"parameter " + spectral::in_quotes(name) + " of model " +
+                       spectral::in_quotes(request_.model) + " is not known: must be one of " +
+                       spectral::joined(names)};
+}
+
+void FitProblem::assign_roles() {
+    for (Place& place : places_) {
+        const ParameterRange& range = place.parameter.range;
+        place.value = range.starts.front();
+        if (range.fixed) place.role = Role::fixed;
+        if (!range.tied_to.empty()) {
+            place.role = Role::tied;
+            place.tied = named(range.tied_to).front();
+        }
+    }
+    for (const std::string& name : request_.freed) {
+        for (const std::size_t i : named(name)) places_[i].role = Role::searched;
+    }
+    for (const auto& [name, value] : request_.fixed) {
+        for (const std::size_t i : named(name)) {
+            require_within(places_[i].parameter, "fixed at", value);
+            if (std::ranges::find(request_.freed, name) != request_.freed.end())
+                throw RequestError{name + ": freed and fixed: must be one of both"};
+            places_[i].role = Role::fixed;
+            places_[i].value = value;
+        }
+    }
+    for (const auto& [name, value] : request_.starts) {
+        for (const std::size_t i : named(name)) {
+            require_within(places_[i].parameter, "start", value);
+            places_[i].parameter.range.starts = {value};
+            places_[i].parameter.range.start_unit = StartUnit::own;
+            places_[i].start_given = true;
+        }
+    }
+    for (Place& place : places_) {
+        const bool linear = place.parameter.range.motion == Motion::linear;
+        if (separable_ && linear && place.role == Role::searched) place.role = Role::separated;
+    }
+}
+
+double FitProblem::weight(std::size_t datum) const {
+    switch (request_.residual) {
+        case Residual::logarithmic:
+        case Residual::relative:
+            if (data_.values[datum] > 0) break;
+            throw Error{data_.name + ": value " + std::to_string(datum + 1) + " is 0: must be > 0 for " +
+                        name(request_.residual) + " residuals"};
+        case Residual::weighted:
+            if (!data_.uncertainties.empty()) return 1 / data_.uncertainties[datum];
+            throw Error{data_.name + ": no uncertainties: must be there for weighted residuals"};
+        case Residual::cosine:
+            return data_.cosines[datum];
+    }
+    return 1 / data_.values[datum];
+}
+
+double FitProblem::start_unit(std::size_t place, const std::vector<double>& values) const {
+    const auto um = data_.wavelengths.micrometres();
+    switch (places_[place].parameter.range.start_unit) {
+        case StartUnit::wavelength:
+            return std::sqrt(um.front() * um.back());
+        case StartUnit::previous:
+            return values[place - 1];
+        case StartUnit::own:
+            break;
+    }
+    return 1;
+}
+
+std::size_t FitProblem::choices(std::size_t place) const {
+    const ParameterRange& range = places_[place].parameter.range;
+    return range.motion == Motion::linear ? 1 : range.starts.size();
+}
+
+std::vector<std::vector<double>> FitProblem::starts() const {
+    std::size_t all = 1;
+    for (std::size_t k = 0; k < searched_; ++k) all *= choices(free_[k]);
+    const std::size_t count = std::min(all, most_starts);
+    std::vector<std::vector<double>> result;
+    for (std::size_t s = 0; s < count; ++s) {
+        result.push_back(start(all <= most_starts ? s : s * all / count + s % 7));
+    }
+    return result;
+}
+
+std::vector<double> FitProblem::start(std::size_t combination) const {
+    auto values = this->values(std::vector<double>(free_.size(), 0));
+    std::vector<std::size_t> linear;
+    for (std::size_t k = 0; k < searched_; ++k) {
+        const std::size_t i = free_[k];
+        const ParameterRange& range = places_[i].parameter.range;
+        const double start = range.starts[combination % choices(i)] * start_unit(i, values);
+        values[i] = std::clamp(start, range.lowest, range.highest);
+        combination /= choices(i);
+        if (range.motion == Motion::linear && data_.affine && !places_[i].start_given) linear.push_back(i);
+    }
+    set_tied(values);
+    if (!linear.empty()) values = best_linear(values, linear);
+    for (const std::size_t i : linear) values[i] = std::max(values[i], least_linear_start);
+    return searched(values);
+}
+
+std::vector<double> FitProblem::searched(std::span<const double> values) const {
+    std::vector<double> coordinates;
+    for (std::size_t k = 0; k < searched_; ++k) {
+        coordinates.push_back(coordinate(places_[free_[k]].parameter.range, values[free_[k]]));
+    }
+    return coordinates;
+}
+
+void FitProblem::set_tied(std::vector<double>& values) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i].role == Role::tied) values[i] = values[places_[i].tied];
+    }
+}
+
+std::vector<double> FitProblem::values(std::span<const double> coordinates) const {
+    std::vector<double> result(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) result[i] = places_[i].value;
+    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+        result[free_[k]] = value_at(places_[free_[k]].parameter.range, coordinates[k]);
+    }
+    set_tied(result);
+    return result;
+}
+
+std::vector<double> FitProblem::predicted(std::span<const double> values) const {
+    const double scale = values.back();
+    auto result = data_.view(model_.reflector(values.first(values.size() - 1)));
+    for (double& value : result) value *= scale;
+    return result;
+}
+
+std::vector<double> FitProblem::best_linear(std::vector<double> values,
+                                            const std::vector<std::size_t>& linear) const {
+    for (const std::size_t i : linear) values[i] = 0;
+    const auto at_zero = predicted(values);
+    std::vector<double> target(at_zero.size());
+    for (std::size_t j = 0; j < target.size(); ++j) target[j] = weights_[j] * (data_.values[j] - at_zero[j]);
+    Columns columns;
+    std::vector<Bounds> bounds;
+    for (const std::size_t i : linear) {
+        values[i] = 1;
+        auto column = predicted(values);
+        values[i] = 0;
+        for (std::size_t j = 0; j < column.size(); ++j) column[j] = weights_[j] * (column[j] - at_zero[j]);
+        columns.push_back(std::move(column));
+        bounds.push_back({places_[i].parameter.range.lowest, places_[i].parameter.range.highest});
+    }
+    const auto solution = bounded_linear_solution(columns, target, bounds);
+    for (std::size_t k = 0; k < linear.size(); ++k) values[linear[k]] = solution[k];
+    return values;
+}
+
+std::vector<double> FitProblem::completed(std::span<const double> searched) const {
+    std::vector<double> result{searched.begin(), searched.end()};
+    if (searched_ == free_.size()) return result;
+    const std::vector<std::size_t> linear{free_.begin() + static_cast<std::ptrdiff_t>(searched_),
+                                          free_.end()};
+    const auto values = best_linear(this->values(searched), linear);
+    for (const std::size_t i : linear) result.push_back(values[i]);
+    return result;
+}
+
+std::vector<double> FitProblem::residuals_of(const std::vector<double>& prediction) const {
+    std::vector<double> result(prediction.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        double residual = weights_[i] * (prediction[i] - data_.values[i]);
+        if (request_.residual == Residual::logarithmic)
+            residual = std::log(std::max(prediction[i] * weights_[i], 1e-30));
+        result[i] = robust(residual, request_.loss, request_.loss_scale);
+    }
+    return result;
+}
+
+std::vector<double> FitProblem::projected_residuals(std::span<const double> searched) const {
+    return residuals(completed(searched));
+}
+
+std::vector<double> FitProblem::residuals(std::span<const double> coordinates) const {
+    return residuals_of(predicted(values(coordinates)));
+}
+
+}  // namespace hts::validation

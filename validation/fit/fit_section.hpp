@@ -1,0 +1,27 @@
+/// Fits as parts of a validation report.
+#pragma once
+
+#include <vector>
+
+#include "validation/fit/fit.hpp"
+#include "validation/report/report.hpp"
+
+namespace hts::validation {
+
+/// The He-Torrance model fitted to every set of curves that comes with the program. First the parameters with their
+/// uncertainties, what each set leaves open, and fitted beside measured roughness; then, set by set, the fitted model beside
+/// the measurement with the criteria that are asked of it.
+[[nodiscard]] std::vector<Section> fits_sections(Effort effort);
+
+/// Every model fitted to every set: L2 errors like Table 3 of [Kurt10], and information criteria.
+[[nodiscard]] Section models_section(Effort effort);
+
+/// A number determined by two others.
+struct Ratio {
+    double value, standard_error;
+};
+
+/// Of two parameters that move by factors, with the correlation between them taken into account.
+[[nodiscard]] Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower);
+
+}  // namespace hts::validation

@@ -1,0 +1,60 @@
+#include "validation/fit/fit_table.hpp"
+
+#include <algorithm>
+
+#include "hts/error.hpp"
+
+namespace hts::validation {
+namespace {
+
+bool has_index(const std::string& model) {
+    const auto& families = fit_families();
+    const auto found = std::ranges::find(families, model, &FitFamily::name);
+    return found != families.end() && found->has_index;
+}
+
+/// One wavelength stands for a band where the model knows none.
+FitSelection without_bands(FitSelection selection) {
+    selection.nodes.wavelengths = 1;
+    return selection;
+}
+
+}  // namespace
+
+std::string ModelChoice::label() const {
+    return lobes == 1 ? model : model + " " + std::to_string(lobes) + " lobes";
+}
+
+std::vector<ModelChoice> compared_models() {
+    std::vector<ModelChoice> result;
+    for (const FitFamily& family : fit_families()) {
+        if (family.costly) continue;
+        result.push_back({family.name});
+        if (family.name == "kurt") result.insert(result.end(), {{"kurt", 2}, {"kurt", 3}});
+    }
+    return result;
+}
+
+ModelChoice choice_of(const Fit& fit) {
+    return {fit.model, fit.request.lobes};
+}
+
+std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet& set,
+                         const ComparisonRequest& request) {
+    const FitData with_bands = fit_data(set, request.selection);
+    const FitData plain = fit_data(set, without_bands(request.selection));
+    std::vector<Fit> result;
+    for (const ModelChoice& choice : models) {
+        const bool spectral = has_index(choice.model);
+        FitRequest fit{.model = choice.model,
+                       .lobes = choice.lobes,
+                       .index = spectral ? request.index : "",
+                       .residual = request.residual,
+                       .followed_starts = request.followed_starts};
+        if (set.scale == Scale::unknown) fit.freed.emplace_back("scale");
+        result.push_back(fitted(fit, spectral ? with_bands : plain));
+    }
+    return result;
+}
+
+}  // namespace hts::validation

@@ -1,0 +1,337 @@
+#include "validation/fit/fit.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "hts/error.hpp"
+#include "hts/microfacet/diffuse.hpp"
+#include "hts/microfacet/kurt.hpp"
+#include "hts/tests/support/comparison.hpp"
+#include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/reflector.hpp"
+#include "tables/formats/spectral_brdf.hpp"
+#include "validation/fit/least_squares.hpp"
+
+namespace {
+
+using namespace hts;
+using namespace hts::validation;
+using Catch::Contains;
+using Catch::StartsWith;
+using hts::testing::Random;
+
+const auto one_micron = spectral::WavelengthGrid::from_micrometres({1.0});
+
+/// Pairs in the plane of incidence, as goniometers measure them.
+std::vector<DirectionPair> in_plane() {
+    std::vector<DirectionPair> pairs;
+    for (const double theta_i : {10.0, 30.0, 50.0, 70.0}) {
+        for (double theta_r = -75; theta_r < 80; theta_r += 5) {
+            pairs.push_back({Direction::from_degrees(theta_i, 0),
+                             Direction::from_degrees(std::abs(theta_r), theta_r < 0 ? 0 : 180)});
+        }
+    }
+    return pairs;
+}
+
+/// Pairs all over the hemisphere, half of them within 15 degrees of the mirror direction, where lobes are.
+std::vector<DirectionPair> all_around(int count) {
+    Random random{5};
+    std::vector<DirectionPair> pairs;
+    for (int i = 0; i < count; ++i) {
+        const double theta = random.uniform(0, 85), phi = random.uniform(0, 360);
+        const bool near = i % 2 == 0;
+        const double out =
+            near ? std::clamp(theta + random.uniform(-15, 15), 0.0, 85.0) : random.uniform(0, 85);
+        const double turn = near ? phi + 180 + random.uniform(-15, 15) : random.uniform(0, 360);
+        pairs.push_back({Direction::from_degrees(theta, phi), Direction::from_degrees(out, turn)});
+    }
+    return pairs;
+}
+
+/// A standard normal number.
+double gaussian(Random& random) {
+    return std::sqrt(-2 * std::log(random.uniform(1e-12, 1))) *
+           std::cos(random.uniform(0, 6.283185307179586));
+}
+
+/// What an instrument with noise in proportion to the value would show.
+FitData seen(const spectral::AnyReflector& reflector, const std::vector<DirectionPair>& pairs, double noise,
+             const spectral::WavelengthGrid& grid = one_micron) {
+    Random random{11};
+    const auto brdf = tables::model_brdf(reflector, grid);
+    std::vector<FitSample> samples;
+    std::vector<double> spectrum(grid.size());
+    for (const DirectionPair& pair : pairs) {
+        brdf->brdf(pair, spectrum);
+        for (std::size_t w = 0; w < grid.size(); ++w) {
+            const double value = spectrum[w] * (1 + noise * gaussian(random));
+            samples.push_back({pair, w, value, noise * spectrum[w]});
+        }
+    }
+    return fit_data("synthetic", grid, samples);
+}
+
+spectral::AnyReflector he(double rms, double length, double albedo) {
+    return spectral::AnyReflector{spectral::Reflector{
+        "synthetic", {rms, length}, spectral::built_in_material("Al"), spectral::DiffuseAlbedo{albedo}}};
+}
+
+std::string in_words(const Fit& fit) {
+    std::ostringstream text;
+    for (const auto& p : fit.parameters) {
+        text << p.name << " = " << p.value << " +- " << p.standard_error << ' ' << p.unit << " ("
+             << name(p.outcome) << ")\n";
+    }
+    text << "rms log " << fit.statistics.rms_log << ", starts " << fit.starts_at_best << " of "
+         << fit.starts.size() << '\n';
+    for (const auto& statement : fit.statements) text << statement << '\n';
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("He-Torrance parameters come back from noisy data") {
+    const auto [rms, length, albedo] =
+        GENERATE(table<double, double, double>({{0.05, 0.8, 0.02}, {0.2, 1.5, 0.1}, {0.35, 2.0, 0.3}}));
+    const auto data = seen(he(rms, length, albedo), in_plane(), 0.01);
+    const Fit fit = fitted({.model = "he", .index = "\"Al\"", .residual = Residual::weighted}, data);
+    INFO(in_words(fit));
+    CHECK(fit.parameter("sigma0").value == Approx(rms).epsilon(0.01));
+    CHECK(fit.parameter("tau").value == Approx(length).epsilon(0.01));
+    CHECK(fit.parameter("a").value == Approx(albedo).epsilon(0.01));
+    for (const auto& [name, truth] :
+         std::map<std::string, double>{{"sigma0", rms}, {"tau", length}, {"a", albedo}}) {
+        const auto& found = fit.parameter(name);
+        CHECK(std::abs(found.value - truth) < 4 * found.standard_error);
+    }
+    CHECK(fit.statistics.reduced_chi_squared.value() == Approx(1).margin(0.25));
+    CHECK(fit.starts_at_best >= 2);
+}
+
+TEST_CASE("optical constants and scale come back where they are asked for") {
+    const auto truth = spectral::AnyReflector{spectral::Reflector{
+        "glass", {0.1, 1.2}, spectral::Material::constant({1.6, 0}), spectral::DiffuseAlbedo{0.2}}};
+    auto data = seen(truth, in_plane(), 0.002);
+    for (double& value : data.values) value *= 1.3;
+    const Fit fit = fitted({.model = "he", .freed = {"scale"}, .residual = Residual::relative}, data);
+    INFO(in_words(fit));
+    for (const auto& [name, expected] :
+         std::map<std::string, double>{{"n", 1.6}, {"scale", 1.3}, {"sigma0", 0.1}}) {
+        CHECK(fit.parameter(name).value == Approx(expected).epsilon(0.03));
+        CHECK(std::abs(fit.parameter(name).value - expected) < 4 * fit.parameter(name).standard_error);
+    }
+}
+
+TEST_CASE("albedos come back channel by channel") {
+    const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.55, 0.65});
+    const spectral::DiffuseAlbedo albedo{spectral::PiecewiseLinear{{{0.46, 0.5}, {0.55, 0.2}, {0.65, 0.05}}}};
+    const auto truth = spectral::AnyReflector{
+        spectral::Reflector{"paint", {0.12, 1.5}, spectral::built_in_material("Al"), albedo}};
+    const auto data = seen(truth, in_plane(), 0.01, grid);
+    const Residual residual = GENERATE(Residual::relative, Residual::logarithmic);
+    const Fit fit = fitted({.model = "he", .index = "\"Al\"", .residual = residual}, data);
+    INFO(in_words(fit));
+    CHECK(fit.parameter("sigma0").value == Approx(0.12).epsilon(0.01));
+    CHECK(fit.parameter("a@0.46um").value == Approx(0.5).epsilon(0.01));
+    CHECK(fit.parameter("a@0.55um").value == Approx(0.2).epsilon(0.01));
+    CHECK(fit.parameter("a@0.65um").value == Approx(0.05).epsilon(0.02));
+}
+
+TEST_CASE("Kurt's parameters come back to 1 % with 1 % noise") {
+    const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.1, 0.12, 0.3, 0.2}}};
+    const auto data = seen(spectral::AnyReflector{[&](const Wavelength&, spectral::OutsideRange) {
+                               return spectral::AnyModel{Kurt{0.1, lobes}};
+                           }},
+                           all_around(1500), 0.01);
+    const Fit fit = fitted({.model = "kurt", .freed = {"my"}, .residual = Residual::weighted}, data);
+    INFO(in_words(fit));
+    const std::map<std::string, double> truth{{"kd", 0.1},  {"ks", 0.3}, {"f0", 0.1},
+                                              {"mx", 0.12}, {"my", 0.3}, {"alpha", 0.2}};
+    for (const auto& [name, value] : truth) {
+        INFO(name);
+        CHECK(fit.parameter(name).value == Approx(value).epsilon(0.01));
+    }
+}
+
+TEST_CASE("two lobes are told apart") {
+    const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.8, 0.08, 0.08, 0}},
+                                                    {0.5, KurtLobe{0.8, 0.4, 0.4, 0}}};
+    const auto data = seen(spectral::AnyReflector{[&](const Wavelength&, spectral::OutsideRange) {
+                               return spectral::AnyModel{Kurt{0.05, lobes}};
+                           }},
+                           in_plane(), 0.01);
+    const Fit fit = fitted(
+        {.model = "kurt", .lobes = 2, .fixed = {{"f0", 0.8}, {"alpha", 0}}, .residual = Residual::relative},
+        data);
+    INFO(in_words(fit));
+    const bool narrow_first = fit.parameter("mx1").value < fit.parameter("mx2").value;
+    CHECK(fit.parameter(narrow_first ? "mx1" : "mx2").value == Approx(0.08).epsilon(0.01));
+    CHECK(fit.parameter(narrow_first ? "mx2" : "mx1").value == Approx(0.4).epsilon(0.01));
+    CHECK(fit.parameter(narrow_first ? "ks1" : "ks2").value == Approx(0.3).epsilon(0.02));
+    CHECK(fit.parameter("kd").value == Approx(0.05).epsilon(0.02));
+}
+
+TEST_CASE("every model finds its own parameters again") {
+    for (const FitFamily& family : fit_families()) {
+        INFO(family.name);
+        if (family.costly && !hts::testing::exhaustive()) continue;
+        const FitModel model{family.name, {1, {1.0}, {0}, ""}};
+        std::vector<double> values;
+        for (const FitParameter& parameter : model.parameters()) {
+            const auto& starts = parameter.range.starts;
+            double value = starts[starts.size() / 2] * 1.17;
+            if (parameter.range.symbol == "tau") value *= values.back();
+            if (!parameter.range.tied_to.empty()) value = values.back();
+            values.push_back(value);
+        }
+        const auto data = seen(model.reflector(values), in_plane(), 1e-5);
+        FitRequest request{.model = family.name, .residual = Residual::relative, .followed_starts = 4};
+        if (family.has_index) request.fixed = {{"n", 1.5 * 1.17}};
+        const Fit fit = fitted(request, data);
+        INFO(in_words(fit));
+        CHECK(fit.statistics.rms_log < 2e-5);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            CHECK(fit.parameters[i].value == Approx(values[i]).epsilon(2e-3));
+        }
+    }
+}
+
+TEST_CASE("every model that is registered can be fitted") {
+    for (const spectral::ModelEntry& entry : spectral::built_in_models()) {
+        INFO(entry.name);
+        CHECK(std::ranges::find(fit_families(), entry.name, &FitFamily::model) != fit_families().end());
+    }
+}
+
+TEST_CASE("wild values do not mislead a robust fit") {
+    auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01);
+    for (std::size_t i = 0; i < data.values.size(); i += 15) data.values[i] *= 5;
+    FitRequest request{.model = "he", .index = "\"Al\"", .loss_scale = 0.03};
+    const double plain = std::abs(fitted(request, data).parameter("a").value - 0.1);
+    request.loss = GENERATE(Loss::huber, Loss::cauchy);
+    const Fit robust = fitted(request, data);
+    CHECK(std::abs(robust.parameter("a").value - 0.1) < 0.2 * plain);
+    CHECK(robust.parameter("sigma0").value == Approx(0.2).epsilon(0.02));
+}
+
+TEST_CASE("a very rough surface shows its slope alone, and the fit says so") {
+    const auto data = seen(he(8, 80, 0.05), in_plane(), 0.01);
+    const Fit fit = fitted({.model = "he", .index = "\"Al\"", .residual = Residual::relative}, data);
+    INFO(in_words(fit));
+    REQUIRE_FALSE(fit.statements.empty());
+    CHECK_THAT(fit.statements.front(), StartsWith("sigma0 and tau apart: only sigma0/tau = 0.1"));
+    CHECK(fit.parameter("sigma0").value / fit.parameter("tau").value == Approx(0.1).epsilon(0.01));
+    CHECK(fit.parameter("sigma0").standard_error > 0.3 * fit.parameter("sigma0").value);
+}
+
+TEST_CASE("albedo against scale cannot be told from a matt surface") {
+    const auto data = seen(spectral::AnyReflector{[](const Wavelength&, spectral::OutsideRange) {
+                               return spectral::AnyModel{LambertianModel{0.4}};
+                           }},
+                           in_plane(), 0.01);
+    const Fit fit = fitted({.model = "lambert", .freed = {"scale"}, .residual = Residual::relative}, data);
+    INFO(in_words(fit));
+    REQUIRE_FALSE(fit.statements.empty());
+    CHECK_THAT(fit.statements.front(), StartsWith("a and scale apart: only a scale = 0.4 +-"));
+    CHECK(std::isinf(fit.parameter("a").standard_error));
+}
+
+TEST_CASE("a fit stays within bounds and says where it ended at one") {
+    const auto data = seen(he(0.2, 1.5, 0), in_plane(), 0.01);
+    for (const FittedParameter& p : fitted({.model = "oren_nayar"}, data).parameters) {
+        CHECK(p.value >= p.lowest);
+        CHECK(p.value <= p.highest);
+    }
+    const Fit fit = fitted({.model = "kurt", .residual = Residual::cosine}, data);
+    CHECK(fit.parameter("alpha").value >= 0);
+    for (const FittedParameter& p : fit.parameters) {
+        CHECK(p.value >= p.lowest);
+        CHECK(p.value <= p.highest);
+        const bool said =
+            std::ranges::find(fit.statements, p.name + ": ended at its bound") != fit.statements.end();
+        CHECK(said == (p.outcome == Outcome::at_bound));
+    }
+}
+
+TEST_CASE("a fit has the same bits for any number of threads") {
+    const auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.05);
+    const FitRequest request{.model = "kurt", .residual = Residual::relative, .followed_starts = 3};
+    omp_set_num_threads(1);
+    const Fit one = fitted(request, data);
+    omp_set_num_threads(3);
+    const Fit three = fitted(request, data);
+    omp_set_num_threads(omp_get_num_procs());
+    CHECK(one.material == three.material);
+    CHECK(one.predicted == three.predicted);
+    CHECK(one.statistics.cost == three.statistics.cost);
+}
+
+TEST_CASE("bounded linear least squares finds what a search finds") {
+    Random random{3};
+    for (int trial = 0; trial < 200; ++trial) {
+        Columns columns(4, std::vector<double>(9));
+        for (auto& column : columns) {
+            for (double& x : column) x = random.uniform(-1, 1);
+        }
+        std::vector<double> target(9);
+        for (double& x : target) x = random.uniform(-2, 2);
+        const std::vector<Bounds> bounds{{0, 1}, {0, 0.5}, {-0.2, 0.2}, {0, 1e6}};
+        const auto x = bounded_linear_solution(columns, target, bounds);
+        // the conditions of Karush, Kuhn and Tucker, which only the minimum of a convex problem fulfils
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            double gradient = 0;
+            for (std::size_t i = 0; i < target.size(); ++i) {
+                double rest = -target[i];
+                for (std::size_t k = 0; k < x.size(); ++k) rest += x[k] * columns[k][i];
+                gradient += rest * columns[j][i];
+            }
+            REQUIRE(x[j] >= bounds[j].lowest);
+            REQUIRE(x[j] <= bounds[j].highest);
+            if (x[j] > bounds[j].lowest) CHECK(gradient < 1e-12);
+            if (x[j] < bounds[j].highest) CHECK(gradient > -1e-12);
+        }
+    }
+}
+
+TEST_CASE("what cannot be fitted is named") {
+    const auto good = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01);
+    CHECK_THROWS_WITH(fitted({.model = "gloss"}, good),
+                      Contains("model \"gloss\" is not known: must be one of he, "));
+    CHECK_THROWS_WITH(
+        fitted({.model = "he", .fixed = {{"gloss", 1}}}, good),
+        Contains("parameter \"gloss\" of model \"he\" is not known: must be one of sigma0, tau, a"));
+    CHECK_THROWS_WITH(fitted({.model = "he", .starts = {{"sigma0", 5000}}}, good),
+                      Contains("sigma0: start 5000 um: must be 1e-04 ... 1000"));
+    CHECK_THROWS_WITH(fitted({.model = "he", .fixed = {{"a", -0.1}}}, good),
+                      Contains("a: fixed at -0.1: must be 0 ... 1"));
+    CHECK_THROWS_WITH(fitted({.model = "lambert", .lobes = 2}, good), Contains("has no lobes"));
+    CHECK_THROWS_WITH(fitted({.model = "kurt", .lobes = 4}, good), Contains("4 lobes: must be 1 ... 3"));
+    CHECK_THROWS_WITH(fitted({.model = "kurt", .index = "\"Al\""}, good), Contains("has no index"));
+    CHECK_THROWS_WITH(fitted({.model = "he", .index = "\"Unobtainium\""}, good), Contains("Unobtainium"));
+
+    const std::vector<FitSample> few{
+        {in_plane()[0], 0, 0.1, 0}, {in_plane()[1], 0, 0.1, 0}, {in_plane()[2], 0, 0.1, 0}};
+    CHECK_THROWS_WITH(fitted({.model = "he", .index = "\"Al\""}, fit_data("three", one_micron, few)),
+                      Contains("three: 3 values for 3 free parameters: must be more"));
+    CHECK_THROWS_WITH(
+        fitted({.model = "lambert", .residual = Residual::weighted}, fit_data("three", one_micron, few)),
+        Contains("no uncertainties"));
+    const auto bad = [&](double value, double uncertainty, std::size_t wavelength) {
+        auto samples = few;
+        samples[1] = {in_plane()[1], wavelength, value, uncertainty};
+        return fit_data("bad", one_micron, samples);
+    };
+    CHECK_THROWS_WITH(bad(std::nan(""), 0, 0),
+                      Contains("bad: sample 2: value nan: must be a finite number >= 0"));
+    CHECK_THROWS_WITH(bad(-1, 0, 0), Contains("must be a finite number >= 0"));
+    CHECK_THROWS_WITH(bad(1, 0.1, 0), Contains("bad: sample 1: uncertainty 0"));
+    CHECK_THROWS_WITH(bad(1, 0, 7), Contains("wavelength 7: must be one of the grid's 1"));
+    CHECK_THROWS_WITH(fitted({.model = "lambert"}, bad(0, 0, 0)),
+                      Contains("value 2 is 0: must be > 0 for log residuals"));
+}

@@ -1,0 +1,144 @@
+#include "validation/papers/he_figures.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "hts/error.hpp"
+#include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/text/text.hpp"
+#include "validation/papers/polar_script.hpp"
+
+namespace hts::validation {
+namespace {
+
+using spectral::built_in_material;
+using spectral::DiffuseAlbedo;
+using spectral::Reflector;
+
+constexpr double paper_solid_angle = std::numbers::pi / 1024;  // sr
+constexpr auto theory_only = "Theory only: the paper's measured curves are not available.";
+
+Reflector roughened_aluminium() {
+    return {"roughened aluminium, σ₀ = 0.28 µm, τ = 1.77 µm", Surface{0.28, 1.77}, built_in_material("Al"),
+            DiffuseAlbedo{0}};
+}
+
+Reflector ceramic() {
+    return {"magnesium-oxide ceramic, σ₀ = 1.45 µm, τ = 13.2 µm, a = 0.9", Surface{1.45, 13.2},
+            built_in_material("MgO"), DiffuseAlbedo{0.9}};
+}
+
+Reflector sandpaper() {
+    return {"220-grit sandpaper, σ₀/τ = 4.4", Surface{44, 10}, built_in_material("Al2O3"), DiffuseAlbedo{0}};
+}
+
+Reflector plastic() {
+    return {"smooth blue plastic, a = 0.15", Surface{0, 1}, spectral::Material::constant({1.54, 0}),
+            DiffuseAlbedo{0.15}};
+}
+
+std::string stem(const HeFigure& figure) {
+    return "he-figure-" + std::to_string(figure.number);
+}
+
+FigureTable table(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
+    FigureTable numbers{stem(figure),
+                        {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
+                         "specular_average", "radius"},
+                        {}};
+    for (const PolarCurve& curve : curves) {
+        for (const PolarPoint& point : curve.points) {
+            numbers.rows.push_back({curve.theta_i, point.view_angle, point.directional_diffuse,
+                                    point.uniform_diffuse, point.specular, point.radius});
+        }
+    }
+    return numbers;
+}
+
+std::string title(const HeFigure& figure) {
+    return "Fig. " + std::to_string(figure.number) + ": " + figure.reflector.name +
+           ", λ = " + shortest(figure.wavelength) + " µm";
+}
+
+std::string polar_figure(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
+    return polar_script(curves,
+                        {title(figure),
+                         {"radius: BRDF / BRDF in the specular direction, eq. 11; peaks averaged over "
+                          "cones of π/1024 sr",
+                          theory_only},
+                         stem(figure) + ".csv"});
+}
+
+/// BRDF against the view angle, as in Fig. 11.
+std::string semilogarithmic_figure(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
+    constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499"};
+    std::string script =
+        std::string{figure_style} + "set margins 11,4,5,6\n" + page_label(title(figure), 0.03, 0.95, 17) +
+        page_label(std::string{"Peaks averaged over cones of π/1024 sr. "} + theory_only, 0.03, 0.9, 13) +
+        R"(set logscale y
+set format y '10^{%T}'
+set xlabel 'view angle [°], the mirror side positive'
+set ylabel 'BRDF [1/sr]' offset 1,0
+set xrange [-90:90]
+set xtics 15
+set yrange [0.01:1000]
+set key at graph 0.03,0.97 left top reverse Left
+plot )";
+    std::size_t first = 1;  // record 0 is the header
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const std::size_t last = first + curves[i].points.size() - 1;
+        script += spectral::gnuplot_string(stem(figure) + ".csv") + " every ::" + std::to_string(first) +
+                  "::" + std::to_string(last) + " using 2:6 with lines lw 2.4 lc rgb '" + colours.at(i) +
+                  "' title 'θ_i = " + shortest(curves[i].theta_i) + "°'" +
+                  (i + 1 < curves.size() ? ", \\\n     " : "\n");
+        first = last + 1;
+    }
+    return script;
+}
+
+Figure drawn(const HeFigure& figure) {
+    std::vector<PolarCurve> curves;
+    for (const double theta_i : figure.theta_i) curves.push_back(figure.curve(theta_i));
+    return {stem(figure),
+            {table(figure, curves)},
+            figure.radius == PolarRadius::normalised ? polar_figure(figure, curves)
+                                                     : semilogarithmic_figure(figure, curves),
+            "After Fig. " + std::to_string(figure.number) + " of He et al. 1991: " + figure.reflector.name +
+                ". " + theory_only};
+}
+
+}  // namespace
+
+spectral::AnyModel HeFigure::model() const {
+    return spectral::AnyReflector{reflector}.at(Wavelength::from_micrometres(wavelength));
+}
+
+PolarCurve HeFigure::curve(double degrees) const {
+    return polar_curve(model(), degrees, 0, EqualCones{paper_solid_angle}, radius);
+}
+
+HeFigure he_figure(int number) {
+    switch (number) {
+        case 7:
+            return {7, roughened_aluminium(), 2.0, {10, 45, 75}, PolarRadius::normalised};
+        case 8:
+            return {8, roughened_aluminium(), 0.5, {10, 30, 45, 60, 75}, PolarRadius::normalised};
+        case 9:
+            return {9, ceramic(), 0.5, {10, 45, 60, 75}, PolarRadius::normalised};
+        case 10:
+            return {10, sandpaper(), 0.55, {0}, PolarRadius::normalised};
+        case 11:
+            return {11, plastic(), 0.46, {15, 30, 45, 60}, PolarRadius::absolute};
+        default:
+            throw out_of_range("figure of He et al. 1991", number, "", "from 7 to 11");
+    }
+}
+
+std::vector<Figure> he_figures() {
+    std::vector<Figure> figures;
+    for (const int number : {7, 8, 9, 10, 11}) figures.push_back(drawn(he_figure(number)));
+    return figures;
+}
+
+}  // namespace hts::validation

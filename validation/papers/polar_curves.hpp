@@ -1,0 +1,60 @@
+/// In-plane curves of reflectance against view angle, as in He et al. 1991, Figures 7 to 10.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "spectral/models/any_model.hpp"
+
+namespace hts::validation {
+
+/// How source and receiver widen the specular delta: both are cones of the same solid angle.
+///
+/// The delta reflects the source's cone into an equal cone about the mirror direction; a receiver off by the
+/// angle d takes in the part of it that overlaps its own cone. With radiance averaged over the source's
+/// cone, the measured BRDF is rho_s / (cos theta_i omega) [He91 (70)] times that part of the cone. Cones are
+/// taken as flat discs; the diffuse terms, which hardly change within a cone, are not averaged.
+class EqualCones {
+  public:
+    ///   solid_angle   omega [sr]  > 0 … 1, else hts::Error
+    explicit EqualCones(double solid_angle);
+
+    [[nodiscard]] double solid_angle() const noexcept { return solid_angle_; }
+    /// acos(1 - omega / 2 pi) = 2 asin(sqrt(omega / 4 pi)) [rad].
+    [[nodiscard]] double half_angle() const noexcept { return half_angle_; }
+    /// Common part of two equal discs: 2/pi (acos x - x sqrt(1 - x^2)), x = off_mirror / (2 half angle).
+    ///   range   1 at the mirror direction, 0 from two half angles on
+    [[nodiscard]] double overlap(double off_mirror) const noexcept;
+    /// The specular term as a BRDF [1/sr], averaged over the cones; 0 at grazing incidence.
+    [[nodiscard]] double brdf(const SpecularReflectance& specular, double cos_theta_i,
+                              double off_mirror) const noexcept;
+
+  private:
+    double solid_angle_, half_angle_;
+};
+
+struct PolarPoint {
+    double view_angle;  ///< [deg] -90 … 90, positive on the mirror's side
+    double directional_diffuse, uniform_diffuse, specular;  ///< [1/sr], the last averaged over the cones
+    double radius;                                          ///< what is drawn
+
+    [[nodiscard]] double brdf() const noexcept { return directional_diffuse + uniform_diffuse + specular; }
+};
+
+struct PolarCurve {
+    double theta_i;  ///< [deg]
+    std::vector<PolarPoint> points;
+};
+
+enum class PolarRadius {
+    normalised,  ///< BRDF / BRDF in the specular direction [He91 (11)]
+    absolute,    ///< BRDF [1/sr]
+};
+
+/// The curve of one angle of incidence.
+///   theta_i, phi_i   of the light [deg], theta_i 0 … 90      cones   none leaves the specular term out
+/// Throws hts::Error if the radius shall be normalised and the BRDF in the specular direction is 0.
+[[nodiscard]] PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
+                                     const std::optional<EqualCones>& cones, PolarRadius radius);
+
+}  // namespace hts::validation

@@ -1,0 +1,22 @@
+/// The gnuplot script of a half-circle polar plot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/papers/polar_curves.hpp"
+
+namespace hts::validation {
+
+struct PolarStyle {
+    std::string title;
+    std::vector<std::string> captions;  ///< lines below that say what the radius is
+    std::string data_file;              ///< CSV with view_angle_deg in column 2 and radius in the last, 6
+    bool logarithmic = false;           ///< radius from `decades` below the outermost circle
+    int decades = 4;
+};
+
+/// Surface normal up, light from the left: view angles from -90 deg (left) to 90 deg (right).
+[[nodiscard]] std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle& style);
+
+}  // namespace hts::validation

@@ -1,0 +1,150 @@
+#include "validation/scattering/gaussian_surface.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+#include <unsupported/Eigen/FFT>
+
+#include "spectral/random_directions.hpp"
+
+namespace hts::validation {
+namespace {
+
+using Complex = std::complex<double>;
+using Field = std::vector<Complex>;
+
+/// Pairs of independent normal numbers, by Box and Muller's transform.
+Field white_noise(std::size_t count, std::uint64_t seed) {
+    std::mt19937_64 random{seed};
+    Field noise(count);
+    for (Complex& pair : noise) {
+        const double radius = std::sqrt(-2 * std::log1p(-spectral::uniform(random)));
+        pair = std::polar(radius, 2 * std::numbers::pi * spectral::uniform(random));
+    }
+    return noise;
+}
+
+/// Noise with a real transform of its own in each part: only the real one is wanted.
+Field real_noise(std::size_t count, std::uint64_t seed) {
+    Field noise = white_noise((count + 1) / 2, seed);
+    Field result(count);
+    for (std::size_t i = 0; i < count; ++i)
+        result[i] = i % 2 == 0 ? noise[i / 2].real() : noise[i / 2].imag();
+    return result;
+}
+
+/// Wave numbers of a discrete transform.
+std::vector<double> wave_numbers(std::size_t samples, double step) {
+    std::vector<double> result(samples);
+    const double lowest = 2 * std::numbers::pi / (static_cast<double>(samples) * step);
+    for (std::size_t i = 0; i < samples; ++i) {
+        const auto signed_index =
+            static_cast<double>(i) - (2 * i > samples ? static_cast<double>(samples) : 0);
+        result[i] = lowest * signed_index;
+    }
+    return result;
+}
+
+/// Square root of the transform of C over samples a step apart: sqrt(tau sqrt(pi)/step) exp(-(kappa tau)^2/8).
+double amplitude_filter(double wave_number, double step, double correlation_length) {
+    const double scaled = wave_number * correlation_length;
+    return std::sqrt(correlation_length / (std::numbers::inv_sqrtpi * step)) * std::exp(-scaled * scaled / 8);
+}
+
+std::vector<double> part(const Field& field, double (*of)(const Complex&)) {
+    std::vector<double> result;
+    result.reserve(field.size());
+    for (const Complex& value : field) result.push_back(of(value));
+    return result;
+}
+
+double real_part(const Complex& value) {
+    return value.real();
+}
+double imaginary_part(const Complex& value) {
+    return value.imag();
+}
+
+/// Transform of a square, rows and then columns.
+class SquareTransform {
+  public:
+    explicit SquareTransform(std::size_t samples)
+        : samples_{samples}, line_(samples), transformed_(samples) {}
+
+    void forward(Field& field) {
+        along_both(field, [this] { transform_.fwd(transformed_, line_); });
+    }
+    void inverse(Field& field) {
+        along_both(field, [this] { transform_.inv(transformed_, line_); });
+    }
+
+  private:
+    template <class Transform>
+    void along_both(Field& field, const Transform& transform) {
+        for (std::size_t i = 0; i < samples_; ++i) along(field, i * samples_, 1, transform);
+        for (std::size_t i = 0; i < samples_; ++i) along(field, i, samples_, transform);
+    }
+    template <class Transform>
+    void along(Field& field, std::size_t first, std::size_t stride, const Transform& transform) {
+        for (std::size_t i = 0; i < samples_; ++i) line_[i] = field[first + i * stride];
+        transform();
+        for (std::size_t i = 0; i < samples_; ++i) field[first + i * stride] = transformed_[i];
+    }
+
+    std::size_t samples_;
+    Eigen::FFT<double> transform_;
+    Field line_, transformed_;
+};
+
+}  // namespace
+
+std::uint64_t seed_of(std::uint64_t study, std::uint64_t part, std::uint64_t realisation) noexcept {
+    std::uint64_t state = (study * 0x9e3779b97f4a7c15U + part) * 0xd1342543de82ef95U + realisation;
+    state = (state ^ (state >> 30U)) * 0xbf58476d1ce4e5b9U;
+    state = (state ^ (state >> 27U)) * 0x94d049bb133111ebU;
+    return state ^ (state >> 31U);
+}
+
+RandomProfile random_profile(const RoughnessStatistics& statistics, double step, std::size_t samples,
+                             std::uint64_t seed) {
+    const std::vector<double> waves = wave_numbers(samples, step);
+    Eigen::FFT<double> transform;
+    Field spectrum, first(samples), second(samples), result;
+    transform.fwd(spectrum, real_noise(samples, seed));
+    for (std::size_t i = 0; i < samples; ++i) {
+        const Complex height =
+            spectrum[i] *
+            (statistics.rms_roughness * amplitude_filter(waves[i], step, statistics.correlation_length));
+        first[i] = height * (1 - waves[i]);  // z + i z', since i (i kappa) = -kappa
+        second[i] = -height * (waves[i] * waves[i]);
+    }
+    transform.inv(result, first);
+    RandomProfile profile{step, part(result, real_part), part(result, imaginary_part), {}};
+    transform.inv(result, second);
+    profile.second_derivative = part(result, real_part);
+    return profile;
+}
+
+RandomField random_field(const RoughnessStatistics& statistics, double step, std::size_t samples,
+                         std::uint64_t seed) {
+    const std::vector<double> waves = wave_numbers(samples, step);
+    SquareTransform transform{samples};
+    Field first = real_noise(samples * samples, seed);
+    transform.forward(first);
+    Field second(first.size());
+    for (std::size_t j = 0; j < samples; ++j) {
+        const double across = amplitude_filter(waves[j], step, statistics.correlation_length);
+        for (std::size_t i = 0; i < samples; ++i) {
+            const double along = amplitude_filter(waves[i], step, statistics.correlation_length);
+            const Complex height = first[j * samples + i] * (statistics.rms_roughness * along * across);
+            first[j * samples + i] = height * (1 - waves[i]);
+            second[j * samples + i] = height * Complex{0, waves[j]};
+        }
+    }
+    transform.inverse(first);
+    transform.inverse(second);
+    return {step, samples, part(first, real_part), part(first, imaginary_part), part(second, real_part)};
+}
+
+}  // namespace hts::validation

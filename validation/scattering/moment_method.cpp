@@ -1,0 +1,452 @@
+#include "validation/scattering/moment_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "hts/error.hpp"
+#include "validation/scattering/boundary_integral.hpp"
+#include "validation/scattering/tapered_beam.hpp"
+
+namespace hts::validation {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double pi = std::numbers::pi;
+constexpr double k = 2 * pi;  // the wavelength is the unit of length
+constexpr double degree = pi / 180;
+constexpr int angles_per_bin = 10;
+constexpr int bin_count = static_cast<int>(180 / bin_width_deg);
+constexpr int jackknife_blocks = 10;
+
+/// Middles of the angular steps from -90 to 90 degrees, so that sums are integrals.
+std::vector<double> scattering_angles() {
+    constexpr int count = bin_count * angles_per_bin;
+    std::vector<double> angles;
+    angles.reserve(count);
+    for (int i = 0; i < count; ++i) angles.push_back((i + 0.5) * pi / count - pi / 2);
+    return angles;
+}
+
+/// The middle of a period.
+Contour contour_of(const RandomProfile& profile, std::size_t nodes) {
+    const std::size_t first = (profile.height.size() - nodes) / 2;
+    const auto middle = [&](const std::vector<double>& all) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(nodes));
+    };
+    Contour contour{profile.step,
+                    std::vector<double>(nodes),
+                    middle(profile.height),
+                    std::vector<double>(nodes, 1),
+                    middle(profile.slope),
+                    std::vector<double>(nodes, 0),
+                    middle(profile.second_derivative)};
+    for (std::size_t i = 0; i < nodes; ++i)
+        contour.x[i] = profile.step * (static_cast<double>(i) - (static_cast<double>(nodes) - 1) / 2);
+    return contour;
+}
+
+/// The incident beams' fields at the nodes.
+SurfaceFields incident_fields(const Contour& contour, const std::vector<TaperedBeam>& beams) {
+    SurfaceFields result;
+    for (const TaperedBeam& beam : beams) {
+        SurfaceField field, derivative;
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const double x = contour.x[i], z = contour.z[i];
+            field.push_back(beam.field(x, z));
+            derivative.push_back(beam.derivative(x, z, -contour.dz[i], contour.dx[i]));
+        }
+        result.psi.push_back(std::move(field));
+        result.u.push_back(std::move(derivative));
+    }
+    return result;
+}
+
+std::vector<SurfaceField> combined(double a, const std::vector<SurfaceField>& first, double b,
+                                   const std::vector<SurfaceField>& second) {
+    std::vector<SurfaceField> result = first;
+    for (std::size_t column = 0; column < first.size(); ++column) {
+        for (std::size_t i = 0; i < first[column].size(); ++i)
+            result[column][i] = a * first[column][i] + b * second[column][i];
+    }
+    return result;
+}
+
+SurfaceFields combined(double a, const SurfaceFields& first, double b, const SurfaceFields& second) {
+    return {combined(a, first.psi, b, second.psi), combined(a, first.u, b, second.u)};
+}
+
+/// Power that enters the ground, per beam: integral -Im(psi* u)/k dl.
+std::vector<double> transmitted_power(const SurfaceFields& fields, double step) {
+    std::vector<double> powers;
+    for (std::size_t beam = 0; beam < fields.psi.size(); ++beam) {
+        double sum = 0;
+        for (std::size_t i = 0; i < fields.psi[beam].size(); ++i)
+            sum -= std::imag(std::conj(fields.psi[beam][i]) * fields.u[beam][i]);
+        powers.push_back(sum * step / k);
+    }
+    return powers;
+}
+
+/// Power in far fields at even angles that fill half a circle, per beam.
+std::vector<double> far_power(const std::vector<SurfaceField>& amplitudes) {
+    std::vector<double> powers;
+    for (const SurfaceField& beam : amplitudes) {
+        double sum = 0;
+        for (const Complex amplitude : beam) sum += std::norm(amplitude);
+        powers.push_back(sum * pi / static_cast<double>(beam.size()) / (8 * pi * k));
+    }
+    return powers;
+}
+
+/// One realisation in one polarisation, per beam: far fields per angle, and powers.
+struct Scattered {
+    std::vector<SurfaceField> exact, kirchhoff;
+    std::vector<double> past_ends, transmitted;
+};
+using Realisation = std::array<Scattered, 2>;
+
+class ProfileStudy {
+  public:
+    ProfileStudy(const RoughnessStatistics& surface, const std::vector<double>& theta_i_deg,
+                 const MomentSettings& settings)
+        : surface_{surface}, settings_{settings}, angles_{scattering_angles()} {
+        for (const double angle : angles_) below_.push_back(pi + angle);
+        for (const double theta : theta_i_deg) beams_.emplace_back(theta * degree, settings.length / 4, k);
+        nodes_ = static_cast<std::size_t>(std::lround(settings.length * settings.points_per_wavelength));
+        const double margin = 8 * surface.correlation_length * settings.points_per_wavelength;
+        while (static_cast<double>(period_) < static_cast<double>(nodes_) + margin) period_ *= 2;
+    }
+
+    [[nodiscard]] const std::vector<double>& angles() const { return angles_; }
+    [[nodiscard]] const std::vector<TaperedBeam>& beams() const { return beams_; }
+
+    [[nodiscard]] Realisation realisation(int number) const {
+        const auto seed = seed_of(settings_.study, surface_number(), static_cast<std::uint64_t>(number));
+        const double step = 1.0 / settings_.points_per_wavelength;
+        const Contour contour = contour_of(random_profile(surface_, step, period_, seed), nodes_);
+        const SurfaceFields light = incident_fields(contour, beams_);
+        const PolarisedFields fields = solved(contour, light.psi);
+        const std::vector<SurfaceField> dark(beams_.size(), SurfaceField(contour.size()));
+        const FarField above{contour, k, angles_}, below{contour, k, below_};
+        const auto scattered = [&](const SurfaceFields& exact, const SurfaceFields& kirchhoff) {
+            return Scattered{above.amplitudes(exact), above.amplitudes(kirchhoff),
+                             far_power(below.amplitudes(combined(1, exact, -1, light))),
+                             transmitted_power(exact, step)};
+        };
+        return {scattered(fields.te, {dark, combined(2, light.u, 0, light.u)}),
+                scattered(fields.tm, {combined(2, light.psi, 0, light.psi), dark})};
+    }
+
+    [[nodiscard]] std::vector<Realisation> realisations() const {
+        std::vector<Realisation> all(static_cast<std::size_t>(settings_.realisations));
+#pragma omp parallel for schedule(dynamic, 1)
+        for (int i = 0; i < settings_.realisations; ++i) all[static_cast<std::size_t>(i)] = realisation(i);
+        return all;
+    }
+
+  private:
+    [[nodiscard]] PolarisedFields solved(const Contour& contour,
+                                         const std::vector<SurfaceField>& incident) const {
+        if (!settings_.index) return surface_fields(contour, k, incident);
+        return surface_fields(contour, k, incident, {settings_.index->n(), settings_.index->k()});
+    }
+    /// A number for the surface, so that each has seeds of its own.
+    [[nodiscard]] std::uint64_t surface_number() const {
+        return static_cast<std::uint64_t>(std::lround(1e4 * surface_.rms_roughness)) * 1000000U +
+               static_cast<std::uint64_t>(std::lround(1e4 * surface_.correlation_length));
+    }
+
+    RoughnessStatistics surface_;
+    MomentSettings settings_;
+    std::vector<double> angles_, below_;
+    std::vector<TaperedBeam> beams_;
+    std::size_t nodes_ = 0, period_ = 64;
+};
+
+/// Sums over realisations at one angle.
+struct Sums {
+    double intensity = 0;
+    Complex field;
+    double count = 0;
+
+    void add(Complex amplitude) {
+        intensity += std::norm(amplitude);
+        field += amplitude;
+        ++count;
+    }
+    Sums& operator+=(const Sums& other) {
+        intensity += other.intensity;
+        field += other.field;
+        count += other.count;
+        return *this;
+    }
+    [[nodiscard]] double mean() const { return intensity / count; }
+    /// Unbiased estimate of <|N|^2> - |<N>|^2.
+    [[nodiscard]] double incoherent() const { return (intensity - std::norm(field) / count) / (count - 1); }
+};
+
+/// Of one polarisation and beam: sums per block of realisations and angle.
+class Lobe {
+  public:
+    explicit Lobe(std::size_t angles) : blocks_(jackknife_blocks, std::vector<Sums>(angles)) {}
+
+    void add(std::size_t realisation, const SurfaceField& amplitudes) {
+        auto& block = blocks_[realisation % jackknife_blocks];
+        for (std::size_t i = 0; i < amplitudes.size(); ++i) block[i].add(amplitudes[i]);
+    }
+    /// At one angle over all blocks but one; over all if there is no such block.
+    [[nodiscard]] Sums without(std::size_t left_out, std::size_t angle) const {
+        Sums sum;
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            if (b != left_out) sum += blocks_[b][angle];
+        }
+        return sum;
+    }
+    /// Mean over a bin of what is incoherent.
+    [[nodiscard]] double incoherent(std::size_t bin, std::size_t left_out = jackknife_blocks) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < angles_per_bin; ++i)
+            sum += without(left_out, bin * angles_per_bin + i).incoherent();
+        return sum / angles_per_bin;
+    }
+    /// Mean over all angles of everything, and of what is coherent.
+    [[nodiscard]] double mean() const {
+        return mean_of([](const Sums& s) { return s.mean(); });
+    }
+    [[nodiscard]] double coherent() const {
+        return mean_of([](const Sums& s) { return s.mean() - s.incoherent(); });
+    }
+
+  private:
+    template <class Quantity>
+    [[nodiscard]] double mean_of(const Quantity& quantity) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < blocks_[0].size(); ++i) sum += quantity(without(jackknife_blocks, i));
+        return sum / static_cast<double>(blocks_[0].size());
+    }
+
+    std::vector<std::vector<Sums>> blocks_;
+};
+
+double decibels(double ratio) {
+    return 10 * std::log10(ratio);
+}
+
+/// One polarisation under one beam, or both.
+class PolarisedLobes {
+  public:
+    PolarisedLobes(const MomentCase& of, const std::vector<double>& angles, double power)
+        : of_{of}, power_{power}, exact_{angles.size()}, kirchhoff_{angles.size()} {
+        for (const double angle : angles) {
+            reflectances_.push_back(facet_reflectance(of, (of.theta_i_deg * degree + angle) / 2));
+            for (std::size_t m = 0; m < profile_models.size(); ++m)
+                lobes_[m].push_back(reflectances_.back() * profile_lobe(profile_models[m], of.surface,
+                                                                        of.theta_i_deg * degree, angle));
+        }
+    }
+
+    void add(std::size_t number, const Scattered& scattered, std::size_t beam) {
+        exact_.add(number, scattered.exact[beam]);
+        SurfaceField kirchhoff = scattered.kirchhoff[beam];
+        for (std::size_t i = 0; i < kirchhoff.size(); ++i) kirchhoff[i] *= std::sqrt(reflectances_[i]);
+        kirchhoff_.add(number, kirchhoff);
+        past_ends_ += scattered.past_ends[beam] / power_;
+        transmitted_ += scattered.transmitted[beam] / power_;
+        ++count_;
+    }
+
+    [[nodiscard]] MomentResult result() const {
+        const double per_radian = 1 / (8 * pi * k * power_), past = past_ends_ / count_,
+                     transmitted = transmitted_ / count_;
+        MomentResult result{of_,
+                            count_,
+                            pi * per_radian * exact_.mean() + past + transmitted,
+                            pi * per_radian * exact_.coherent(),
+                            past,
+                            transmitted,
+                            pi * per_radian * kirchhoff_.mean(),
+                            {}};
+        for (std::size_t bin = 0; bin < bin_count; ++bin) {
+            AngularBin one{(static_cast<double>(bin) + 0.5) * bin_width_deg - 90,
+                           per_radian * exact_.incoherent(bin),
+                           per_radian * kirchhoff_.incoherent(bin),
+                           {},
+                           0};
+            for (std::size_t m = 0; m < profile_models.size(); ++m) one.model[m] = model(m, bin);
+            result.bins.push_back(one);
+        }
+        return result;
+    }
+
+    /// Lobes in a bin without a block of the realisations.
+    [[nodiscard]] double exact(std::size_t bin, std::size_t left_out) const {
+        return exact_.incoherent(bin, left_out);
+    }
+    [[nodiscard]] double kirchhoff(std::size_t bin, std::size_t left_out) const {
+        return kirchhoff_.incoherent(bin, left_out);
+    }
+
+  private:
+    /// Closed form, averaged over the angles of a bin.
+    [[nodiscard]] double model(std::size_t m, std::size_t bin) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < angles_per_bin; ++i) sum += lobes_[m][bin * angles_per_bin + i];
+        return sum / angles_per_bin;
+    }
+
+    MomentCase of_;
+    double power_;
+    std::vector<double> reflectances_;  // per angle
+    std::array<std::vector<double>, profile_models.size()> lobes_;
+    Lobe exact_, kirchhoff_;
+    double past_ends_ = 0, transmitted_ = 0;
+    int count_ = 0;
+};
+
+/// Standard error of the ratio of two lobes in a bin, each summed over polarisations.
+double ratio_error_db(const std::vector<const PolarisedLobes*>& lobes, std::size_t bin) {
+    std::array<double, jackknife_blocks> ratios{};
+    double mean = 0, squares = 0;
+    for (std::size_t b = 0; b < jackknife_blocks; ++b) {
+        double kirchhoff = 0, exact = 0;
+        for (const PolarisedLobes* each : lobes) {
+            kirchhoff += each->kirchhoff(bin, b);
+            exact += each->exact(bin, b);
+        }
+        ratios[b] = decibels(kirchhoff / exact);
+        mean += ratios[b] / jackknife_blocks;
+    }
+    for (const double ratio : ratios) squares += (ratio - mean) * (ratio - mean);
+    return std::sqrt(squares * (jackknife_blocks - 1) / jackknife_blocks);
+}
+
+/// Half of each.
+MomentResult unpolarised(const MomentResult& te, const MomentResult& tm) {
+    MomentResult both = te;
+    const auto halve = [](double& value, double other) { value = (value + other) / 2; };
+    both.of.polarisation = Polarisation::unpolarised;
+    halve(both.energy, tm.energy);
+    halve(both.mirror, tm.mirror);
+    halve(both.past_ends, tm.past_ends);
+    halve(both.transmitted, tm.transmitted);
+    halve(both.kirchhoff_energy, tm.kirchhoff_energy);
+    for (std::size_t i = 0; i < both.bins.size(); ++i) {
+        halve(both.bins[i].exact, tm.bins[i].exact);
+        halve(both.bins[i].kirchhoff, tm.bins[i].kirchhoff);
+        for (std::size_t m = 0; m < profile_models.size(); ++m)
+            halve(both.bins[i].model[m], tm.bins[i].model[m]);
+    }
+    return both;
+}
+
+/// In the three polarisations.
+std::vector<MomentResult> results_of(const PolarisedLobes& te, const PolarisedLobes& tm) {
+    std::vector<MomentResult> results{te.result(), tm.result()};
+    results.push_back(unpolarised(results[0], results[1]));
+    const std::array<std::vector<const PolarisedLobes*>, 3> summed{{{&te}, {&tm}, {&te, &tm}}};
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        for (std::size_t bin = 0; bin < bin_count; ++bin)
+            results[i].bins[bin].ratio_error_db = ratio_error_db(summed[i], bin);
+    }
+    return results;
+}
+
+/// Weighted with the exact energy, and the median where it is bright.
+Distance distance_of(const MomentResult& result, const std::function<double(const AngularBin&)>& ratio) {
+    double weight = 0, squares = 0, sum = 0, brightest = 0;
+    for (const AngularBin& bin : result.bins) brightest = std::max(brightest, bin.exact);
+    std::vector<double> bright;
+    for (const AngularBin& bin : result.bins) {
+        if (!(bin.exact > 0) || !(bin.kirchhoff > 0)) continue;
+        const double difference = decibels(ratio(bin));
+        if (bin.exact > brightest / 100) bright.push_back(std::fabs(difference));
+        weight += bin.exact;
+        sum += bin.exact * difference;
+        squares += bin.exact * difference * difference;
+    }
+    if (bright.empty()) return {0, 0, 0};
+    const auto middle = bright.begin() + static_cast<std::ptrdiff_t>(bright.size() / 2);
+    std::nth_element(bright.begin(), middle, bright.end());
+    return {std::sqrt(squares / weight), *middle, sum / weight};
+}
+
+}  // namespace
+
+const char* name(Polarisation polarisation) noexcept {
+    constexpr std::array names{"te", "tm", "unpolarised"};
+    return names[static_cast<std::size_t>(polarisation)];
+}
+
+double facet_reflectance(const MomentCase& of, double theta_d) {
+    if (!of.index) return 1;
+    const FresnelAmplitudes amplitudes = fresnel(std::cos(theta_d), *of.index);
+    switch (of.polarisation) {
+        case Polarisation::te:
+            return std::norm(amplitudes.s);
+        case Polarisation::tm:
+            return std::norm(amplitudes.p);
+        default:
+            return amplitudes.unpolarised_reflectance();
+    }
+}
+
+std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
+                                         const std::vector<double>& theta_i_deg,
+                                         const MomentSettings& settings) {
+    if (settings.realisations < 2 * jackknife_blocks)
+        throw out_of_range("realisations", settings.realisations, "",
+                           "at least " + std::to_string(2 * jackknife_blocks));
+    const ProfileStudy study{surface, theta_i_deg, settings};
+    const auto all = study.realisations();
+    std::vector<MomentResult> results;
+    for (std::size_t beam = 0; beam < theta_i_deg.size(); ++beam) {
+        const auto lobes = [&](Polarisation polarisation) {
+            PolarisedLobes sums{{surface, theta_i_deg[beam], polarisation, settings.index},
+                                study.angles(),
+                                study.beams()[beam].power()};
+            for (std::size_t i = 0; i < all.size(); ++i)
+                sums.add(i, all[i][static_cast<std::size_t>(polarisation)], beam);
+            return sums;
+        };
+        const auto three = results_of(lobes(Polarisation::te), lobes(Polarisation::tm));
+        results.insert(results.end(), three.begin(), three.end());
+    }
+    return results;
+}
+
+std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>& surfaces,
+                                         const std::vector<double>& theta_i_deg,
+                                         const MomentSettings& settings) {
+    std::vector<MomentResult> results;
+    for (const RoughnessStatistics& surface : surfaces) {
+        const auto some = moment_results(surface, theta_i_deg, settings);
+        results.insert(results.end(), some.begin(), some.end());
+    }
+    return results;
+}
+
+Distance distance(const MomentResult& result, ProfileModel model) {
+    const auto m = static_cast<std::size_t>(model);
+    return distance_of(result, [m](const AngularBin& bin) {
+        return bin.model[m] / bin.model[0] * (bin.kirchhoff / bin.exact);
+    });
+}
+
+Distance kirchhoff_distance(const MomentResult& result) {
+    return distance_of(result, [](const AngularBin& bin) { return bin.kirchhoff / bin.model[0]; });
+}
+
+double chance(const MomentResult& result) {
+    double weight = 0, squares = 0;
+    for (const AngularBin& bin : result.bins) {
+        weight += bin.exact;
+        squares += bin.exact * bin.ratio_error_db * bin.ratio_error_db;
+    }
+    return std::sqrt(squares / weight);
+}
+
+}  // namespace hts::validation

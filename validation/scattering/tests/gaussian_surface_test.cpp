@@ -1,0 +1,119 @@
+#include "validation/scattering/gaussian_surface.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <set>
+
+using namespace hts::validation;
+
+namespace {
+
+constexpr double sigma = 0.3, tau = 2;
+
+/// Mean of a product over many profiles with its standard error.
+struct Estimate {
+    double value, error;
+};
+Estimate over_profiles(const std::function<double(const RandomProfile&)>& quantity) {
+    constexpr int count = 200;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < count; ++i) {
+        const double one =
+            quantity(random_profile({sigma, tau}, 0.25, 512, seed_of(1, 1, static_cast<std::uint64_t>(i))));
+        sum += one;
+        squares += one * one;
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt((squares / count - mean * mean) / (count - 1))};
+}
+
+double mean_product(const std::vector<double>& a, const std::vector<double>& b, std::size_t apart) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[(i + apart) % b.size()];
+    return sum / static_cast<double>(a.size());
+}
+
+void check_is(const Estimate& found, double expected) {
+    INFO(found.value << " +- " << found.error << ", expected " << expected);
+    CHECK(std::fabs(found.value - expected) < 4 * found.error);
+    CHECK(found.error < 0.02 * sigma * sigma);
+}
+
+}  // namespace
+
+TEST_CASE("random profiles have the heights, the autocorrelation and the slopes they ought to") {
+    for (const std::size_t apart : {0U, 2U, 6U, 8U, 16U}) {
+        const double x = 0.25 * static_cast<double>(apart) / tau;
+        check_is(
+            over_profiles([=](const RandomProfile& p) { return mean_product(p.height, p.height, apart); }),
+            sigma * sigma * std::exp(-x * x));
+        // <z z'> = sigma^2 C'(x) and <z' z'> = -sigma^2 C''(x)
+        check_is(
+            over_profiles([=](const RandomProfile& p) { return mean_product(p.height, p.slope, apart); }),
+            -sigma * sigma * 2 * x / tau * std::exp(-x * x));
+        check_is(over_profiles([=](const RandomProfile& p) { return mean_product(p.slope, p.slope, apart); }),
+                 sigma * sigma * (2 - 4 * x * x) / (tau * tau) * std::exp(-x * x));
+    }
+    check_is(
+        over_profiles([](const RandomProfile& p) { return mean_product(p.height, p.second_derivative, 0); }),
+        -2 * sigma * sigma / (tau * tau));
+}
+
+TEST_CASE("derivatives of random surfaces are those of their heights") {
+    const double h = 0.05;
+    const RandomProfile p = random_profile({sigma, tau}, h, 2000, 3);
+    const RandomField f = random_field({sigma, tau}, h, 300, 3);
+    double worst = 0;
+    for (std::size_t i = 2; i + 2 < p.height.size(); ++i) {
+        const auto slope = [&](const std::vector<double>& z) {
+            return (8 * (z[i + 1] - z[i - 1]) - (z[i + 2] - z[i - 2])) / (12 * h);
+        };
+        worst = std::fmax(worst, std::fabs(slope(p.height) - p.slope[i]));
+        worst = std::fmax(worst, std::fabs(slope(p.slope) - p.second_derivative[i]));
+    }
+    for (std::size_t j = 2; j + 2 < f.samples; ++j) {
+        for (std::size_t i = 2; i + 2 < f.samples; ++i) {
+            const auto slope = [&](std::size_t apart) {
+                const double* z = f.height.data() + j * f.samples + i;
+                return (8 * (z[apart] - *(z - apart)) - (z[2 * apart] - *(z - 2 * apart))) / (12 * h);
+            };
+            worst = std::fmax(worst, std::fabs(slope(1) - f.slope_x[j * f.samples + i]));
+            worst = std::fmax(worst, std::fabs(slope(f.samples) - f.slope_y[j * f.samples + i]));
+        }
+    }
+    CHECK(worst > 0);
+    CHECK(worst < 1e-4);
+}
+
+TEST_CASE("random fields are isotropic, with the rms height and slopes they ought to have") {
+    double heights = 0, along = 0, across = 0, diagonal = 0;
+    constexpr int count = 60;
+    for (int s = 0; s < count; ++s) {
+        const RandomField f =
+            random_field({sigma, tau}, 0.5, 64, seed_of(2, 1, static_cast<std::uint64_t>(s)));
+        const auto n = static_cast<double>(f.height.size());
+        for (std::size_t i = 0; i < f.height.size(); ++i) {
+            heights += f.height[i] * f.height[i] / n / count;
+            along += f.slope_x[i] * f.slope_x[i] / n / count;
+            across += f.slope_y[i] * f.slope_y[i] / n / count;
+            const std::size_t j = i / 64, next = (j + 2) % 64 * 64 + (i + 2) % 64;  // (1, 1) away
+            diagonal += f.height[i] * f.height[next] / n / count;
+        }
+    }
+    // some 256 independent patches a field
+    CHECK(heights == Approx(sigma * sigma).epsilon(0.04));
+    CHECK(along == Approx(2 * sigma * sigma / (tau * tau)).epsilon(0.04));
+    CHECK(across == Approx(2 * sigma * sigma / (tau * tau)).epsilon(0.04));
+    CHECK(diagonal == Approx(sigma * sigma * std::exp(-0.5)).epsilon(0.05));
+}
+
+TEST_CASE("seeds differ by study, part and realisation") {
+    std::set<std::uint64_t> seeds;
+    for (std::uint64_t a = 0; a < 10; ++a) {
+        for (std::uint64_t b = 0; b < 10; ++b) {
+            for (std::uint64_t c = 0; c < 10; ++c) seeds.insert(seed_of(a, b, c));
+        }
+    }
+    CHECK(seeds.size() == 1000);
+}

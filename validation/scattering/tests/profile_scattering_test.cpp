@@ -1,0 +1,67 @@
+#include "validation/scattering/profile_scattering.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "comparison.hpp"
+
+using boost::math::quadrature::gauss_kronrod;
+using namespace hts::validation;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// exp(-g) integral (exp(g exp(-x^2)) - 1) cos(2 sqrt(t) x) dx / sqrt(pi): what Phi_1 is the sum of.
+double phi_by_quadrature(double g, double t) {
+    const auto integrand = [=](double x) {
+        return (std::exp(g * std::expm1(-x * x)) - std::exp(-g)) * std::cos(2 * std::sqrt(t) * x);
+    };
+    return 2 * gauss_kronrod<double, 61>::integrate(integrand, 0.0, 8.0, 12, 1e-13) / std::sqrt(pi);
+}
+
+}  // namespace
+
+TEST_CASE("Phi of a profile is the Fourier integral of its characteristic function") {
+    hts::testing::WorstCase worst{"Phi_1 against quadrature", 1e-10};
+    for (const double g : {0.01, 0.5, 3.0, 20.0, 150.0}) {
+        for (const double t : {0.0, 0.2, 1.0, 4.0}) {
+            worst.note(hts::testing::relative_error(profile_phi(g, t), phi_by_quadrature(g, t)),
+                       [=] { return "g = " + std::to_string(g) + ", t = " + std::to_string(t); });
+        }
+    }
+    worst.check();
+    CHECK(profile_phi(0, 1) == 0);
+}
+
+TEST_CASE("Phi of a profile conserves energy and becomes the rough limit") {
+    for (const double g : {0.1, 2.0, 30.0}) {
+        const auto integrand = [g](double q) { return profile_phi(g, q * q); };
+        const double most = 6 * std::sqrt(g + 10);
+        CHECK(2 * gauss_kronrod<double, 61>::integrate(integrand, 0.0, most, 12, 1e-12) ==
+              Approx(std::sqrt(pi) * -std::expm1(-g)).epsilon(1e-9));
+    }
+    CHECK(profile_phi(1e4, 0.7e4) == Approx(std::exp(-0.7) / 100).epsilon(1e-3));
+}
+
+TEST_CASE("a gently rough profile returns all light, and each model is reciprocal") {
+    const RoughnessStatistics gentle{0.3, 20};
+    for (const double degrees : {0.0, 30.0, 50.0}) {
+        const double theta = degrees * pi / 180;
+        const auto lobe = [&](double out) {
+            return profile_lobe(ProfileModel::kirchhoff, gentle, theta, out);
+        };
+        const double total =
+            gauss_kronrod<double, 61>::integrate(lobe, -pi / 2 + 0.01, pi / 2 - 0.01, 12, 1e-9) +
+            profile_mirror(ProfileModel::kirchhoff, gentle, theta);
+        CHECK(total == Approx(1).epsilon(2e-3));
+    }
+    for (const ProfileModel model : profile_models) {
+        const RoughnessStatistics surface{0.25, 1};
+        CHECK(profile_lobe(model, surface, 0.5, 1.1) * std::cos(0.5) ==
+              Approx(profile_lobe(model, surface, 1.1, 0.5) * std::cos(1.1)).epsilon(1e-12));
+        CHECK(profile_mirror(model, {0, 1}, 1) == 1);
+    }
+}
