@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "spectral/energy/lobe_integral.hpp"
-#include "spectral/plans/spectrum_interpolation.hpp"
+#include "spectral/colour/spectrum_interpolation.hpp"
 
 namespace hts::spectral {
 namespace {

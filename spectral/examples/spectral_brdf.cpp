@@ -6,7 +6,7 @@
 
 int main() {
     using namespace hts::spectral;
-    const Reflector aluminium{"rough aluminium", {0.28, 1.77}, built_in_material("Al"), DiffuseAlbedo{0}};
+    const Reflector aluminium{"rough aluminium", {0.28, 1.77}, built_in_optical_constants("Al"), DiffuseAlbedo{0}};
     const auto wavelengths = WavelengthGrid::linear(0.4, 0.7, 4);  // um
     const SpectralReflectance reflectance{aluminium, wavelengths};
 

@@ -48,11 +48,11 @@ TablePlan refined(TablePlan plan, const TableError& error, const std::string& na
 
 }  // namespace
 
-std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan, std::size_t slice) {
+std::vector<double> table_slice(const spectral::Reflectance& exact, const TablePlan& plan, std::size_t slice) {
     return slice_values(exact, plan.spacing, lobe_nodes(plan), slice, plan.floor, plan.basis);
 }
 
-MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
+MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSource& source, const TablePlan& plan,
                              std::vector<std::vector<double>> slices) {
     const TableRequest& request = plan.request;
     const CoordinateMap map{plan.spacing};
@@ -85,7 +85,7 @@ MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& sourc
     return {table_bytes(info, numbers), info.error};
 }
 
-SliceSource computed_slices(const SpectralBrdf& exact) {
+SliceSource computed_slices(const spectral::Reflectance& exact) {
     return [&exact](const TablePlan& plan) {
         std::vector<std::vector<double>> slices(plan.slices());
 #pragma omp parallel for schedule(dynamic)
@@ -96,7 +96,7 @@ SliceSource computed_slices(const SpectralBrdf& exact) {
     };
 }
 
-std::string finished_table(const SpectralBrdf& exact, const TableSource& source, TablePlan plan,
+std::string finished_table(const spectral::Reflectance& exact, const TableSource& source, TablePlan plan,
                            const SliceSource& slices) {
     for (;;) {
         MeasuredTable table = measured_table(exact, source, plan, slices(plan));
@@ -105,7 +105,7 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
     }
 }
 
-Table build_table(const SpectralBrdf& exact, const TableSource& source, const TableRequest& request,
+Table build_table(const spectral::Reflectance& exact, const TableSource& source, const TableRequest& request,
                   const TableProgress& progress) {
     return Table::from_bytes(
         finished_table(exact, source, plan_table(exact, request, progress), computed_slices(exact)),

@@ -162,7 +162,7 @@ Table Table::from_bytes(std::string bytes, const std::string& name) {
 }
 
 Table::Table(std::shared_ptr<const TableContents> contents)
-    : SpectralBrdf{contents->info.source.name, contents->info.wavelengths}, contents_{std::move(contents)} {}
+    : spectral::Evaluator{contents->info.source.name, contents->info.wavelengths}, contents_{std::move(contents)} {}
 
 const TableInfo& Table::info() const noexcept {
     return contents_->info;
@@ -216,12 +216,12 @@ void Table::diffuse_albedo(const Direction& in, std::span<double> values) const 
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform[i] * std::numbers::pi;
 }
 
-bool Table::polarised() const noexcept {
-    return contents_->info.nodes.polarisation > 0;
+spectral::Properties Table::properties() const {
+    return {.polarised = contents_->info.nodes.polarisation > 0, .specular_term = true, .isotropic = true};
 }
 
 void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept {
-    if (!polarised()) return SpectralBrdf::mueller(pair, values);
+    if (contents_->info.nodes.polarisation == 0) return spectral::Evaluator::mueller(pair, values);
     const std::size_t width = values.size();
     const SplinePlace place =
         spline_place(wave_vector_change(pair.in, pair.out).cos_theta_d(), contents_->info.nodes.polarisation);
@@ -250,11 +250,11 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
     }
 }
 
-std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path,
+spectral::Reflectance open_for_plan(const std::filesystem::path& path,
                                                   const std::string& checksum) {
-    auto table = std::make_shared<const Table>(Table::open(path));
-    if (table->checksum() == checksum) return table;
-    throw Error{path.string() + ": checksum " + table->checksum() + ": must be " + checksum +
+    const Table table = Table::open(path);
+    if (table.checksum() == checksum) return table.reflectance();
+    throw Error{path.string() + ": checksum " + table.checksum() + ": must be " + checksum +
                 ", of the table that was planned; plan the scene again"};
 }
 

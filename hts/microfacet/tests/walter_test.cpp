@@ -12,7 +12,7 @@
 #include "chi_squared.hpp"
 #include "comparison.hpp"
 #include "hts/error.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 using hts::Direction;
 using hts::FacetDistribution;

@@ -10,7 +10,7 @@
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/reflectance.hpp"
-#include "spectral/models/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 using namespace hts::spectral;
 using namespace hts::spectral::testing;
@@ -28,7 +28,7 @@ namespace bound = hts::spectral::accuracy;
 const Wavelength one_um = Wavelength::from_micrometres(1);
 
 Reflector copper(const Surface& surface, double albedo = 0) {
-    return {"copper", surface, built_in_material("Cu"), DiffuseAlbedo{albedo}};
+    return {"copper", surface, built_in_optical_constants("Cu"), DiffuseAlbedo{albedo}};
 }
 
 /// rho_dh of the compensated lossless surface, by the plain integral.
@@ -129,7 +129,7 @@ TEST_CASE("only the lobes are scaled, the uniform-diffuse term is not") {
               Approx(std::pow(s.factor(pair.in), 2) * published_mirror[i].value()).epsilon(1e-13));
         CHECK(mirrored[i](0, 0) == Approx(mirror[i]).epsilon(1e-12));
     }
-    CHECK_THROWS_WITH(compensated_brdf(model_brdf(AnyReflector{copper(surface)}, grid), {}),
+    CHECK_THROWS_WITH(compensated_brdf(model_brdf(Material{copper(surface)}, grid), {}),
                       "copper: 0 compensations: must be one for each of 3 wavelengths");
 }
 

@@ -71,12 +71,12 @@ double total(const Setting& at) {
     return directional_hemispherical_reflectance(at.surface(), PerfectMirror{}, one_um, at.in()).total();
 }
 
-Reflector reflector(const Surface& surface, const Material& material, double albedo = 0) {
+Reflector reflector(const Surface& surface, const OpticalConstants& material, double albedo = 0) {
     return {"test", surface, material, DiffuseAlbedo{albedo}};
 }
 
 Reflector smooth(double n, double albedo = 0) {
-    return reflector({0, 1}, Material::constant({n, 0}), albedo);
+    return reflector({0, 1}, OpticalConstants::constant({n, 0}), albedo);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ TEST_CASE("the furnace's known extremes") {
 }
 
 TEST_CASE("the terms of a reflector are those of the model") {
-    const Reflector aluminium = reflector({0.05, 0.5}, built_in_material("Al"), 0.1);
+    const Reflector aluminium = reflector({0.05, 0.5}, built_in_optical_constants("Al"), 0.1);
     const auto green = Wavelength::from_micrometres(0.55);
     const Direction in = Direction::from_degrees(35, 110);
     const auto terms = directional_hemispherical_reflectance(aluminium, green, in);
@@ -177,7 +177,7 @@ TEST_CASE("bihemispherical reflectance of a smooth dielectric has a closed form"
 }
 
 TEST_CASE("bihemispherical reflectance of a rough metal is the mean over angles") {
-    const Reflector aluminium = reflector({0.3, 1.5}, built_in_material("Al"));
+    const Reflector aluminium = reflector({0.3, 1.5}, built_in_optical_constants("Al"));
     const auto mean = bihemispherical_reflectance(aluminium, one_um);
     const auto term_mean = [&](auto term) {
         return panel_sum(panels_towards(0, 0, 1, 0.01), [&](double cosine) {
@@ -201,7 +201,7 @@ TEST_CASE("the paper's plastic: 0.195 measured at the normal gives an albedo of 
           Approx(0.195).epsilon(1e-12));
     for (const char* name : {"PMMA", "polycarbonate", "polystyrene"}) {
         const double a =
-            diffuse_albedo_from(0.195, reflector({0, 1}, built_in_material(name), 0.5), blue, normal);
+            diffuse_albedo_from(0.195, reflector({0, 1}, built_in_optical_constants(name), 0.5), blue, normal);
         std::printf("albedo from 0.195 with the index of %s: %.4f\n", name, a);
         CHECK(a == Approx(0.15).margin(0.011));
     }
@@ -226,7 +226,7 @@ TEST_CASE("the largest diffuse albedo is what the brightest angle leaves") {
 }
 
 TEST_CASE("a maximum between the normal and grazing is found") {
-    const Reflector silver = reflector({0.05, 0.5}, built_in_material("Ag"));
+    const Reflector silver = reflector({0.05, 0.5}, built_in_optical_constants("Ag"));
     const auto limit = largest_diffuse_albedo(silver, one_um, std::numbers::pi / 2);
     CHECK(limit.albedo == 0);  // the lobes alone reflect more than falls in
     CHECK(limit.reflectance > 1.02);

@@ -263,7 +263,7 @@ TEST_CASE("every verdict is a number, at every edge") {
 }
 
 TEST_CASE("a material is as good as its worst wavelength and angle") {
-    const Reflector aluminium{"aluminium", {0.28, 1.77}, built_in_material("Al"), DiffuseAlbedo{0}};
+    const Reflector aluminium{"aluminium", {0.28, 1.77}, built_in_optical_constants("Al"), DiffuseAlbedo{0}};
     const std::vector<Direction> angles{Direction::from_degrees(0, 0), Direction::from_degrees(75, 0)};
     const MaterialValidity all{aluminium, WavelengthGrid::from_micrometres({0.5, 2.0}), angles};
     REQUIRE(all.points().size() == 4);

@@ -1,4 +1,4 @@
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -19,13 +19,13 @@ using hts::Direction;
 using hts::Lobe;
 using hts::Uniforms;
 using hts::Wavelength;
-using hts::WeightedDirection;
+using hts::Draw;
 using hts::spectral::AnyModel;
-using hts::spectral::AnyReflector;
+using hts::spectral::Material;
 using hts::spectral::AnySpectrum;
 using hts::spectral::built_in_models;
 using hts::spectral::ModelEntry;
-using hts::spectral::read_any_reflector;
+using hts::spectral::read_material;
 using hts::testing::complaint;
 using hts::testing::Random;
 using hts::testing::relative_error;
@@ -57,8 +57,8 @@ const std::map<std::string, std::string> files{
     {"ashikhmin_shirley", R"({"model": "ashikhmin_shirley", "rd": 0.5, "f0": 0.1, "nx": 20, "ny": 80})"},
 };
 
-AnyReflector reflector_of(const TemporaryFolder& folder, const std::string& text) {
-    return read_any_reflector(folder.write("m.json", text));
+Material reflector_of(const TemporaryFolder& folder, const std::string& text) {
+    return read_material(folder.write("m.json", text));
 }
 
 AnyModel model_of(const std::string& name) {
@@ -108,7 +108,7 @@ class Toy {
     [[nodiscard]] double pdf(const Direction& /*in*/, const Direction& out) const noexcept {
         return out.cos_theta() / pi;
     }
-    [[nodiscard]] hts::DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+    [[nodiscard]] hts::Draw sample(const Direction& in, const Uniforms& u) const noexcept {
         return hts::weighted(*this, in, hts::cosine_vector(u[0], u[1]));
     }
 
@@ -124,7 +124,7 @@ TEST_CASE("every registered model is tested here") {
         INFO(entry.name);
         REQUIRE(files.contains(entry.name));
         const TemporaryFolder folder;
-        const AnyReflector reflector = reflector_of(folder, files.at(entry.name));
+        const Material reflector = reflector_of(folder, files.at(entry.name));
         CHECK(reflector.name() == "m");
         CHECK(reflector.model_name() == entry.name);
         CHECK(reflector.model_source() == entry.source);
@@ -165,7 +165,7 @@ TEST_CASE("through the face densities integrate to at most 1, and weights to the
             const int count = hts::testing::exhaustive() ? 1'000'000 : 20'000;
             double sum = 0, squares = 0;
             for (int i = 0; i < count; ++i) {
-                const WeightedDirection drawn = model.sample(in, random_uniforms(random));
+                const Draw drawn = model.sample(in, random_uniforms(random));
                 sum += drawn.weight;
                 squares += drawn.weight * drawn.weight;
                 if (drawn.lobe == Lobe::none) CHECK(drawn.weight == 0);
@@ -182,7 +182,7 @@ TEST_CASE("through the face densities integrate to at most 1, and weights to the
 
 TEST_CASE("the face of the He-Torrance model has its bits") {
     const TemporaryFolder folder;
-    const AnyReflector reflector = reflector_of(folder, files.at("he"));
+    const Material reflector = reflector_of(folder, files.at("he"));
     const AnyModel model = reflector.at(green);
     const auto grid = hts::spectral::WavelengthGrid::from_micrometres({0.55});
     const hts::spectral::SpectralReflectance reflectance{*reflector.he_torrance(), grid};
@@ -242,7 +242,7 @@ TEST_CASE("a spectrum may be of models of several kinds") {
 
 TEST_CASE("numbers of a material file may be tables over wavelength") {
     const TemporaryFolder folder;
-    const AnyReflector lambert = reflector_of(folder, files.at("lambert"));
+    const Material lambert = reflector_of(folder, files.at("lambert"));
     const Direction up = Direction::from_degrees(0, 0);
     CHECK(lambert.at(green).brdf(up, up) == Approx(0.35 / pi).epsilon(1e-14));
     const auto ultraviolet = Wavelength::from_micrometres(0.3);
@@ -355,7 +355,7 @@ TEST_CASE("normals may come from a picture or a table") {
 
 TEST_CASE("slanted velvet warns that its mean normal is tilted") {
     const TemporaryFolder folder;
-    const AnyReflector velvet = reflector_of(
+    const Material velvet = reflector_of(
         folder,
         R"({"model": "ashikhmin", "f0": 1, "normals": {"type": "slanted_fibres", "sigma": 0.5, "slant_deg": 40}})");
     REQUIRE(velvet.warnings().size() == 1);
@@ -368,10 +368,10 @@ TEST_CASE("a model of one's own joins by a line") {
     models.push_back(hts::spectral::model_of_numbers<Toy>("toy", "nobody", {{"albedo", 0.5}}));
     const TemporaryFolder folder;
     const auto toy =
-        read_any_reflector(folder.write("toy.json", R"({"model": "toy", "albedo": 0.8})"), models);
+        read_material(folder.write("toy.json", R"({"model": "toy", "albedo": 0.8})"), models);
     const Direction in = Direction::from_degrees(60, 0);
     CHECK(toy.at(green).albedo(in).total() == Approx(0.8 * 0.75).epsilon(1e-5));
     CHECK_THROWS_WITH(
-        read_any_reflector(folder.write("bad.json", R"({"model": "toy", "albedo": 8})"), models),
+        read_material(folder.write("bad.json", R"({"model": "toy", "albedo": 8})"), models),
         Catch::Contains("key \"albedo\": toy albedo 8: must be from 0 to 1"));
 }

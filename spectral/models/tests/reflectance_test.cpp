@@ -23,7 +23,7 @@ using hts::spectral::WavelengthGrid;
 namespace {
 
 Reflector rough_aluminium(double albedo = 0) {
-    return {"rough aluminium", Surface{0.28, 1.77}, hts::spectral::built_in_material("Al"),
+    return {"rough aluminium", Surface{0.28, 1.77}, hts::spectral::built_in_optical_constants("Al"),
             DiffuseAlbedo{albedo}};
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("the mirror term grows and the lobe fades with wavelength") {
 }
 
 TEST_CASE("wavelengths beyond the optical constants are refused unless clamped") {
-    const Reflector tungsten{"tungsten", Surface{0.1, 1}, hts::spectral::built_in_material("W"),
+    const Reflector tungsten{"tungsten", Surface{0.1, 1}, hts::spectral::built_in_optical_constants("W"),
                              DiffuseAlbedo{0}};
     const auto visible = WavelengthGrid::linear(0.4, 0.7, 4);
     CHECK_THROWS_AS((SpectralReflectance{tungsten, visible}), hts::Error);

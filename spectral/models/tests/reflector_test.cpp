@@ -1,4 +1,4 @@
-#include "spectral/models/reflector.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 
 #include <limits>
 #include <string>
@@ -57,7 +57,7 @@ TEST_CASE("the material file of the interface contract is read") {
     CHECK(reflector.surface.rms_roughness() == 0.28);
     CHECK(reflector.surface.correlation_length() == 1.77);
     CHECK(reflector.material.name() == "Al");
-    CHECK(reflector.material.index(green).k() == hts::spectral::built_in_material("Al").index(green).k());
+    CHECK(reflector.material.index(green).k() == hts::spectral::built_in_optical_constants("Al").index(green).k());
     CHECK(reflector.albedo(green) == 0);
 }
 

@@ -38,12 +38,12 @@ constexpr double degree = std::numbers::pi / 180;
 const std::filesystem::path examples = HTS_SOURCE_DIR "/cli/data";
 
 Reflector metal(const std::string& name, double rms_roughness, double correlation_length, double albedo = 0) {
-    return {name, Surface{rms_roughness, correlation_length}, built_in_material("Al"), DiffuseAlbedo{albedo}};
+    return {name, Surface{rms_roughness, correlation_length}, built_in_optical_constants("Al"), DiffuseAlbedo{albedo}};
 }
 
 Scene spectral_scene(const std::vector<Reflector>& materials, double tolerance) {
     return {"scene.json",
-            std::vector<AnyReflector>(materials.begin(), materials.end()),
+            std::vector<Material>(materials.begin(), materials.end()),
             WavelengthGrid::linear(0.4, 0.7, 4),
             OutsideRange::error,
             60 * degree,
@@ -98,7 +98,7 @@ double peak(const Reflector& material, const Scene& scene, const Direction& in,
 
 /// The relative error of an evaluator as spectral/plans/plan.hpp defines it, measured anew.
 double relative_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
+    const PlannedReflectance planned{scene, Material{material}, rung};
     Random random{77};
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
@@ -124,7 +124,7 @@ double relative_error(const Scene& scene, const Reflector& material, const Rung&
 
 /// The same for colours, where none is brighter than the white.
 double colour_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
+    const PlannedReflectance planned{scene, Material{material}, rung};
     const Xyz white = white_point(*scene.illuminant);
     Random random{78};
     double worst = 0;
@@ -205,8 +205,8 @@ TEST_CASE("what is chosen meets the tolerance, what was rejected does not, measu
 
 TEST_CASE("a colour takes as few wavelengths as its tolerance allows") {
     const std::vector<Reflector> materials{
-        {"copper", Surface{0.13, 1.2}, built_in_material("Cu"), DiffuseAlbedo{0}},
-        {"paint", Surface{0, 2}, hts::spectral::Material::constant({1.5, 0}), DiffuseAlbedo{0.3}}};
+        {"copper", Surface{0.13, 1.2}, built_in_optical_constants("Cu"), DiffuseAlbedo{0}},
+        {"paint", Surface{0, 2}, hts::spectral::OpticalConstants::constant({1.5, 0}), DiffuseAlbedo{0.3}}};
     std::size_t wavelengths = 1;
     for (const double delta_e : {3., 1., 0.1}) {
         const Scene scene = rgb_scene(materials, delta_e);
@@ -466,7 +466,7 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
     }
     Scene polarised = read_scene(examples / "figure-14-spectral.json");
     polarised.polarised = true;
-    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    const Material gold = read_material(examples / "rough-gold.json");
     CHECK_THROWS_WITH(full_model(polarised, gold),
                       gold.name() + ": must be of model he: the scene is polarised");
 }
@@ -496,7 +496,7 @@ TEST_CASE("a scene that compensates energy is planned with it") {
 
     Scene other = scene;
     other.compensate_energy = true;
-    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    const Material gold = read_material(examples / "rough-gold.json");
     CHECK_THROWS_WITH(full_model(other, gold),
                       gold.name() + ": must be of model he: the scene compensates energy");
 }

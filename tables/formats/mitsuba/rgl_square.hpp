@@ -3,7 +3,7 @@
 
 #include "hts/direction.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 

@@ -30,9 +30,9 @@ using hts::testing::exhaustive;
 using hts::testing::TemporaryFolder;
 
 /// A smooth BRDF.
-class Smooth final : public SpectralBrdf {
+class Smooth final : public spectral::Evaluator {
   public:
-    explicit Smooth(const spectral::WavelengthGrid& wavelengths) : SpectralBrdf{"smooth", wavelengths} {}
+    explicit Smooth(const spectral::WavelengthGrid& wavelengths) : spectral::Evaluator{"smooth", wavelengths} {}
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         for (double& value : values) value = 0.1 + 0.05 * dot(pair.in.mirror().vector(), pair.out.vector());
     }
@@ -41,7 +41,7 @@ class Smooth final : public SpectralBrdf {
     }
 };
 
-using Reader = std::function<std::unique_ptr<SpectralBrdf>(std::string_view text)>;
+using Reader = std::function<spectral::Reflectance(std::string_view text)>;
 struct Sample {
     std::string name, text;
     Reader read;
@@ -84,7 +84,7 @@ std::vector<Sample> samples() {
     };
 }
 
-void check_sound(const SpectralBrdf& brdf) {
+void check_sound(const spectral::Reflectance& brdf) {
     static const std::vector<Direction> directions{
         Direction::from_degrees(0, 0), Direction::from_degrees(23, 7), Direction::from_degrees(61, 188),
         Direction::from_degrees(89.5, 301)};

@@ -36,11 +36,11 @@ using hts::testing::TemporaryFolder;
 constexpr double pi = std::numbers::pi;
 
 /// A BRDF written down: f(in, out) at wavelength index k.
-class Written final : public SpectralBrdf {
+class Written final : public spectral::Evaluator {
   public:
     using Function = double (*)(const Direction& in, const Direction& out, std::size_t k);
     Written(Function function, const spectral::WavelengthGrid& wavelengths)
-        : SpectralBrdf{"written", wavelengths}, function_{function} {}
+        : spectral::Evaluator{"written", wavelengths}, function_{function} {}
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const bool above = pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
         for (std::size_t k = 0; k < values.size(); ++k)
@@ -77,7 +77,7 @@ spectral::WavelengthGrid rgb() {
     return rgb_wavelengths();
 }
 
-RoundTrip compared(const SpectralBrdf& original, const SpectralBrdf& read_back) {
+RoundTrip compared(const spectral::Reflectance& original, const spectral::Reflectance& read_back) {
     return round_trip(original, read_back, {exhaustive() ? 100'000U : 20'000U, 3});
 }
 
@@ -102,12 +102,12 @@ const std::vector<TestSurface> surfaces{{"aluminium", "Al", 0.28, 1.77, 0},
                                         {"very rough", "Al", 2.5, 16, 0}};
 
 /// One of them at tolerance 1e-6, far below what files hold.
-std::shared_ptr<const SpectralBrdf> brdf_of(const TestSurface& surface,
+spectral::Reflectance brdf_of(const TestSurface& surface,
                                             const spectral::WavelengthGrid& wavelengths) {
     return model_brdf(
-        spectral::AnyReflector{spectral::Reflector{surface.name,
+        spectral::Material{spectral::Reflector{surface.name,
                                                    {surface.rms_roughness, surface.correlation_length},
-                                                   spectral::built_in_material(surface.index),
+                                                   spectral::built_in_optical_constants(surface.index),
                                                    spectral::DiffuseAlbedo{surface.albedo}}},
         wavelengths, spectral::OutsideRange::error, Tolerance{1e-6});
 }

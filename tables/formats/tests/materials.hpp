@@ -6,28 +6,28 @@
 #include <string>
 
 #include "spectral/materials/optical_constants_files.hpp"
-#include "spectral/models/any_reflector.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/material.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables::testing {
 
 /// A material of cli/data.
-inline spectral::AnyReflector material(const std::string& file) {
-    return spectral::read_any_reflector(std::filesystem::path{HTS_SOURCE_DIR} / "cli/data" / file);
+inline spectral::Material material(const std::string& file) {
+    return spectral::read_material(std::filesystem::path{HTS_SOURCE_DIR} / "cli/data" / file);
 }
 
-inline std::shared_ptr<const SpectralBrdf> brdf_of(const std::string& file,
+inline spectral::Reflectance brdf_of(const std::string& file,
                                                    const spectral::WavelengthGrid& wavelengths) {
     return model_brdf(material(file), wavelengths);
 }
 
 /// A He-Torrance surface of a built-in material.
-inline std::shared_ptr<const SpectralBrdf> rough_surface(const std::string& index, double rms_roughness,
+inline spectral::Reflectance rough_surface(const std::string& index, double rms_roughness,
                                                          double correlation_length, double albedo,
                                                          const spectral::WavelengthGrid& wavelengths) {
-    return model_brdf(spectral::AnyReflector{spectral::Reflector{index + " " + std::to_string(rms_roughness),
+    return model_brdf(spectral::Material{spectral::Reflector{index + " " + std::to_string(rms_roughness),
                                                                  {rms_roughness, correlation_length},
-                                                                 spectral::built_in_material(index),
+                                                                 spectral::built_in_optical_constants(index),
                                                                  spectral::DiffuseAlbedo{albedo}}},
                       wavelengths);
 }

@@ -23,7 +23,7 @@ using hts::testing::TemporaryFolder;
 
 const auto grid = spectral::WavelengthGrid::from_micrometres({0.5, 0.6});
 
-std::shared_ptr<const SpectralBrdf> gold() {
+spectral::Reflectance gold() {
     return tables::testing::brdf_of("rough-gold.json", grid);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
             const int count = 100'000;
             double sum = 0, squares = 0, none = 0;
             for (int i = 0; i < count; ++i) {
-                const WeightedDirection draw = model.sample(in, uniforms(random));
+                const Draw draw = model.sample(in, uniforms(random));
                 sum += draw.weight;
                 squares += draw.weight * draw.weight;
                 if (draw.lobe == Lobe::none) {
@@ -116,7 +116,7 @@ TEST_CASE("a material file names a measured file") {
     coarse.theta_i = coarse.polar = {0, 20, 40, 60, 80};
     folder.write("gold.csv", scatter_csv(*brdf, coarse));
     const auto read = [&](const std::string& text) {
-        return spectral::read_any_reflector(folder.write("m.json", text), models_with_files());
+        return spectral::read_material(folder.write("m.json", text), models_with_files());
     };
     const auto material = read(R"({"name": "gold", "model": "measured", "file": "gold.csv"})");
     CHECK(material.name() == "gold");

@@ -33,17 +33,17 @@ const auto five = spectral::WavelengthGrid::linear(0.45, 0.65, 5);
 constexpr PbsdfResolution small{9, 10, 13};
 
 /// A surface of the given constant index.
-std::shared_ptr<const SpectralBrdf> surface(double n, double k, double albedo) {
+spectral::Reflectance surface(double n, double k, double albedo) {
     return model_brdf(
-        spectral::AnyReflector{spectral::Reflector{
-            "surface", {0.28, 1.77}, spectral::Material::constant({n, k}), spectral::DiffuseAlbedo{albedo}}},
+        spectral::Material{spectral::Reflector{
+            "surface", {0.28, 1.77}, spectral::OpticalConstants::constant({n, k}), spectral::DiffuseAlbedo{albedo}}},
         five);
 }
 
 /// Written, and the raw arrays read.
 class Written {
   public:
-    Written(const SpectralBrdf& brdf, const PbsdfResolution& resolution)
+    Written(const spectral::Reflectance& brdf, const PbsdfResolution& resolution)
         : path_{folder_.path() / "test.pbsdf"} {
         write_pbsdf(brdf, path_, resolution);
         const TensorFile file = TensorFile::read(path_);
@@ -70,7 +70,7 @@ class Written {
     }
 
     std::vector<float> theta_h, theta_d, phi_d, matrices;
-    std::unique_ptr<SpectralBrdf> read;
+    spectral::Reflectance read;
 
   private:
     hts::testing::TemporaryFolder folder_;

@@ -43,7 +43,7 @@ class Place {
 
 struct Surface4 {
     const char* name;
-    std::shared_ptr<const SpectralBrdf> brdf;
+    spectral::Reflectance brdf;
 };
 
 std::vector<Surface4> surfaces(const spectral::WavelengthGrid& grid) {
@@ -141,7 +141,7 @@ TEST_CASE("a file by hand is read as its description says") {
         CHECK(brdf->density(pair) ==
               Approx(1 / (2 * std::numbers::pi * std::numbers::pi * u * std::sin(theta_m) * 4 * (length / 2)))
                   .epsilon(1e-5));
-        CHECK(brdf->wavelengths().micrometres()[1] == Approx(0.65));
+        CHECK(brdf.wavelengths().micrometres()[1] == Approx(0.65));
     }
 }
 

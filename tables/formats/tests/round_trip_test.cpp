@@ -20,25 +20,25 @@ using hts::tables::testing::brdf_of;
 const auto grid = spectral::WavelengthGrid::from_micrometres({0.45, 0.6});
 
 /// A reflectance seen through a fault, which also draws in proportion to the cosine.
-class Faulty final : public SpectralBrdf, public HasDensity {
+class Faulty final : public spectral::Evaluator, public HasDensity {
   public:
     using Fault = std::function<double(const DirectionPair&, std::size_t, double)>;
-    Faulty(std::shared_ptr<const SpectralBrdf> brdf, Fault fault)
-        : SpectralBrdf{brdf->name(), brdf->wavelengths()}, brdf_{std::move(brdf)}, fault_{std::move(fault)} {}
+    Faulty(spectral::Reflectance brdf, Fault fault)
+        : spectral::Evaluator{brdf.name(), brdf.wavelengths()}, brdf_{std::move(brdf)}, fault_{std::move(fault)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        brdf_->brdf(pair, values);
+        brdf_.evaluator().brdf(pair, values);
         for (std::size_t k = 0; k < values.size(); ++k) values[k] = fault_(pair, k, values[k]);
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
-        brdf_->specular_reflectance(in, values);
+        brdf_.evaluator().specular_reflectance(in, values);
     }
     [[nodiscard]] double density(const DirectionPair& pair) const noexcept override {
         return pair.out.cos_theta() / std::numbers::pi;
     }
 
   private:
-    std::shared_ptr<const SpectralBrdf> brdf_;
+    spectral::Reflectance brdf_;
     Fault fault_;
 };
 

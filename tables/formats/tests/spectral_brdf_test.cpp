@@ -1,4 +1,4 @@
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -12,8 +12,8 @@ namespace {
 using namespace hts;
 using namespace hts::tables;
 
-spectral::AnyReflector material(const char* file) {
-    return spectral::read_any_reflector(std::filesystem::path{HTS_SOURCE_DIR} / "cli/data" / file);
+spectral::Material material(const char* file) {
+    return spectral::read_material(std::filesystem::path{HTS_SOURCE_DIR} / "cli/data" / file);
 }
 
 const spectral::WavelengthGrid grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.55, 0.62});
@@ -21,7 +21,7 @@ const spectral::WavelengthGrid grid = spectral::WavelengthGrid::from_micrometres
 }  // namespace
 
 TEST_CASE("a He-Torrance surface as a spectral BRDF is the model itself") {
-    const spectral::AnyReflector aluminium = material("rough-aluminium.json");
+    const spectral::Material aluminium = material("rough-aluminium.json");
     const auto brdf = model_brdf(aluminium, grid);
     const spectral::SpectralReflectance exact{*aluminium.he_torrance(), grid};
     const DirectionPair pair{Direction::from_degrees(30, 10), Direction::from_degrees(50, 170)};
@@ -30,7 +30,7 @@ TEST_CASE("a He-Torrance surface as a spectral BRDF is the model itself") {
     brdf->brdf(pair, values);
     brdf->specular_reflectance(pair.in, mirror);
     brdf->mueller(pair, matrices);
-    CHECK(brdf->name() == "roughened aluminium");
+    CHECK(brdf.name() == "roughened aluminium");
     CHECK(values == exact.brdf(pair));
     CHECK(brdf->polarised());
     for (std::size_t i = 0; i < grid.size(); ++i) {

@@ -60,7 +60,7 @@ const DirectionPair upright{Direction::from_degrees(0, 0), Direction::from_degre
 
 void read_as_rgl(const std::string& bytes) {
     const auto brdf = parse_rgl(bytes, "x.bsdf");
-    std::vector<double> values(brdf->wavelengths().size());
+    std::vector<double> values(brdf.wavelengths().size());
     for (const DirectionPair& each : {aslant, upright}) {
         brdf->brdf(each, values);
         for (const double value : values) require_sound(std::isfinite(value) && value >= 0);
@@ -71,7 +71,7 @@ void read_as_rgl(const std::string& bytes) {
 
 void read_as_pbsdf(const std::string& bytes) {
     const auto brdf = parse_pbsdf(bytes, "x.pbsdf");
-    std::vector<double> values(brdf->wavelengths().size());
+    std::vector<double> values(brdf.wavelengths().size());
     std::vector<Mueller> matrices(values.size());
     for (const DirectionPair& each : {aslant, upright}) {
         brdf->brdf(each, values);

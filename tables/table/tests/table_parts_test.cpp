@@ -26,7 +26,7 @@ const TableJob& job() {
     return job;
 }
 
-const SpectralBrdf& exact() {
+const spectral::Reflectance& exact() {
     static const auto exact = exact_model(job());
     return *exact;
 }
@@ -148,7 +148,7 @@ TEST_CASE(
     "interruption") {
     const TableJob job{small_job().source, {0.55}, {.tolerance = 5e-2}};
     const auto model = exact_model(job);
-    const SpectralBrdf& exact = *model;
+    const spectral::Reflectance& exact = *model;
     TablePlan coarse = plan_table(exact, job.request);
     coarse.nodes.ratio = coarse.nodes.ratio / 2 + 1;
     const std::string once = finished_table(exact, job.source, coarse, computed_slices(exact));

@@ -21,7 +21,7 @@ using namespace hts::tables::testing;
 
 const DirectionPair pair{Direction::from_degrees(40, 10), Direction::from_degrees(50, 200)};
 
-std::unique_ptr<SpectralBrdf> model(const std::string& text) {
+spectral::Reflectance model(const std::string& text) {
     return exact_model({"test", text, "test.json"}, std::array{0.5, 0.6});
 }
 
@@ -74,8 +74,8 @@ TEST_CASE("a table is a spectral BRDF: parts, sums, batches, the other side") {
         CHECK(std::abs(mirror[w] - exact_mirror[w]) <= 3e-2 * (exact_mirror[w] + 1e-3));
     }
     CHECK(table.name() == "rough aluminium");
-    CHECK(table.polarised());
-    CHECK(is_isotropic(table));
+    CHECK(table.properties().polarised);
+    CHECK(table.properties().isotropic);
     const Direction level = Direction::from_degrees(90, 0);
     table.directional_diffuse({pair.in, level}, lobe);
     CHECK(lobe == std::array{0.0, 0.0, 0.0});
@@ -85,7 +85,7 @@ TEST_CASE("a table is a spectral BRDF: parts, sums, batches, the other side") {
 }
 
 TEST_CASE("the albedo of a table is the energy that the exact model reflects") {
-    const auto reflector = spectral::any_reflector_from_text(small_job().source.material, "rough.json");
+    const auto reflector = spectral::material_from_text(small_job().source.material, "rough.json");
     hts::testing::WorstCase worst{"diffuse albedo of a table", 1.5e-2};
     for (const double degrees : {0.0, 20.0, 45.0, 70.0, 85.0}) {
         const Direction in = Direction::from_degrees(degrees, 0);
@@ -108,7 +108,7 @@ TEST_CASE("every isotropic model can be tabulated") {
         const TableError error = table_error(table, *exact, 10'000, 5);
         INFO(text << ": " << error.largest);
         CHECK(error.largest <= 0.1);
-        CHECK_FALSE(table.polarised());
+        CHECK_FALSE(table.properties().polarised);
         std::array<double, 2> values, expected;
         table.brdf(pair, values);
         exact->brdf(pair, expected);

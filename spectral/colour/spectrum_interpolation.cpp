@@ -1,4 +1,4 @@
-#include "spectral/plans/spectrum_interpolation.hpp"
+#include "spectral/colour/spectrum_interpolation.hpp"
 
 #include <algorithm>
 

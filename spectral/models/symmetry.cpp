@@ -1,4 +1,4 @@
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/symmetry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "spectral/random_directions.hpp"
 
-namespace hts::tables {
+namespace hts::spectral {
 namespace {
 
 Direction turned(const Direction& direction, double cosine, double sine) {
@@ -19,15 +19,14 @@ Direction turned(const Direction& direction, double cosine, double sine) {
 
 /// Largest relative change of the BRDF over random pairs when each becomes changed(pair, random angle).
 template <class Change>
-double largest_change(const SpectralBrdf& brdf, Change&& changed) {
-    constexpr int pairs = 256;
+double largest_change(const Evaluator& brdf, std::size_t pairs, Change&& changed) {
     std::mt19937_64 random{1};
     std::vector<double> before(brdf.wavelengths().size()), after(before.size());
     double worst = 0;
-    for (int i = 0; i < pairs; ++i) {
-        const Direction in = spectral::random_direction(random, 0.1);
-        const DirectionPair pair{in, spectral::random_direction(random, 0.1)};
-        const double turn = 2 * std::numbers::pi * spectral::uniform(random);
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const Direction in = random_direction(random, 0.1);
+        const DirectionPair pair{in, random_direction(random, 0.1)};
+        const double turn = 2 * std::numbers::pi * uniform(random);
         brdf.brdf(pair, before);
         brdf.brdf(changed(pair, turn), after);
         for (std::size_t k = 0; k < before.size(); ++k) {
@@ -40,21 +39,21 @@ double largest_change(const SpectralBrdf& brdf, Change&& changed) {
 
 }  // namespace
 
-double anisotropy(const SpectralBrdf& brdf) {
-    return largest_change(brdf, [](const DirectionPair& pair, double turn) {
+double anisotropy(const Evaluator& brdf, std::size_t pairs) {
+    return largest_change(brdf, pairs, [](const DirectionPair& pair, double turn) {
         const double cosine = std::cos(turn), sine = std::sin(turn);
         return DirectionPair{turned(pair.in, cosine, sine), turned(pair.out, cosine, sine)};
     });
 }
 
-bool is_isotropic(const SpectralBrdf& brdf) {
-    return anisotropy(brdf) < 1e-6;
+bool is_isotropic(const Evaluator& brdf) {
+    return anisotropy(brdf) < accuracy::isotropy;
 }
 
-double irreciprocity(const SpectralBrdf& brdf) {
-    return largest_change(brdf, [](const DirectionPair& pair, double /*turn*/) {
+double irreciprocity(const Evaluator& brdf) {
+    return largest_change(brdf, 256, [](const DirectionPair& pair, double /*turn*/) {
         return DirectionPair{pair.out, pair.in};
     });
 }
 
-}  // namespace hts::tables
+}  // namespace hts::spectral

@@ -6,10 +6,11 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
-#include "hts/sampling.hpp"
+#include "hts/he_torrance.hpp"
 
 using hts::Direction;
-using hts::DirectionSampler;
+using hts::HeTorrance;
+using hts::Uniforms;
 using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
@@ -25,7 +26,7 @@ SpectralSample metal(double um = 0.5, double uniform_diffuse = 0) {
     return {Wavelength::from_micrometres(um), {0.77, 6.08}, uniform_diffuse};
 }
 
-DirectionSampler::Uniforms uniforms(Random& random) {
+Uniforms uniforms(Random& random) {
     const auto one = [&] {
         return random.uniform(0, 8) < 1 ? random.one_of({0, 0.5, 1 - 0x1p-53}) : random.uniform(0, 1);
     };
@@ -48,7 +49,7 @@ TEST_CASE("a draw's density is that of its direction") {
     Random random{31};
     for (const double slope : {0.005, 0.05, 0.5}) {
         for (const double roughness : {0.01, 0.2, 3.0}) {
-            const DirectionSampler sampler{{roughness, roughness / slope}, metal(0.5, 0.05), Tolerance{1e-6}};
+            const HeTorrance sampler{{roughness, roughness / slope}, metal(0.5, 0.05), Tolerance{1e-6}};
             for (int i = 0; i < 4000; ++i) {
                 const Direction in =
                     Direction::from_degrees(random.uniform(0, 89.5), random.uniform(-180, 180));
@@ -80,7 +81,7 @@ TEST_CASE("every draw is finite, whatever the surface and the direction") {
                                                         : length();
         const double tau = ordinary ? random.logarithmic(1e-2, 100) : length();
         const SpectralSample sample = metal(ordinary ? 0.5 : length(), random.one_of({0, 0.1, 0.3}));
-        const DirectionSampler sampler{{sigma, tau}, sample, Tolerance{1e-6}};
+        const HeTorrance sampler{{sigma, tau}, sample, Tolerance{1e-6}};
         for (int i = 0; i < 2000; ++i) {
             const Direction in = direction(random);
             const auto drawn = sampler.sample(in, uniforms(random));
@@ -97,7 +98,7 @@ TEST_CASE("every draw is finite, whatever the surface and the direction") {
 
 TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhere") {
     const Direction in = Direction::from_degrees(40, 10);
-    const DirectionSampler mirror{{0, 2}, metal(), Tolerance{1e-6}};
+    const HeTorrance mirror{{0, 2}, metal(), Tolerance{1e-6}};
     const auto drawn = mirror.sample(in, {0.3, 0.4, 0.5});
     CHECK(drawn.lobe == Lobe::specular);
     CHECK(drawn.pdf == Approx(1));
@@ -106,11 +107,11 @@ TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhe
     CHECK(mirror.specular_probability(in) == Approx(1));
     CHECK(mirror.pdf(in, in.mirror()) == 0);
 
-    const DirectionSampler nothing{{0.2, 2}, {Wavelength::from_micrometres(0.5), {1, 0}, 0}, Tolerance{1e-6}};
+    const HeTorrance nothing{{0.2, 2}, {Wavelength::from_micrometres(0.5), {1, 0}, 0}, Tolerance{1e-6}};
     CHECK(nothing.sample(in, {0.3, 0.4, 0.5}).lobe == Lobe::none);
     CHECK(nothing.sample(in, {0.3, 0.4, 0.5}).weight == 0);
 
-    const DirectionSampler white{
+    const HeTorrance white{
         {0, 2}, {Wavelength::from_micrometres(0.5), {1, 0}, hts::uniform_diffuse(0.8)}, Tolerance{1e-6}};
     CHECK(white.sample(in, {0.3, 0.4, 0.5}).lobe == Lobe::uniform_diffuse);
     CHECK(white.sample(in, {0.3, 0.4, 0.5}).weight == Approx(0.8));
@@ -118,9 +119,9 @@ TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhe
 }
 
 TEST_CASE("the same numbers draw the same direction, and a copy draws as the original") {
-    const DirectionSampler one{{0.28, 1.77}, metal(), Tolerance{1e-6}};
-    const DirectionSampler other{{0.28, 1.77}, metal(), Tolerance{1e-6}};
-    const DirectionSampler copy = one;
+    const HeTorrance one{{0.28, 1.77}, metal(), Tolerance{1e-6}};
+    const HeTorrance other{{0.28, 1.77}, metal(), Tolerance{1e-6}};
+    const HeTorrance copy = one;
     Random random{33};
     for (int i = 0; i < 1000; ++i) {
         const Direction in = direction(random);

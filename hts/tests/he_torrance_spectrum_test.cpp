@@ -1,4 +1,4 @@
-// The lanes against the exact path of he_torrance.hpp, in every regime. HTS_EXHAUSTIVE=1 takes 10^7 points a
+// The lanes against the exact path of terms.hpp, in every regime. HTS_EXHAUSTIVE=1 takes 10^7 points a
 // tolerance, otherwise 10^5.
 #include "hts/he_torrance_spectrum.hpp"
 
@@ -15,7 +15,7 @@ using hts::DiffuseLobe;
 using hts::Direction;
 using hts::DirectionPair;
 using hts::Mueller;
-using hts::PreparedReflectance;
+using hts::HeTorranceSpectrum;
 using hts::RefractiveIndex;
 using hts::SpectralSample;
 using hts::Surface;
@@ -97,8 +97,8 @@ void compare(double tolerance, DiffuseLobe lobe = DiffuseLobe::full) {
         const Surface ground = surface(random);
         const std::size_t count = 1 + brdf.count() % 20;
         const auto spectrum = samples(random, count);
-        const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}, lobe};
-        const PreparedReflectance slow{ground, spectrum, Tolerance{exact}, lobe};
+        const HeTorranceSpectrum fast{ground, spectrum, Tolerance{tolerance}, lobe};
+        const HeTorranceSpectrum slow{ground, spectrum, Tolerance{exact}, lobe};
         std::vector<double> f(count);
         std::vector<double> reference(count);
         std::vector<Mueller> m(count);
@@ -150,7 +150,7 @@ TEST_CASE("lanes keep the tolerance of the mirror term") {
         while (worst.count() < points) {
             const Surface ground = surface(random);
             const auto spectrum = samples(random, 1 + worst.count() % 20);
-            const PreparedReflectance fast{ground, spectrum, Tolerance{tolerance}};
+            const HeTorranceSpectrum fast{ground, spectrum, Tolerance{tolerance}};
             std::vector<double> values(spectrum.size() + 1, -1);
             for (int i = 0; i < 200; ++i) {
                 const Direction in = direction(random);
@@ -175,7 +175,7 @@ TEST_CASE("the limits of the lobe are those of Phi") {
     const auto brdf = [&](double roughness, double tolerance, DiffuseLobe lobe) {
         const SpectralSample sample{Wavelength::from_micrometres(0.5), RefractiveIndex{1.5, 2}, 0.125};
         std::vector<double> f(1);
-        PreparedReflectance{Surface{roughness, 10 * roughness}, {sample}, Tolerance{tolerance}, lobe}.brdf(p,
+        HeTorranceSpectrum{Surface{roughness, 10 * roughness}, {sample}, Tolerance{tolerance}, lobe}.brdf(p,
                                                                                                            f);
         return f[0] - 0.125;
     };
@@ -199,7 +199,7 @@ TEST_CASE("a pair has the same bits alone, in any batch and anywhere in it") {
     for (const std::size_t count : {1U, 3U, 4U, 5U, 8U, 16U, 31U, 100U}) {
         const auto spectrum = samples(random, count);
         for (const double tolerance : {1e-12, 1e-6, 1e-3}) {
-            const PreparedReflectance prepared{Surface{0.28, 1.77}, spectrum, Tolerance{tolerance}};
+            const HeTorranceSpectrum prepared{Surface{0.28, 1.77}, spectrum, Tolerance{tolerance}};
             std::vector<DirectionPair> pairs;
             pairs.reserve(150);
             for (int i = 0; i < 150; ++i) pairs.push_back(pair(random));
@@ -224,7 +224,7 @@ TEST_CASE("a prepared object says what memory it takes") {
     const auto many = samples(random, 400);
     const Surface ground{0.28, 1.77};
     const auto bytes = [&](const auto& spectrum, double tolerance) {
-        return PreparedReflectance{ground, spectrum, Tolerance{tolerance}}.bytes();
+        return HeTorranceSpectrum{ground, spectrum, Tolerance{tolerance}}.bytes();
     };
     CHECK(bytes(few, exact) < bytes(few, 1e-6));
     CHECK(bytes(few, 1e-6) < 1200);
@@ -236,12 +236,12 @@ TEST_CASE("a prepared object says what memory it takes") {
 TEST_CASE("a copy of a prepared object is one of its own") {
     Random random{7};
     const auto spectrum = samples(random, 5);
-    PreparedReflectance original{Surface{0.28, 1.77}, spectrum, Tolerance{1e-6}};
-    const PreparedReflectance copy{original};
+    HeTorranceSpectrum original{Surface{0.28, 1.77}, spectrum, Tolerance{1e-6}};
+    const HeTorranceSpectrum copy{original};
     const DirectionPair p{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
     std::vector<double> expected(5);
     original.brdf(p, expected);
-    original = PreparedReflectance{Surface{0, 1}, spectrum, Tolerance{1e-6}};
+    original = HeTorranceSpectrum{Surface{0, 1}, spectrum, Tolerance{1e-6}};
     std::vector<double> f(5);
     copy.brdf(p, f);
     CHECK(same_bits(f, expected));
