@@ -1,6 +1,6 @@
 #include "spectral/models/material.hpp"
 
-#include <array>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -20,9 +20,9 @@ using hts::Lobe;
 using hts::Uniforms;
 using hts::Wavelength;
 using hts::Draw;
-using hts::spectral::AnyModel;
 using hts::spectral::Material;
-using hts::spectral::AnySpectrum;
+using hts::spectral::Reflectance;
+using hts::spectral::Sampler;
 using hts::spectral::built_in_models;
 using hts::spectral::ModelEntry;
 using hts::spectral::read_material;
@@ -57,18 +57,18 @@ const std::map<std::string, std::string> files{
     {"ashikhmin_shirley", R"({"model": "ashikhmin_shirley", "rd": 0.5, "f0": 0.1, "nx": 20, "ny": 80})"},
 };
 
-Material reflector_of(const TemporaryFolder& folder, const std::string& text) {
+Material material_of(const TemporaryFolder& folder, const std::string& text) {
     return read_material(folder.write("m.json", text));
 }
 
-AnyModel model_of(const std::string& name) {
+Reflectance reflectance_of(const std::string& name) {
     const TemporaryFolder folder;
-    return reflector_of(folder, files.at(name)).at(green);
+    return material_of(folder, files.at(name)).at(green);
 }
 
 std::string complaint_about(const std::string& text) {
     const TemporaryFolder folder;
-    return complaint(folder, [&] { static_cast<void>(reflector_of(folder, text)); });
+    return complaint(folder, [&] { static_cast<void>(material_of(folder, text)); });
 }
 
 /// In the plane or off it, up to 85 degrees.
@@ -84,7 +84,7 @@ Uniforms random_uniforms(Random& random) {
 }
 
 /// Midpoints over the hemisphere.
-double integral_of_pdf(const AnyModel& model, const Direction& in) {
+double integral_of_pdf(const Sampler& model, const Direction& in) {
     constexpr int rows = 200, columns = 400;
     double sum = 0;
     for (int i = 0; i < rows; ++i) {
@@ -124,27 +124,30 @@ TEST_CASE("every registered model is tested here") {
         INFO(entry.name);
         REQUIRE(files.contains(entry.name));
         const TemporaryFolder folder;
-        const Material reflector = reflector_of(folder, files.at(entry.name));
-        CHECK(reflector.name() == "m");
-        CHECK(reflector.model_name() == entry.name);
-        CHECK(reflector.model_source() == entry.source);
-        CHECK((reflector.he_torrance() != nullptr) == (entry.name == "he"));
+        const Material material = material_of(folder, files.at(entry.name));
+        CHECK(material.name() == "m");
+        CHECK(material.model_name() == entry.name);
+        CHECK(material.model_source() == entry.source);
+        const auto& properties = material.properties();
+        CHECK(properties.surface.has_value() == (entry.name == "he"));
+        CHECK(properties.polarised == (entry.name == "he"));
     }
 }
 
-TEST_CASE("every model is reciprocal through the face, and its terms add up") {
+TEST_CASE("every model is reciprocal as a reflectance, and its terms add up") {
     for (const auto& [name, text] : files) {
-        const AnyModel model = model_of(name);
+        const Reflectance model = reflectance_of(name);
         Random random{3};
         WorstCase reciprocity{name + ", reciprocity", 1e-12};
         WorstCase sum{name + ", sum of terms", 1e-15};
         for (int i = 0; i < 500; ++i) {
             const Direction in = random_direction(random);
             const Direction out = i % 3 == 0 ? in.mirror() : random_direction(random);
-            const double there = model.brdf(in, out);
+            const double there = model.brdf({in, out}).front();
             REQUIRE((there >= 0 && std::isfinite(there)));
-            const auto [directional, uniform] = model.terms(in, out);
-            reciprocity.note(there == 0 ? 0 : std::abs(there - model.brdf(out, in)) / there,
+            const double directional = model.directional_diffuse({in, out}).front();
+            const double uniform = std::min(there, model.uniform_diffuse().front());
+            reciprocity.note(there == 0 ? 0 : std::abs(there - model.brdf({out, in}).front()) / there,
                              [i] { return "pair " + std::to_string(i); });
             sum.note(relative_error(directional + uniform, there),
                      [i] { return "pair " + std::to_string(i); });
@@ -154,9 +157,10 @@ TEST_CASE("every model is reciprocal through the face, and its terms add up") {
     }
 }
 
-TEST_CASE("through the face densities integrate to at most 1, and weights to the albedo") {
+TEST_CASE("densities integrate to at most 1, and weights to the albedo") {
     for (const auto& [name, text] : files) {
-        const AnyModel model = model_of(name);
+        const Reflectance reflectance = reflectance_of(name);
+        const Sampler model = reflectance.sampler(0);
         for (const double theta : {10.0, 60.0}) {
             const Direction in = Direction::from_degrees(theta, 40);
             INFO(name << " at " << theta);
@@ -172,27 +176,11 @@ TEST_CASE("through the face densities integrate to at most 1, and weights to the
             }
             const double mean = sum / count;
             const double error = std::sqrt(std::max(0.0, squares / count - mean * mean) / count);
-            const auto albedo = model.albedo(in);
+            const auto albedo = reflectance.albedo(in, 0);
             INFO("mean weight " << mean << " +- " << error << ", albedo " << albedo.total());
             CHECK(std::abs(mean - albedo.total()) < 5 * error + 1e-5);
-            CHECK(albedo.uniform_diffuse == Approx(model.terms(in, in).uniform_diffuse * pi).margin(1e-12));
+            CHECK(albedo.uniform_diffuse == Approx(reflectance.uniform_diffuse().front() * pi).margin(1e-12));
         }
-    }
-}
-
-TEST_CASE("the face of the He-Torrance model has its bits") {
-    const TemporaryFolder folder;
-    const Material reflector = reflector_of(folder, files.at("he"));
-    const AnyModel model = reflector.at(green);
-    const auto grid = hts::spectral::WavelengthGrid::from_micrometres({0.55});
-    const hts::spectral::SpectralReflectance reflectance{*reflector.he_torrance(), grid};
-    Random random{9};
-    for (int i = 0; i < 50; ++i) {
-        const Direction in = random_direction(random), out = random_direction(random);
-        CHECK(model.terms(in, out).directional_diffuse ==
-              reflectance.directional_diffuse({in, out}).front().brdf);
-        CHECK(model.terms(in, out).uniform_diffuse == reflectance.uniform_diffuse().front());
-        CHECK(model.specular_reflectance(in).value() == reflectance.specular_reflectance(in).front().value());
     }
 }
 
@@ -204,66 +192,84 @@ TEST_CASE("all wavelengths of a model at once have the bits of each alone") {
     const auto grid = hts::spectral::WavelengthGrid::linear(0.4, 0.7, 7);
     for (const auto& [name, text] : described) {
         INFO(name);
-        const AnySpectrum spectrum = reflector_of(folder, text).spectrum(grid);
+        const Material material = material_of(folder, text);
+        const Reflectance spectrum = material.at(grid);
+        std::vector<Reflectance> each;
+        for (std::size_t k = 0; k < grid.size(); ++k) each.push_back(material.at(grid[k]));
         REQUIRE(spectrum.size() == grid.size());
-        std::vector<double> brdf(grid.size()), directional(grid.size()), specular(grid.size());
         Random random{13};
         std::size_t different = 0;
         for (int i = 0; i < 200; ++i) {
             const Direction in = i == 0 ? Direction::from_degrees(90, 0) : random_direction(random);
             const Direction out = i % 3 == 1 ? in.mirror() : random_direction(random);
-            spectrum.brdf({in, out}, brdf);
-            spectrum.directional_diffuse({in, out}, directional);
-            spectrum.specular_reflectance(in, specular);
+            const auto brdf = spectrum.brdf({in, out});
+            const auto directional = spectrum.directional_diffuse({in, out});
+            const auto specular = spectrum.specular_reflectance(in);
             for (std::size_t k = 0; k < grid.size(); ++k) {
-                const AnyModel& alone = spectrum.models()[k];
-                different += brdf[k] != alone.brdf(in, out) ||
-                             directional[k] != alone.terms(in, out).directional_diffuse ||
-                             specular[k] != alone.specular_reflectance(in).value() ||
-                             spectrum.uniform_diffuse()[k] < alone.terms(in, out).uniform_diffuse;
+                const Reflectance& alone = each[k];
+                different += brdf[k] != alone.brdf({in, out}).front() ||
+                             directional[k] != alone.directional_diffuse({in, out}).front() ||
+                             specular[k].value() != alone.specular_reflectance(in).front().value() ||
+                             spectrum.uniform_diffuse()[k] != alone.uniform_diffuse().front();
             }
         }
         CHECK(different == 0);
     }
 }
 
-TEST_CASE("a spectrum may be of models of several kinds") {
-    const AnySpectrum mixed{{model_of("ward"), model_of("lambert"), model_of("he")}};
-    const Direction in = Direction::from_degrees(30, 10), out = Direction::from_degrees(50, 170);
-    std::array<double, 3> brdf{}, directional{};
-    mixed.brdf({in, out}, brdf);
-    mixed.directional_diffuse({in, out}, directional);
-    for (std::size_t k = 0; k < brdf.size(); ++k) {
-        CHECK(brdf[k] == mixed.models()[k].brdf(in, out));
-        CHECK(directional[k] == mixed.models()[k].terms(in, out).directional_diffuse);
-    }
-    CHECK(AnySpectrum{{}}.size() == 0);
+TEST_CASE("properties say what can be asked of a material") {
+    CHECK(reflectance_of("he").properties().polarised);
+    CHECK(reflectance_of("he").properties().specular_term);
+    CHECK(reflectance_of("he").properties().isotropic);
+    CHECK(reflectance_of("he").samples().size() == 1);
+    CHECK(reflectance_of("lambert").properties().isotropic);
+    CHECK_FALSE(reflectance_of("ward").properties().isotropic);
+    CHECK_FALSE(reflectance_of("kurt").properties().isotropic);
+    CHECK(reflectance_of("lambert").samples().empty());
+    CHECK_THROWS_WITH(reflectance_of("lambert").mueller({Direction::from_degrees(10, 0), Direction::from_degrees(20, 0)}),
+                      "m: has no Mueller matrices");
+    const TemporaryFolder folder;
+    const auto glass = material_of(folder, R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0}})");
+    CHECK(glass.at(green).properties().transmitting);
+    CHECK_FALSE(reflectance_of("walter").properties().transmitting);
+}
+
+TEST_CASE("what a model has not is refused by name") {
+    const TemporaryFolder folder;
+    const Material lambert = material_of(folder, files.at("lambert"));
+    CHECK_THROWS_WITH(lambert.at(green, {.compensate_energy = true}),
+                      "m: energy compensation: must be off, since its model is lambert, not he");
+    CHECK_THROWS_WITH(lambert.at(green, {.lobe = hts::DiffuseLobe::rough_limit}),
+                      "m: lobe rough_limit: must be full or none, since its model is lambert, not he");
+    const Reflectance uniform = material_of(folder, files.at("ward")).at(green, {.lobe = hts::DiffuseLobe::none});
+    const Direction in = Direction::from_degrees(30, 0);
+    CHECK(uniform.brdf({in, in.mirror()}).front() == Approx(0.1 / pi).epsilon(1e-14));
 }
 
 TEST_CASE("numbers of a material file may be tables over wavelength") {
     const TemporaryFolder folder;
-    const Material lambert = reflector_of(folder, files.at("lambert"));
+    const Material lambert = material_of(folder, files.at("lambert"));
     const Direction up = Direction::from_degrees(0, 0);
-    CHECK(lambert.at(green).brdf(up, up) == Approx(0.35 / pi).epsilon(1e-14));
+    CHECK(lambert.at(green).brdf({up, up}).front() == Approx(0.35 / pi).epsilon(1e-14));
     const auto ultraviolet = Wavelength::from_micrometres(0.3);
     CHECK_THROWS_WITH(lambert.at(ultraviolet),
                       Catch::Contains("\"diffuse_albedo\"") && Catch::Contains("0.4 to 0.7 um"));
-    CHECK(lambert.at(ultraviolet, hts::spectral::OutsideRange::clamp).brdf(up, up) ==
+    CHECK(lambert.at(ultraviolet, {.outside = hts::spectral::OutsideRange::clamp}).brdf({up, up}).front() ==
           Approx(0.2 / pi).epsilon(1e-14));
 }
 
 TEST_CASE("a number with a default may be left out") {
     const TemporaryFolder folder;
     const auto lobe = [&](const std::string& ks) {
-        return reflector_of(folder, R"({"model": "ashikhmin_shirley", "rd": 0, )" + ks +
+        return material_of(folder, R"({"model": "ashikhmin_shirley", "rd": 0, )" + ks +
                                         R"("f0": 0.1, "nx": 20, "ny": 80})")
             .at(green);
     };
     const Direction in = Direction::from_degrees(30, 0), out = Direction::from_degrees(35, 170);
-    const double alone = lobe("").brdf(in, out);
+    const double alone = lobe("").brdf({in, out}).front();
     CHECK(alone > 0.01);
-    CHECK(lobe(R"("ks": 1, )").brdf(in, out) == alone);
-    CHECK(lobe(R"("ks": {"table": [[0.5, 2], [0.6, 2]]}, )").brdf(in, out) == 2 * alone);
+    CHECK(lobe(R"("ks": 1, )").brdf({in, out}).front() == alone);
+    CHECK(lobe(R"("ks": {"table": [[0.5, 2], [0.6, 2]]}, )").brdf({in, out}).front() == 2 * alone);
 }
 
 TEST_CASE("what is wrong with a material file is named by key and legal range") {
@@ -328,19 +334,19 @@ TEST_CASE("what is wrong with a material file is named by key and legal range") 
 TEST_CASE("normals may come from a picture or a table") {
     const TemporaryFolder folder;
     const auto with = [&](const std::string& normals) {
-        return reflector_of(folder, R"({"model": "ashikhmin", "f0": 0.2, "normals": )" + normals + "}")
+        return material_of(folder, R"({"model": "ashikhmin", "f0": 0.2, "normals": )" + normals + "}")
             .at(green);
     };
     folder.write("white.png", hts::spectral::png_bytes(4, 4, std::vector<std::uint8_t>(48, 255)));
-    const AnyModel picture =
+    const Reflectance picture =
         with(R"({"type": "image", "file": "white.png", "extent": 1, "sigma_x": 0.5, "sigma_y": 0.5})");
-    const AnyModel gaussian = with(R"({"type": "gaussian", "sigma_x": 0.5, "sigma_y": 0.5})");
-    const AnyModel table = with(R"({"type": "tabulated", "rows": [[1], [1], [1]]})");
-    const AnyModel everywhere = with(R"({"type": "inverse_gaussian", "sigma": "infinity"})");
+    const Reflectance gaussian = with(R"({"type": "gaussian", "sigma_x": 0.5, "sigma_y": 0.5})");
+    const Reflectance table = with(R"({"type": "tabulated", "rows": [[1], [1], [1]]})");
+    const Reflectance everywhere = with(R"({"type": "inverse_gaussian", "sigma": "infinity"})");
     for (const double theta : {0.0, 30.0, 60.0}) {
         const auto in = Direction::from_degrees(20, 0), out = Direction::from_degrees(theta, 150);
-        CHECK(picture.brdf(in, out) == Approx(gaussian.brdf(in, out)).epsilon(0.01));
-        CHECK(table.brdf(in, out) == Approx(everywhere.brdf(in, out)).epsilon(0.01));
+        CHECK(picture.brdf({in, out}).front() == Approx(gaussian.brdf({in, out}).front()).epsilon(0.01));
+        CHECK(table.brdf({in, out}).front() == Approx(everywhere.brdf({in, out}).front()).epsilon(0.01));
     }
     const auto problem = [&](const std::string& normals) {
         return complaint(folder, [&] { with(normals); });
@@ -355,12 +361,12 @@ TEST_CASE("normals may come from a picture or a table") {
 
 TEST_CASE("slanted velvet warns that its mean normal is tilted") {
     const TemporaryFolder folder;
-    const Material velvet = reflector_of(
+    const Material velvet = material_of(
         folder,
         R"({"model": "ashikhmin", "f0": 1, "normals": {"type": "slanted_fibres", "sigma": 0.5, "slant_deg": 40}})");
     REQUIRE(velvet.warnings().size() == 1);
     CHECK(velvet.warnings().front().find("mean normal") != std::string::npos);
-    CHECK(reflector_of(folder, files.at("ashikhmin")).warnings().empty());
+    CHECK(material_of(folder, files.at("ashikhmin")).warnings().empty());
 }
 
 TEST_CASE("a model of one's own joins by a line") {
@@ -370,7 +376,7 @@ TEST_CASE("a model of one's own joins by a line") {
     const auto toy =
         read_material(folder.write("toy.json", R"({"model": "toy", "albedo": 0.8})"), models);
     const Direction in = Direction::from_degrees(60, 0);
-    CHECK(toy.at(green).albedo(in).total() == Approx(0.8 * 0.75).epsilon(1e-5));
+    CHECK(toy.at(green).albedo(in, 0).total() == Approx(0.8 * 0.75).epsilon(1e-5));
     CHECK_THROWS_WITH(
         read_material(folder.write("bad.json", R"({"model": "toy", "albedo": 8})"), models),
         Catch::Contains("key \"albedo\": toy albedo 8: must be from 0 to 1"));
