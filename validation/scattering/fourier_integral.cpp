@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
 #include "spectral/random_directions.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/random_directions.hpp"
 
