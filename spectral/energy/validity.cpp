@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "spectral/models/reflectance.hpp"
 
 namespace hts::spectral {
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "hts/version.hpp"
 #include "spectral/plans/plan.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/text.hpp"

@@ -81,7 +81,7 @@ MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSour
                    needs_double(request),
                    library_version()};
     const Table unmeasured = Table::from_bytes(table_bytes(info, numbers), source.name);
-    info.error = table_error(unmeasured, exact, measured_pairs, measured_seed(request.seed));
+    info.error = table_error(unmeasured.reflectance(), exact, measured_pairs, measured_seed(request.seed));
     return {table_bytes(info, numbers), info.error};
 }
 

@@ -25,7 +25,7 @@
 #include <span>
 #include <string>
 
-#include "spectral/models/reflectance.hpp"
+#include "spectral/materials/piecewise_linear.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {

@@ -265,8 +265,8 @@ std::string fine_enough(const spectral::Reflectance& brdf) {
     for (int refinements = 0;; ++refinements) {
         std::string bytes = rgl_bytes(brdf, resolution);
         if (refinements == most_refinements) return bytes;
-        const auto read = parse_rgl(bytes, brdf.name());
-        if (round_trip(brdf, *read, pairs).worst.error <= most_error) return bytes;
+        const spectral::Reflectance read{parse_rgl(bytes, brdf.name())};
+        if (round_trip(brdf, read, pairs).worst.error <= most_error) return bytes;
         resolution.resolution = resolution.resolution * 5 / 4;
     }
 }

@@ -17,7 +17,7 @@ const TableJob& small_job() {
 
 const spectral::Reflectance& small_exact() {
     static const auto exact = exact_model(small_job());
-    return *exact;
+    return exact;
 }
 
 const std::string& small_bytes() {

@@ -28,7 +28,7 @@ const TableJob& job() {
 
 const spectral::Reflectance& exact() {
     static const auto exact = exact_model(job());
-    return *exact;
+    return exact;
 }
 
 const std::string& whole() {
