@@ -66,7 +66,7 @@ PhiSlopes phi_slopes(DiffuseLobe lobe, double g, double t) {
         const double value = std::exp(-t / g - std::log(g));
         return {value, (t / g - 1) * value, -value / g};
     }
-    const PhiGradient phi = phi_gradient(g, t);
+    const PhiGradient phi = phi_gradient(g, t, Tolerance{accuracy::tabled_phi_gradient});
     return {phi.value, g * phi.d_g, phi.d_t};
 }
 

@@ -32,9 +32,10 @@ namespace hts {
 // sqrt(2 m) lambda/(2 pi tau) with 1/m = -d ln Phi/dt, or 1 rad where that is less; 1 rad for the mirror
 // term. For values above 1e-270, sigma_0/tau >= 0.003 and index as of accuracy::fresnel_gradient.
 namespace accuracy {
-inline constexpr double brdf_gradient = 2e-12;
+inline constexpr double brdf_gradient = 2e-10;  // Phi's table: accuracy::tabled_phi_gradient
+inline constexpr double mueller_gradient = 2e-10;
 inline constexpr double specular_gradient = 4e-12;
-inline constexpr double mueller_gradient = 5e-13;
+inline constexpr double specular_mueller_gradient = 5e-13;
 }  // namespace accuracy
 
 /// A derivative, or a matrix of them, by each parameter of the model.
@@ -112,7 +113,7 @@ class PairGradient {
 
 /// Directional-diffuse term for unpolarised light; by.diffuse_albedo is 0.
 ///   error   accuracy::brdf_gradient; the value: accuracy::brdf
-///   cost    with its views and its pair about 2.5 evaluations; see phi_gradient
+///   cost    about two evaluations, with views and pair or without
 [[nodiscard]] BrdfGradient directional_diffuse_gradient(const PairGradient& pair,
                                                         const Wavelength& wavelength,
                                                         const RefractiveIndex& index,
@@ -139,7 +140,7 @@ class PairGradient {
                                                              const RefractiveIndex& index) noexcept;
 
 /// Its Mueller matrix [1].
-///   error   accuracy::mueller_gradient
+///   error   accuracy::specular_mueller_gradient
 [[nodiscard]] MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGradient& in,
                                                         const Wavelength& wavelength,
                                                         const RefractiveIndex& index) noexcept;
