@@ -53,6 +53,11 @@ void phi(std::span<const double> g, std::span<const double> t, std::span<double>
     forms().many[cheapest_form(tolerance)](g.data(), t.data(), result.data(), result.size());
 }
 
+PhiGradient phi_gradient(double g, double t, Tolerance tolerance) noexcept {
+    const bool tabled = tolerance.relative_error() >= accuracy::tabled_phi_gradient;
+    return tabled ? forms().gradient(g, t) : phi_gradient(g, t);
+}
+
 std::size_t phi_table_bytes(Tolerance tolerance) noexcept {
     switch (cheapest_form(tolerance)) {
         case low:

@@ -32,6 +32,21 @@ TEST_CASE("effective roughness solves (80) and (81)") {
     }
 }
 
+TEST_CASE("the slope of the effective roughness is that of its logarithm") {
+    WorstCase worst{"d ln(sigma/sigma_0) / d ln K", 1e-9};
+    for (double K = 1e-6; K < 1e40; K *= 1.7) {
+        const double step = 1e-4;
+        const double above = effective_roughness_ratio(K * std::exp(step));
+        const double below = effective_roughness_ratio(K * std::exp(-step));
+        worst.note(std::abs(hts::effective_roughness_log_slope(effective_roughness_ratio(K)) -
+                            std::log(above / below) / (2 * step)),
+                   [&] { return "K = " + std::to_string(K); });
+    }
+    worst.check();
+    CHECK(hts::effective_roughness_log_slope(1) == 0);
+    CHECK(hts::effective_roughness_log_slope(0) == 0);
+}
+
 TEST_CASE("effective roughness has both limits and falls in between") {
     CHECK(std::isnan(effective_roughness_ratio(-1)));
     CHECK(std::isnan(effective_roughness_ratio(std::numeric_limits<double>::quiet_NaN())));

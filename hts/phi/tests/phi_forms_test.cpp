@@ -205,6 +205,25 @@ TEST_CASE("phi keeps its tolerances on every instruction set") {
     });
 }
 
+TEST_CASE("the gradient of phi keeps its tolerance on every instruction set") {
+    on_every_target([](const PhiForms& forms, const std::string& target) {
+        Random random{18};
+        WorstCase worst{"log-gradient of phi, " + target, hts::accuracy::tabled_phi_gradient};
+        for (int i = 0; i < 20000; ++i) {
+            const Point p = draw(random);
+            if (p.g > 1e8) continue;  // where the sums of g d ln Phi/dg lose 1e-16 sqrt(g)
+            const auto tabled = forms.gradient(p.g, p.t), summed = hts::phi_gradient(p.g, p.t);
+            const auto note = [&](double computed, double expected) {
+                worst.note(std::abs(computed - expected) / (1 + std::abs(expected)),
+                           [&] { return at(p.g, p.t); });
+            };
+            note(p.g * tabled.log_d_g, p.g * summed.log_d_g);
+            note(tabled.log_d_t / summed.log_d_t, 1);
+        }
+        worst.check();
+    });
+}
+
 TEST_CASE("phi is continuous across cells") {
     // one ulp changes Phi itself by 1e-13 at most, so any jump is the tables'
     for (const Tolerance tolerance : tolerances) {
