@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "hts/lanes/evaluation_simd.hpp"
+#include "hts/evaluation/evaluation_simd.hpp"
 
 namespace hts {
 namespace {

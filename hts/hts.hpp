@@ -3,7 +3,6 @@
 
 #include "hts/direction.hpp"
 #include "hts/error.hpp"
-#include "hts/frames.hpp"
 #include "hts/fresnel.hpp"
 #include "hts/he_torrance.hpp"
 #include "hts/he_torrance_gradient.hpp"

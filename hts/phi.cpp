@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "hts/phi/phi_simd.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 namespace hts {
 namespace {

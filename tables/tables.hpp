@@ -5,6 +5,7 @@
 #include "tables/formats/channels.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/formats/merl.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
 #include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
 #include "tables/formats/points/angular_grid.hpp"

@@ -4,7 +4,7 @@
 
 #include "bench/phi/accuracy_sweep.hpp"
 #include "bench/random.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::bench {
 namespace {

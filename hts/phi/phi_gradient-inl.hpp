@@ -13,7 +13,7 @@
 
 #include "hts/phi/phi_cells-inl.hpp"
 #include "hts/phi/phi_far.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::phi_detail::HWY_NAMESPACE {

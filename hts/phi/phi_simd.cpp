@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "hts/phi/phi_far.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hts/phi/phi_simd.cpp"

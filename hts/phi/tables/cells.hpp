@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 #include "hts/phi/tables/chebyshev.hpp"
 #include "hts/phi/tables/phi_series.hpp"
 

@@ -14,7 +14,7 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/phi/phi_simd.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 #include "hts/phi/tables/phi_series.hpp"
 
 using hts::phi;

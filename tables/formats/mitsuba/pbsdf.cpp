@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "hts/frames.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"

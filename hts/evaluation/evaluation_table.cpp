@@ -1,5 +1,5 @@
 // Written by generate_evaluation_tables; do not edit.
-#include "hts/lanes/evaluation_table.hpp"
+#include "hts/evaluation/evaluation_table.hpp"
 
 namespace hts::evaluation_detail {
 

@@ -1,4 +1,4 @@
-// Coefficients of the lane kernel, written by hts/lanes/generate_evaluation_tables.cpp.
+// Coefficients of the lane kernel, written by hts/evaluation/generate_evaluation_tables.cpp.
 #pragma once
 
 #include <array>

@@ -1,17 +1,17 @@
 // The spectral evaluation, compiled for every instruction set and chosen at run time.
-#include "hts/lanes/evaluation_simd.hpp"
+#include "hts/evaluation/evaluation_simd.hpp"
 
 #include <algorithm>
 #include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hts/lanes/evaluation_simd.cpp"
+#define HWY_TARGET_INCLUDE "hts/evaluation/evaluation_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
-#include "hts/lanes/kernel-inl.hpp"
-#include "hts/lanes/limits-inl.hpp"
-#include "hts/lanes/pairs-inl.hpp"
-#include "hts/lanes/turns-inl.hpp"
+#include "hts/evaluation/kernel-inl.hpp"
+#include "hts/evaluation/limits-inl.hpp"
+#include "hts/evaluation/pairs-inl.hpp"
+#include "hts/evaluation/turns-inl.hpp"
 #include "hts/phi/phi_block-inl.hpp"
 #include "hwy/highway.h"
 

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include "hts/lanes/evaluation_simd.hpp"
-#include "hts/lanes/evaluation_table.hpp"
+#include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/evaluation/evaluation_table.hpp"
 #include "hts/lanes/polynomials-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

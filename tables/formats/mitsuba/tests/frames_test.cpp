@@ -1,4 +1,4 @@
-#include "hts/frames.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Writes evaluation_table.cpp, the coefficients of the lanes, to standard output: Chebyshev interpolants in long
 // double. cmake --build build/release --target hts_evaluation_tables runs it.
-#include "hts/lanes/evaluation_table.hpp"
+#include "hts/evaluation/evaluation_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ void print_lambert() {
 int main() {
     std::puts(
         "// Written by generate_evaluation_tables; do not edit.\n#include "
-        "\"hts/lanes/evaluation_table.hpp\"\n");
+        "\"hts/evaluation/evaluation_table.hpp\"\n");
     std::puts("namespace hts::evaluation_detail {\n");
     print_array(
         "exp2_coefficients", [](Real f) { return std::exp2(f); }, -0.5L, 0.5L, exp2_coefficients.size());

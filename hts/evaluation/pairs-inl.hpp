@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <span>
 
-#include "hts/lanes/kernel-inl.hpp"
+#include "hts/evaluation/kernel-inl.hpp"
 #include "hwy/cache_control.h"
 
 HWY_BEFORE_NAMESPACE();
