@@ -143,16 +143,17 @@ void HeTorranceSpectrum::exact_specular_reflectance(const Direction& in,
 }
 
 void HeTorranceSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    std::transform(samples_.begin(), samples_.end(), result.begin(),
-                   [](const SpectralSample& sample) { return Mueller::depolariser(sample.uniform_diffuse); });
-    if (lobe_ == DiffuseLobe::none) return;
     const PairFactors shared{surface_, pair.in, pair.out};
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
-        result[i] =
-            directional_diffuse_mueller(pair.in, pair.out,
-                                        directional_diffuse(shared, sample.wavelength, sample.index, lobe_)) +
-            result[i];
+        const Mueller uniform = Mueller::depolariser(sample.uniform_diffuse);
+        if (lobe_ == DiffuseLobe::none) {
+            result[i] = uniform;
+            continue;
+        }
+        result[i] = directional_diffuse_mueller(
+            pair.in, pair.out, directional_diffuse(shared, sample.wavelength, sample.index, lobe_));
+        if (sample.uniform_diffuse != 0) result[i] = result[i] + uniform;  // else zeros keep their signs
     }
 }
 

@@ -21,6 +21,7 @@
 #include "spectral/models/model_evaluator.hpp"
 #include "spectral/models/model_readers.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "spectral/models/reflected_terms.hpp"
 #include "spectral/models/spectral_number.hpp"
 #include "spectral/models/symmetry.hpp"
 #include "spectral/plans/plan.hpp"

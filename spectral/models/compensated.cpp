@@ -92,6 +92,12 @@ class CompensatedEvaluator final : public Evaluator {
             values[i] = factor * values[i] + Mueller::depolariser((1 - factor) * uniform_diffuse_[i]);
         }
     }
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override {
+        model_.evaluator().directional_diffuse_mueller(pair, values);
+        const CompensationPair at{pair};
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = compensation_[i].factor(at) * values[i];
+    }
     void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept override {
         model_.evaluator().specular_mueller(in, values);
         const CompensationPair at{{in, in.mirror()}};

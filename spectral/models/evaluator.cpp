@@ -34,6 +34,11 @@ void Evaluator::mueller(const DirectionPair& /*pair*/, std::span<Mueller> values
     std::ranges::fill(values, Mueller{});
 }
 
+void Evaluator::directional_diffuse_mueller(const DirectionPair& pair,
+                                            std::span<Mueller> values) const noexcept {
+    mueller(pair, values);
+}
+
 void Evaluator::specular_mueller(const Direction& /*in*/, std::span<Mueller> values) const noexcept {
     std::ranges::fill(values, Mueller{});
 }

@@ -87,6 +87,10 @@ class HeTorranceEvaluator final : public Evaluator {
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = values[i] + Mueller::depolariser(uniform_diffuse_[i]);
     }
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override {
+        lobe_.mueller(pair, values);
+    }
     void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept override {
         const View seen = view(lobe_.surface(), in);
         std::ranges::transform(samples_, values.begin(), [&](const SpectralSample& sample) {
@@ -123,6 +127,15 @@ class HeTorranceEvaluator final : public Evaluator {
     bool has_uniform_;
     HeTorranceSpectrum lobe_;
 };
+
+/// What a caller knows better goes before the constants, which then need not be known there.
+RefractiveIndex index_of(const OpticalConstants& constants, const Wavelength& wavelength,
+                         const EvaluationOptions& options) {
+    const auto &n = options.instead.n, &k = options.instead.k;
+    if (n && k) return {*n, *k};
+    const RefractiveIndex own = constants.index(wavelength, options.outside);
+    return {n.value_or(own.n()), k.value_or(own.k())};
+}
 
 double checked_albedo(double albedo) {
     if (!(albedo >= 0 && albedo <= 1)) throw out_of_range("diffuse albedo", albedo, "", "from 0 to 1");
@@ -167,15 +180,19 @@ Material he_torrance_material(const std::string& name, const Surface& surface,
     const auto prepare = [surface, constants, albedo](
                              const std::string& of, const WavelengthGrid& wavelengths,
                              const EvaluationOptions& options) {
+        const RoughSurfaceValues& given = options.instead;
+        const Surface rough{given.rms_roughness.value_or(surface.rms_roughness()),
+                            given.correlation_length.value_or(surface.correlation_length())};
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-            samples.push_back({wavelengths[i], constants.index(wavelengths[i], options.outside),
-                               hts::uniform_diffuse(albedo(wavelengths[i], options.outside))});
+            const RefractiveIndex index = index_of(constants, wavelengths[i], options);
+            const double own = given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
+            samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
         }
         const Reflectance model =
-            he_torrance_reflectance(of, surface, std::move(samples), options.tolerance, options.lobe);
-        return options.compensate_energy ? compensated(model, EnergyCompensation::of(surface, wavelengths))
+            he_torrance_reflectance(of, rough, std::move(samples), options.tolerance, options.lobe);
+        return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
     return Material{prepare, properties_of(surface), {}, constants.name()}.named(

@@ -29,6 +29,7 @@ Reflectance Material::at(const WavelengthGrid& wavelengths, const EvaluationOpti
     };
     if (!properties_.surface) {
         if (options.compensate_energy) throw refuse("energy compensation: must be off");
+        if (options.instead.any()) throw refuse("values of a rough surface: must not be given");
         if (options.lobe != DiffuseLobe::full && options.lobe != DiffuseLobe::none)
             throw refuse(std::string{"lobe "} + hts::name(options.lobe) + ": must be full or none");
     }

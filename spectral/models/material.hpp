@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,24 @@
 
 namespace hts::spectral {
 
+/// Values of a rough surface that a caller knows better than its material does: they go before the material's.
+struct RoughSurfaceValues {
+    std::optional<double> n{}, k{};  ///< at every wavelength, where the material then need not be known
+    std::optional<double> rms_roughness{}, correlation_length{};  ///< [um]
+    std::optional<double> diffuse_albedo{};
+
+    [[nodiscard]] bool any() const noexcept {
+        return n || k || rms_roughness || correlation_length || diffuse_albedo;
+    }
+};
+
 /// How a material is to be evaluated.
 struct EvaluationOptions {
     Tolerance tolerance{};                        ///< relative, of rough surfaces; other models are evaluated as they are
     OutsideRange outside = OutsideRange::error;   ///< where the material is not known at a wavelength
     DiffuseLobe lobe = DiffuseLobe::full;         ///< a limit where a rough surface needs no more; of others full or none
     bool compensate_energy = false;               ///< as spectral/energy/compensation.hpp says; of rough surfaces alone
+    RoughSurfaceValues instead{};                 ///< of rough surfaces alone
 };
 
 /// A surface and its model. Immutable; copies share what they hold.
@@ -58,7 +71,7 @@ class Material {
     [[nodiscard]] const Properties& properties() const noexcept { return properties_; }
 
     /// The material at wavelengths. hts::Error where it is not known at one of them and the options say error, or where the model
-    /// has no such lobe or no energy compensation.
+    /// has no such lobe, no energy compensation or no such values.
     ///   cost   with energy compensation some 50 ms a wavelength
     [[nodiscard]] Reflectance at(const WavelengthGrid& wavelengths, const EvaluationOptions& options = {}) const;
     [[nodiscard]] Reflectance at(const Wavelength& wavelength, const EvaluationOptions& options = {}) const;

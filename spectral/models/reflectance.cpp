@@ -86,6 +86,18 @@ void Reflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) 
     evaluator_->mueller(pair, result);
 }
 
+std::vector<Mueller> Reflectance::directional_diffuse_mueller(const DirectionPair& pair) const {
+    std::vector<Mueller> result(size_);
+    directional_diffuse_mueller(pair, result);
+    return result;
+}
+
+void Reflectance::directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_polarised();
+    require_size("directional_diffuse_mueller", result.size(), 1);
+    evaluator_->directional_diffuse_mueller(pair, result);
+}
+
 std::vector<Mueller> Reflectance::specular_mueller(const Direction& in) const {
     std::vector<Mueller> result(size_);
     specular_mueller(in, result);

@@ -83,10 +83,12 @@ class Reflectance {
     [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
     void specular_reflectance(const Direction& in, std::span<double> result) const;
 
-    /// Mueller matrices of the diffuse terms [1/sr] and of the specular term [1], one per wavelength; hts::Error unless
-    /// properties().polarised.
+    /// Mueller matrices of the diffuse terms [1/sr], of the lobe alone [1/sr], and of the specular term [1], one per wavelength;
+    /// hts::Error unless properties().polarised.
     [[nodiscard]] std::vector<Mueller> mueller(const DirectionPair& pair) const;
     void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
+    [[nodiscard]] std::vector<Mueller> directional_diffuse_mueller(const DirectionPair& pair) const;
+    void directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> result) const;
     [[nodiscard]] std::vector<Mueller> specular_mueller(const Direction& in) const;
     void specular_mueller(const Direction& in, std::span<Mueller> result) const;
 

@@ -73,6 +73,10 @@ class PlannedEvaluator final : public Evaluator {
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
         nodes_.evaluator().mueller(pair, values);
     }
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override {
+        nodes_.evaluator().directional_diffuse_mueller(pair, values);
+    }
     void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept override {
         if (specular_)
             nodes_.evaluator().specular_mueller(in, values);

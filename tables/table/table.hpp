@@ -118,6 +118,7 @@ class Table final : public spectral::Evaluator {
     void diffuse_albedo(const Direction& in, std::span<double> values) const noexcept;
     [[nodiscard]] spectral::Properties properties() const override;
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override;
+    void directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override;
 
   private:
     explicit Table(std::shared_ptr<const TableContents> contents);

@@ -217,9 +217,9 @@ void merge_table_file(const std::vector<fs::path>& parts, const fs::path& path) 
     const PartHeader header = merger.header();
     const auto exact = exact_model(header.job);
     const auto of_parts = [&](const TablePlan& plan) {
-        return plan == header.plan ? merger.slices() : computed_slices(*exact)(plan);
+        return plan == header.plan ? merger.slices() : computed_slices(exact)(plan);
     };
-    spectral::write_file(path.string(), finished_table(*exact, header.job.source, header.plan, of_parts));
+    spectral::write_file(path.string(), finished_table(exact, header.job.source, header.plan, of_parts));
 }
 
 }  // namespace hts::tables

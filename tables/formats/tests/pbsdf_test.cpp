@@ -41,16 +41,23 @@ spectral::Reflectance surface(double n, double k, double albedo) {
 
 /// Written, and the raw arrays read.
 class Written {
+    [[nodiscard]] static spectral::Reflectance written(const spectral::Reflectance& brdf, const fs::path& path,
+                                                       const PbsdfResolution& resolution) {
+        write_pbsdf(brdf, path, resolution);
+        return read_pbsdf(path);
+    }
+
+    hts::testing::TemporaryFolder folder_;
+    fs::path path_;
+
   public:
     Written(const spectral::Reflectance& brdf, const PbsdfResolution& resolution)
-        : path_{folder_.path() / "test.pbsdf"} {
-        write_pbsdf(brdf, path_, resolution);
+        : path_{folder_.path() / "test.pbsdf"}, read{written(brdf, path_, resolution)} {
         const TensorFile file = TensorFile::read(path_);
         theta_h = file.floats("theta_h", 2).numbers;
         theta_d = file.floats("theta_d", 2).numbers;
         phi_d = file.floats("phi_d", 2).numbers;
         matrices = file.floats("M", 6).numbers;
-        read = read_pbsdf(path_);
     }
 
     /// An element at a node and the first wavelength.
@@ -71,9 +78,6 @@ class Written {
     std::vector<float> theta_h, theta_d, phi_d, matrices;
     spectral::Reflectance read;
 
-  private:
-    hts::testing::TemporaryFolder folder_;
-    fs::path path_;
 };
 
 using Complex = std::complex<double>;
@@ -105,7 +109,7 @@ TEST_CASE("nodes hold Fresnel's matrix of the facet in the plane of light and vi
     // form above; conductors turn linear into circular light, so no sign of S2 or S3 can hide.
     const Complex index{0.183, 3.43};
     const auto gold = surface(index.real(), index.imag(), 0);
-    const Written file{*gold, small};
+    const Written file{gold, small};
     WorstCase worst{"pbsdf, nodes against Fresnel's formula, of m00", 1e-5};
     for (std::size_t p = 0; p < file.phi_d.size(); ++p) {
         for (std::size_t d = 0; d < file.theta_d.size(); ++d) {
@@ -135,7 +139,7 @@ TEST_CASE("at nodes the reader gives the engine's Mueller matrix") {
     WorstCase stokes{"pbsdf at nodes, diagonal and circular light, of m00", 2e-5};
     std::vector<Mueller> expected(5), found(5);
     for (const auto& brdf : {plastic, gold}) {
-        const Written file{*brdf, small};
+        const Written file{brdf, small};
         for (std::size_t p = 0; p < file.phi_d.size(); ++p)
             for (std::size_t d = 1; d < file.theta_d.size(); ++d)
                 for (std::size_t h = 1; h < file.theta_h.size(); ++h) {
@@ -163,7 +167,7 @@ TEST_CASE("at nodes the reader gives the engine's Mueller matrix") {
 TEST_CASE("between nodes a polarised file is near the engine, and total") {
     const bool full = exhaustive();
     const auto aluminium = brdf_of("rough-aluminium.json", five);
-    const Written file{*aluminium, full ? PbsdfResolution{} : PbsdfResolution{31, 31, 25}};
+    const Written file{aluminium, full ? PbsdfResolution{} : PbsdfResolution{31, 31, 25}};
     const RoundTrip trip = round_trip(aluminium, file.read, {full ? 100'000U : 4'000U, 3});
     if (full) WARN(trip.text());
     REQUIRE(trip.worst_mueller);
@@ -194,7 +198,7 @@ TEST_CASE("what a polarised file cannot hold is refused by name") {
     CHECK_THROWS_WITH(write_pbsdf(odd, "/tmp/x"), Catch::Contains("a whole number of nanometres"));
     const auto boxed = with_specular_box(brdf_of("smooth-plastic.json", five), 0.01);
     CHECK_THROWS_WITH(write_pbsdf(boxed, "/tmp/x"), Catch::Contains("has no Mueller matrix"));
-    CHECK_THROWS_WITH(write_pbsdf(*surface(1.5, 0, 0), "/tmp/x", {1, 9, 9}),
+    CHECK_THROWS_WITH(write_pbsdf(surface(1.5, 0, 0), "/tmp/x", {1, 9, 9}),
                       Catch::Contains("number of theta_h 1"));
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("a file by hand is read as its description says") {
         CHECK(brdf->density(pair) ==
               Approx(1 / (2 * std::numbers::pi * std::numbers::pi * u * std::sin(theta_m) * 4 * (length / 2)))
                   .epsilon(1e-5));
-        CHECK(brdf.wavelengths().micrometres()[1] == Approx(0.65));
+        CHECK(brdf->wavelengths().micrometres()[1] == Approx(0.65));
     }
 }
 
@@ -193,10 +193,10 @@ TEST_CASE("surfaces survive an RGL file") {
             write_rgl(surface.brdf, place.path());
         else
             write_rgl(surface.brdf, place.path(), {24, 32, 65, 128});
-        const auto read = read_rgl(place.path());
+        const spectral::Reflectance read{read_rgl(place.path())};
         const auto seeds = full ? std::vector<std::uint64_t>{7, 2027, 990017} : std::vector<std::uint64_t>{7};
         for (const std::uint64_t seed : seeds) {
-            const RoundTrip trip = round_trip(surface.brdf, *read, {full ? 100'000U : 4'000U, seed});
+            const RoundTrip trip = round_trip(surface.brdf, read, {full ? 100'000U : 4'000U, seed});
             if (full) WARN(surface.name << ", " << fs::file_size(place.path()) << " bytes\n" << trip.text());
             error.note(trip.worst.error, [&] { return surface.name; });
             typical.note(trip.percentile_99, [&] { return surface.name; });
@@ -218,8 +218,8 @@ TEST_CASE("directions drawn from an RGL file weigh what is reflected") {
     const Place place{"hts-rgl-draws.bsdf"};
     const auto aluminium = brdf_of("rough-aluminium.json", two);
     write_rgl(aluminium, place.path(), {24, 32, 65, 128});
-    const auto read = read_rgl(place.path());
-    const RoundTrip trip = round_trip(aluminium, *read, {100, 1});
+    const std::shared_ptr<const RglBrdf> read = read_rgl(place.path());
+    const RoundTrip trip = round_trip(aluminium, spectral::Reflectance{read}, {100, 1});
     for (const AlbedoError& each : trip.albedo) {
         if (each.theta_i > 1.2) continue;
         const double drawn = mean_weight(*read, Direction::from_angles(each.theta_i, 0.4), 20'000);

@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "damaged_files.hpp"
+#include "tables/formats/tests/damaged_files.hpp"
 #include "table_fixture.hpp"
 #include "tables/formats/little_endian.hpp"
 #include "tables/table/crc64.hpp"

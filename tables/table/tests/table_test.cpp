@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "hts/tests/support/comparison.hpp"
-#include "spectral/energy/energy.hpp"
+#include "spectral/models/material.hpp"
 #include "spectral/random_directions.hpp"
 #include "table_fixture.hpp"
 
