@@ -15,7 +15,7 @@ using hts::testing::WorstCase;
 using Complex = std::complex<double>;
 
 TEST_CASE("Fresnel amplitudes agree with 50 digits") {
-    const ReferenceTable table{"fresnel.csv"};
+    const ReferenceTable table{"tests/reference/fresnel.csv"};
     WorstCase absolute{"Fresnel amplitude, absolute", hts::accuracy::fresnel};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto computed = fresnel(table(row, "cos_theta"), {table(row, "n"), table(row, "k")});
@@ -27,7 +27,7 @@ TEST_CASE("Fresnel amplitudes agree with 50 digits") {
 }
 
 TEST_CASE("derivatives of Fresnel amplitudes agree with differences at 80 digits") {
-    const ReferenceTable table{"fresnel_gradient.csv"};
+    const ReferenceTable table{"tests/reference/fresnel_gradient.csv"};
     WorstCase worst{"derivatives of Fresnel amplitudes", hts::accuracy::fresnel_gradient};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const double c = table(row, "cos_theta"), n = table(row, "n"), k = table(row, "k");

@@ -94,7 +94,7 @@ void search_table(WorstCase& worst, const Derivative& derivative) {
 }  // namespace
 
 TEST_CASE("derivatives of the lobe and of the mirror term agree with differences at 80 digits") {
-    const ReferenceTable table{"gradient.csv"};
+    const ReferenceTable table{"tests/reference/gradient.csv"};
     WorstCase lobe{"gradient of the directional-diffuse term", hts::accuracy::brdf_gradient};
     WorstCase mirror{"gradient of the specular reflectance", hts::accuracy::specular_gradient};
     for (std::size_t r = 0; r < table.size(); ++r) {
@@ -128,7 +128,7 @@ TEST_CASE("derivatives of the lobe and of the mirror term agree with differences
 }
 
 TEST_CASE("derivatives of the Mueller matrices agree with differences at 80 digits") {
-    const ReferenceTable table{"mueller_gradient.csv"};
+    const ReferenceTable table{"tests/reference/mueller_gradient.csv"};
     WorstCase lobe{"gradient of the directional-diffuse Mueller matrix", hts::accuracy::mueller_gradient};
     WorstCase mirror{"gradient of the specular Mueller matrix", hts::accuracy::specular_mueller_gradient};
     for (std::size_t r = 0; r < table.size(); ++r) {

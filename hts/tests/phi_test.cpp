@@ -31,7 +31,7 @@ std::string at(double g, double t) {
 }  // namespace
 
 TEST_CASE("phi and its logarithm agree with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase value{"phi", hts::accuracy::phi};
     WorstCase log{"log phi", hts::accuracy::log_phi};
     for (std::size_t row = 0; row < table.size(); ++row) {
@@ -117,7 +117,7 @@ TEST_CASE("the two ways of summing phi meet") {
 }
 
 TEST_CASE("phi by summation agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase log{"log of the sum", 1e-14};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const double expected = table(row, "log_phi");
@@ -131,7 +131,7 @@ TEST_CASE("phi by summation agrees with 50 digits") {
 }
 
 TEST_CASE("the gradient of phi agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase value{"phi with its gradient", hts::accuracy::phi_gradient};
     WorstCase d_g{"d phi / dg", hts::accuracy::phi_gradient};
     for (std::size_t row = 0; row < table.size(); ++row) {

@@ -14,7 +14,7 @@ using hts::testing::relative_error;
 using hts::testing::WorstCase;
 
 TEST_CASE("effective roughness agrees with the root of the paper's equation at 50 digits") {
-    const ReferenceTable table{"effective_roughness.csv"};
+    const ReferenceTable table{"tests/reference/effective_roughness.csv"};
     WorstCase worst{"sigma / sigma_0", hts::accuracy::effective_roughness};
     for (std::size_t row = 0; row < table.size(); ++row) {
         worst.note(

@@ -15,7 +15,7 @@ using hts::testing::relative_error;
 using hts::testing::WorstCase;
 
 TEST_CASE("shadowing and obstruction agree with 50 digits") {
-    const ReferenceTable table{"shadowing.csv"};
+    const ReferenceTable table{"tests/reference/shadowing.csv"};
     WorstCase shadowing{"S_1", hts::accuracy::shadowing};
     WorstCase quotient{"S_1 / cos theta", hts::accuracy::shadowing};
     WorstCase obstruction{"K, absolute below 1", hts::accuracy::obstruction};
@@ -34,7 +34,7 @@ TEST_CASE("shadowing and obstruction agree with 50 digits") {
 }
 
 TEST_CASE("derivatives of shadowing and obstruction agree with differences at 80 digits") {
-    const ReferenceTable table{"visibility_gradient.csv"};
+    const ReferenceTable table{"tests/reference/visibility_gradient.csv"};
     WorstCase obstruction{"derivatives of ln K", hts::accuracy::obstruction_gradient};
     WorstCase shadowing{"derivatives of ln S_1", hts::accuracy::shadowing_gradient};
     for (std::size_t row = 0; row < table.size(); ++row) {

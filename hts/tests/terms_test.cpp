@@ -70,7 +70,7 @@ const std::vector<std::string> inputs{
 }  // namespace
 
 TEST_CASE("the three terms agree with 50 digits of the printed equations") {
-    const ReferenceTable table{"model.csv"};
+    const ReferenceTable table{"tests/reference/model.csv"};
     WorstCase diffuse{"directional diffuse", hts::accuracy::brdf};
     WorstCase specular{"specular reflectance", hts::accuracy::specular_reflectance};
     WorstCase mueller{"Mueller element, of element 00", hts::accuracy::mueller};
@@ -100,7 +100,7 @@ TEST_CASE("the three terms agree with 50 digits of the printed equations") {
 }
 
 TEST_CASE("the parts of the directional-diffuse term agree with 50 digits") {
-    const ReferenceTable table{"model.csv"};
+    const ReferenceTable table{"tests/reference/model.csv"};
     WorstCase worst{"g, sigma, S, |F|^2", 5e-15};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const Query query = query_of(table, row);
@@ -140,7 +140,7 @@ TEST_CASE("short wavelengths meet the Beckmann microfacet BRDF") {
 
 TEST_CASE("the approach to geometric optics is that of 50 digits") {
     // f / (F S D_B / 4 cos cos) = 1 + (q^2/2 - 2 q + 1)/g + O(1/g^2), q = t/g
-    const ReferenceTable table{"limits.csv"};
+    const ReferenceTable table{"tests/reference/limits.csv"};
     WorstCase worst{"directional diffuse at large g", hts::accuracy::brdf};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto term = query_of(table, row).term();

@@ -26,7 +26,7 @@ double albedo(const KurtLobe& lobe, const Direction& in) {
 }  // namespace
 
 TEST_CASE("Kurt's lobe and its density are the printed ones at 80 digits") {
-    const ReferenceTable table{"microfacet.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/microfacet.csv"};
     WorstCase value{"Kurt (11), lobe", accuracy::kurt};
     WorstCase density{"Kurt (20)", accuracy::kurt};
     for (std::size_t i = 0; i < table.size(); ++i) {

@@ -176,7 +176,7 @@ bool same_bits(double a, double b) {
 }  // namespace
 
 TEST_CASE("phi at every tolerance agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     for (const Tolerance tolerance : tolerances) {
         WorstCase worst{"phi at " + hts::shortest(tolerance.relative_error()), tolerance.relative_error()};
         for (std::size_t row = 0; row < table.size(); ++row) {
