@@ -85,10 +85,10 @@ Draw HeTorrance::draw(const Direction& in, const Uniforms& u) const noexcept {
 Draw HeTorrance::sample(const Direction& in, const Uniforms& u) const noexcept {
     Draw drawn = draw(in, u);
     if (drawn.lobe == Lobe::none) return drawn;
-    const double value = drawn.lobe == Lobe::specular
-                             ? hts::specular_reflectance(surface(), view(surface(), in), at().wavelength, at().index)
-                                   .value()
-                             : brdf(in, drawn.out) * drawn.out.cos_theta();
+    const double value =
+        drawn.lobe == Lobe::specular
+            ? hts::specular_reflectance(surface(), view(surface(), in), at().wavelength, at().index).value()
+            : brdf(in, drawn.out) * drawn.out.cos_theta();
     drawn.weight = value / drawn.pdf;
     return drawn;
 }

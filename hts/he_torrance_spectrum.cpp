@@ -65,7 +65,7 @@ struct HeTorranceSpectrum::Lanes {
 };
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
-                                         Tolerance tolerance, DiffuseLobe lobe)
+                                       Tolerance tolerance, DiffuseLobe lobe)
     : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
     if (lobe == DiffuseLobe::none) return;
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance || !is_ordinary(surface_, samples_))
@@ -102,8 +102,7 @@ void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> resul
     exact_brdf(pair, result);
 }
 
-void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs,
-                               std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept {
     const std::size_t count = samples_.size();
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
     if (lanes_take_all) return;
@@ -135,7 +134,7 @@ void HeTorranceSpectrum::exact_brdf(const DirectionPair& pair, std::span<double>
 }
 
 void HeTorranceSpectrum::exact_specular_reflectance(const Direction& in,
-                                                     std::span<double> result) const noexcept {
+                                                    std::span<double> result) const noexcept {
     const View seen = view(surface_, in);
     std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
         return hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index).value();

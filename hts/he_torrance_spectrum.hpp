@@ -45,7 +45,7 @@ class HeTorranceSpectrum {
   public:
     ///   tolerance   of the arithmetic; what a limit neglects comes on top
     HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
-                      DiffuseLobe lobe = DiffuseLobe::full);
+                       DiffuseLobe lobe = DiffuseLobe::full);
     ~HeTorranceSpectrum();
     HeTorranceSpectrum(const HeTorranceSpectrum& other);
     HeTorranceSpectrum(HeTorranceSpectrum&& other) noexcept;

@@ -10,11 +10,11 @@
 
 using hts::Direction;
 using hts::HeTorrance;
-using hts::Uniforms;
 using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
 using hts::Tolerance;
+using hts::Uniforms;
 using hts::Wavelength;
 using hts::testing::Random;
 using hts::testing::relative_error;

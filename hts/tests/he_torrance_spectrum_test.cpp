@@ -14,8 +14,8 @@
 using hts::DiffuseLobe;
 using hts::Direction;
 using hts::DirectionPair;
-using hts::Mueller;
 using hts::HeTorranceSpectrum;
+using hts::Mueller;
 using hts::RefractiveIndex;
 using hts::SpectralSample;
 using hts::Surface;
@@ -176,7 +176,7 @@ TEST_CASE("the limits of the lobe are those of Phi") {
         const SpectralSample sample{Wavelength::from_micrometres(0.5), RefractiveIndex{1.5, 2}, 0.125};
         std::vector<double> f(1);
         HeTorranceSpectrum{Surface{roughness, 10 * roughness}, {sample}, Tolerance{tolerance}, lobe}.brdf(p,
-                                                                                                           f);
+                                                                                                          f);
         return f[0] - 0.125;
     };
     for (const double tolerance : {1e-12, 1e-6}) {

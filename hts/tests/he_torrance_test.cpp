@@ -16,11 +16,11 @@
 
 using hts::Direction;
 using hts::HeTorrance;
-using hts::Uniforms;
 using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
 using hts::Tolerance;
+using hts::Uniforms;
 using hts::Wavelength;
 using hts::testing::Angles;
 using hts::testing::Draw;

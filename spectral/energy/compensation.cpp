@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "spectral/energy/lobe_integral.hpp"
 #include "spectral/colour/spectrum_interpolation.hpp"
+#include "spectral/energy/lobe_integral.hpp"
 
 namespace hts::spectral {
 namespace {

@@ -93,7 +93,8 @@ DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& 
     constexpr double step = right_angle / 30;
     const int intervals = std::max(1, static_cast<int>(std::ceil(steepest_theta / step - 1e-9)));
     const Maximum most = maximum(0, steepest_theta, intervals, [&](double theta) {
-        return directional_hemispherical_reflectance(surface, facets, wavelength, Direction::from_angles(theta, 0))
+        return directional_hemispherical_reflectance(surface, facets, wavelength,
+                                                     Direction::from_angles(theta, 0))
             .total();
     });
     return {std::max(0.0, 1 - most.value), most.value, most.place};

@@ -32,7 +32,8 @@ OpticalConstants OpticalConstants::constant(const RefractiveIndex& index) {
     return {name, "given", ConstantValue{index.n()}, ConstantValue{index.k()}};
 }
 
-OpticalConstants::OpticalConstants(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k)
+OpticalConstants::OpticalConstants(std::string name, std::string source, Dispersion n,
+                                   std::optional<Dispersion> k)
     : name_{std::move(name)}, source_{std::move(source)}, n_{std::move(n)}, k_{std::move(k)} {
     if (range().shortest > range().longest) {
         throw Error{"n is known " + in_words(range_of(n_)) + ", k " + in_words(range_of(*k_)) +

@@ -25,7 +25,6 @@ std::string text_or(const std::optional<JsonValue>& value, const std::string& ot
     return value ? value->text() : otherwise;
 }
 
-
 OpticalConstants constant_from(const JsonValue& index) {
     index.require_keys_among({"n", "k"});
     const JsonValue n = index["n"];
@@ -46,7 +45,8 @@ OpticalConstants file_from(const JsonValue& index, const std::filesystem::path& 
 }  // namespace
 
 OpticalConstants optical_constants_from(const JsonValue& index, const std::filesystem::path& folder) {
-    if (index.is_text()) return located(index.place(), [&] { return built_in_optical_constants(index.text()); });
+    if (index.is_text())
+        return located(index.place(), [&] { return built_in_optical_constants(index.text()); });
     if (!index.is_object()) {
         throw index.error(R"(must be a built-in name, {"n", "k"}, {"file"} or {"table"})");
     }

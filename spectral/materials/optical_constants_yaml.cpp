@@ -197,7 +197,8 @@ OpticalConstants material_from_yaml(const std::string& text, std::string name, c
     if (!curves.n)
         throw Error{file + ": key \"DATA\": no refractive index n: must have a formula or a table"};
     return located(file, [&] {
-        return OpticalConstants{std::move(name), references(source, root), std::move(*curves.n), std::move(curves.k)};
+        return OpticalConstants{std::move(name), references(source, root), std::move(*curves.n),
+                                std::move(curves.k)};
     });
 }
 

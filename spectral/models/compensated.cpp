@@ -14,8 +14,7 @@ namespace {
 /// Draws as the model does, with the weights of the compensated terms.
 class CompensatedSampler final : public DirectionSampler {
   public:
-    CompensatedSampler(const Reflectance& model, EnergyCompensation compensation,
-                       std::size_t wavelength)
+    CompensatedSampler(const Reflectance& model, EnergyCompensation compensation, std::size_t wavelength)
         : uniform_diffuse_{model.samples()[wavelength].uniform_diffuse},
           sampler_{model.sampler(wavelength)},
           compensation_{std::move(compensation)} {}
@@ -56,7 +55,9 @@ class CompensatedEvaluator final : public Evaluator {
     }
 
     [[nodiscard]] Properties properties() const override { return model_.properties(); }
-    [[nodiscard]] std::span<const SpectralSample> samples() const noexcept override { return model_.samples(); }
+    [[nodiscard]] std::span<const SpectralSample> samples() const noexcept override {
+        return model_.samples();
+    }
     [[nodiscard]] std::size_t bytes() const noexcept override {
         std::size_t sum = sizeof *this + model_.bytes() + 2 * wavelengths().size() * sizeof(double);
         for (const EnergyCompensation& s : compensation_) sum += s.bytes();
@@ -133,10 +134,12 @@ class CompensatedEvaluator final : public Evaluator {
 }  // namespace
 
 Reflectance compensated(const Reflectance& model, std::vector<EnergyCompensation> compensation) {
-    if (!model.properties().surface) throw Error{model.name() + ": energy compensation: must be of a rough surface"};
+    if (!model.properties().surface)
+        throw Error{model.name() + ": energy compensation: must be of a rough surface"};
     if (compensation.size() != model.size()) {
         throw Error{model.name() + ": " + std::to_string(compensation.size()) +
-                    " compensations: must be one for each of " + std::to_string(model.size()) + " wavelengths"};
+                    " compensations: must be one for each of " + std::to_string(model.size()) +
+                    " wavelengths"};
     }
     return Reflectance{std::make_shared<const CompensatedEvaluator>(model, std::move(compensation))};
 }

@@ -79,7 +79,8 @@ class Evaluator {
     /// Mueller matrices of the diffuse terms [1/sr], one per wavelength; only where polarised.
     virtual void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept;
     /// Those of the lobe alone; the same where the uniform part is not known.
-    virtual void directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept;
+    virtual void directional_diffuse_mueller(const DirectionPair& pair,
+                                             std::span<Mueller> values) const noexcept;
     /// Mueller matrices of the specular term [1], one per wavelength; zeros where not known.
     virtual void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept;
     /// Whether light passes through the surface at a wavelength.

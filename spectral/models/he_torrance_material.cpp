@@ -177,9 +177,9 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
 
 Material he_torrance_material(const std::string& name, const Surface& surface,
                               const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
-    const auto prepare = [surface, constants, albedo](
-                             const std::string& of, const WavelengthGrid& wavelengths,
-                             const EvaluationOptions& options) {
+    const auto prepare = [surface, constants, albedo](const std::string& of,
+                                                      const WavelengthGrid& wavelengths,
+                                                      const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
         const Surface rough{given.rms_roughness.value_or(surface.rms_roughness()),
                             given.correlation_length.value_or(surface.correlation_length())};
@@ -187,7 +187,8 @@ Material he_torrance_material(const std::string& name, const Surface& surface,
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
             const RefractiveIndex index = index_of(constants, wavelengths[i], options);
-            const double own = given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
+            const double own =
+                given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
             samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
         }
         const Reflectance model =
@@ -200,15 +201,18 @@ Material he_torrance_material(const std::string& name, const Surface& surface,
 }
 
 Reflectance he_torrance_reflectance(const std::string& name, const Surface& surface,
-                                    std::vector<SpectralSample> samples, Tolerance tolerance, DiffuseLobe lobe) {
-    return Reflectance{std::make_shared<const HeTorranceEvaluator>(name, surface, std::move(samples), tolerance, lobe)};
+                                    std::vector<SpectralSample> samples, Tolerance tolerance,
+                                    DiffuseLobe lobe) {
+    return Reflectance{
+        std::make_shared<const HeTorranceEvaluator>(name, surface, std::move(samples), tolerance, lobe)};
 }
 
 Material read_he_torrance(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"});
     const Surface surface = surface_from(file.json);
-    return he_torrance_material(file.default_name, surface, optical_constants_from(file.json["index"], file.folder),
+    return he_torrance_material(file.default_name, surface,
+                                optical_constants_from(file.json["index"], file.folder),
                                 albedo_from(file.json.find("diffuse_albedo")));
 }
 

@@ -37,7 +37,8 @@ class DiffuseAlbedo {
 ///   samples   one per wavelength, of which the wavelengths are
 ///   lobe      a limit where the surface needs no more
 [[nodiscard]] Reflectance he_torrance_reflectance(const std::string& name, const Surface& surface,
-                                                  std::vector<SpectralSample> samples, Tolerance tolerance = {},
+                                                  std::vector<SpectralSample> samples,
+                                                  Tolerance tolerance = {},
                                                   DiffuseLobe lobe = DiffuseLobe::full);
 
 /// Reads

@@ -37,11 +37,12 @@ struct RoughSurfaceValues {
 
 /// How a material is to be evaluated.
 struct EvaluationOptions {
-    Tolerance tolerance{};                        ///< relative, of rough surfaces; other models are evaluated as they are
-    OutsideRange outside = OutsideRange::error;   ///< where the material is not known at a wavelength
-    DiffuseLobe lobe = DiffuseLobe::full;         ///< a limit where a rough surface needs no more; of others full or none
-    bool compensate_energy = false;               ///< as spectral/energy/compensation.hpp says; of rough surfaces alone
-    RoughSurfaceValues instead{};                 ///< of rough surfaces alone
+    Tolerance tolerance{};  ///< relative, of rough surfaces; other models are evaluated as they are
+    OutsideRange outside = OutsideRange::error;  ///< where the material is not known at a wavelength
+    DiffuseLobe lobe =
+        DiffuseLobe::full;           ///< a limit where a rough surface needs no more; of others full or none
+    bool compensate_energy = false;  ///< as spectral/energy/compensation.hpp says; of rough surfaces alone
+    RoughSurfaceValues instead{};    ///< of rough surfaces alone
 };
 
 /// A surface and its model. Immutable; copies share what they hold.
@@ -73,7 +74,8 @@ class Material {
     /// The material at wavelengths. hts::Error where it is not known at one of them and the options say error, or where the model
     /// has no such lobe, no energy compensation or no such values.
     ///   cost   with energy compensation some 50 ms a wavelength
-    [[nodiscard]] Reflectance at(const WavelengthGrid& wavelengths, const EvaluationOptions& options = {}) const;
+    [[nodiscard]] Reflectance at(const WavelengthGrid& wavelengths,
+                                 const EvaluationOptions& options = {}) const;
     [[nodiscard]] Reflectance at(const Wavelength& wavelength, const EvaluationOptions& options = {}) const;
 
   private:

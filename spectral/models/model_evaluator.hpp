@@ -124,9 +124,8 @@ class ModelEvaluator final : public Evaluator {
 ///          hts::Error where the material is not known at the wavelength
 template <class Make>
 [[nodiscard]] Material material_of(Make make, std::vector<std::string> warnings = {}) {
-    const auto prepare = [make = std::move(make)](
-                             const std::string& name, const WavelengthGrid& wavelengths,
-                             const EvaluationOptions& options) {
+    const auto prepare = [make = std::move(make)](const std::string& name, const WavelengthGrid& wavelengths,
+                                                  const EvaluationOptions& options) {
         using Model = decltype(ModelAtWavelength{make(wavelengths[0], options.outside)}.model);
         std::vector<Model> models;
         std::vector<double> uniform_diffuse;

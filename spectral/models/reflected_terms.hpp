@@ -13,7 +13,7 @@ namespace hts::spectral {
 /// One value per wavelength of each.
 struct ReflectedTerms {
     std::vector<double> directional_diffuse, uniform_diffuse;  ///< [1/sr]
-    std::vector<double> specular_reflectance;                  ///< [1], into the mirror direction of the light
+    std::vector<double> specular_reflectance;  ///< [1], into the mirror direction of the light
 };
 
 /// On the horizon the uniform-diffuse term is what the BRDF has of it there: all of a rough surface, nothing of other models.

@@ -50,8 +50,8 @@ std::vector<WavelengthGrid> grids(const Scene& scene) {
     std::vector<WavelengthGrid> grids;
     if (!scene.polarised && um.size() > 1)
         grids.push_back(WavelengthGrid::from_micrometres({um[um.size() / 2]}));
-    for (std::size_t count = 2;
-         !scene.polarised && count < um.size() && count <= PlannedForm::most_nodes; ++count) {
+    for (std::size_t count = 2; !scene.polarised && count < um.size() && count <= PlannedForm::most_nodes;
+         ++count) {
         grids.push_back(equally_spaced_in_inverse_square(first, last, count));
         if (count > 2) grids.push_back(WavelengthGrid::linear(first, last, static_cast<int>(count)));
     }
@@ -188,8 +188,8 @@ Plan make_plan(const Scene& scene, const PlanSampling& sampling, double toleranc
                 ", what the smallest plan within the tolerance takes"};
 }
 
-MeasuredError measured_error(const Scene& scene, const Material& material,
-                             const PlannedForm& form, const PlanSampling& sampling) {
+MeasuredError measured_error(const Scene& scene, const Material& material, const PlannedForm& form,
+                             const PlanSampling& sampling) {
     return ErrorMeter{scene, material, {scene, material}, sampling}.error(form);
 }
 

@@ -103,8 +103,7 @@ struct Plan {
 
 /// Opens a file that holds a reflectance: tables, which this module knows nothing of, come in this way. hts::Error names the
 /// file and both checksums where the file's is not `checksum`, that of Rung::table.
-using OpenTable =
-    std::function<Reflectance(const std::filesystem::path& file, const std::string& checksum)>;
+using OpenTable = std::function<Reflectance(const std::filesystem::path& file, const std::string& checksum)>;
 
 /// A plan as JSON, for a file in `folder`, from which the scene's path is relative. The same plan gives the same bytes.
 [[nodiscard]] std::string plan_text(const Plan& plan, const std::filesystem::path& folder);

@@ -127,8 +127,8 @@ struct PlanPlace {
     const OpenTable& open_table;
 };
 
-PlannedForm form_from(const JsonValue& choice, const Scene& scene, const Material& material,
-                                  const Rung& rung, const PlanPlace& place) {
+PlannedForm form_from(const JsonValue& choice, const Scene& scene, const Material& material, const Rung& rung,
+                      const PlanPlace& place) {
     if (rung.table.empty())
         return located(choice.place(), [&] { return MaterialForms{scene, material}.at(rung); });
     const JsonValue table = choice["table"];
@@ -145,7 +145,7 @@ PlannedForm form_from(const JsonValue& choice, const Scene& scene, const Materia
 }
 
 PlannedMaterial planned_from(const JsonValue& value, const Scene& scene, const Material& material,
-                              const PlanPlace& place) {
+                             const PlanPlace& place) {
     value.require_keys_among({"name", "choice", "rejected"});
     const JsonValue name = value["name"];
     if (name.text() != material.name()) {

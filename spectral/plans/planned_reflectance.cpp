@@ -57,7 +57,8 @@ class PlannedEvaluator final : public Evaluator {
         }
     }
     void uniform_diffuse(std::span<double> values) const noexcept override {
-        through_nodes(values, [&](std::span<double> at_nodes) { nodes_.evaluator().uniform_diffuse(at_nodes); });
+        through_nodes(values,
+                      [&](std::span<double> at_nodes) { nodes_.evaluator().uniform_diffuse(at_nodes); });
     }
     void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
         through_nodes(values, [&](std::span<double> at_nodes) {
@@ -158,12 +159,12 @@ PlannedForm MaterialForms::at(const Rung& rung) const {
 }
 
 Reflectance MaterialForms::at_nodes(const Rung& rung) const {
-    const Reflectance model = material_.at(rung.wavelengths, {.tolerance = rung.lobe_tolerance,
-                                                              .outside = scene_.outside_range,
-                                                              .lobe = rung.lobe});
+    const Reflectance model =
+        material_.at(rung.wavelengths,
+                     {.tolerance = rung.lobe_tolerance, .outside = scene_.outside_range, .lobe = rung.lobe});
     if (!scene_.compensate_energy) return model;
-    return compensated(model, EnergyCompensation::interpolated(compensation_, scene_.wavelengths,
-                                                               rung.wavelengths));
+    return compensated(model,
+                       EnergyCompensation::interpolated(compensation_, scene_.wavelengths, rung.wavelengths));
 }
 
 PlannedForm MaterialForms::full_model(Tolerance tolerance) const {

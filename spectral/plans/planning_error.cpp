@@ -197,9 +197,7 @@ std::vector<DirectionPair> planning_pairs(const Scene& scene, const Material& ma
 
 ErrorMeter::ErrorMeter(const Scene& scene, const Material& material, const MaterialForms& forms,
                        const PlanSampling& sampling)
-    : scene_{scene},
-      full_{forms.full_model()},
-      pairs_{planning_pairs(scene, material, sampling)} {
+    : scene_{scene}, full_{forms.full_model()}, pairs_{planning_pairs(scene, material, sampling)} {
     scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours()
                                                 : remember_spectra(forms.full_model(Tolerance{1e-3}));
 }
@@ -278,8 +276,9 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
     const auto value = candidate.reflectance().specular_reflectance(in);
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
-        const double reflected = fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
-                                 samples[i].uniform_diffuse * std::numbers::pi;
+        const double reflected =
+            fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
+            samples[i].uniform_diffuse * std::numbers::pi;
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }
     return worst;

@@ -28,7 +28,7 @@ constexpr double largest_budget = 0x1p53;  // whole numbers up to here are exact
 // ---- reading
 
 Material reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number,
-                            const std::vector<ModelEntry>& models) {
+                        const std::vector<ModelEntry>& models) {
     if (item.is_object())
         return material_from_json({item, folder, "material " + std::to_string(number)}, models);
     if (!item.is_text()) throw item.error("must be the path of a material file or a material");
@@ -36,7 +36,7 @@ Material reflector_from(const JsonValue& item, const fs::path& folder, std::size
 }
 
 std::vector<Material> materials_from(const JsonValue& list, const fs::path& folder,
-                                         const std::vector<ModelEntry>& models) {
+                                     const std::vector<ModelEntry>& models) {
     std::vector<Material> materials;
     std::set<std::string> names;
     for (const JsonValue& item : list.items()) {

@@ -27,7 +27,7 @@ enum class ErrorMeasure {
 struct Scene {
     std::filesystem::path path;
     std::vector<Material> materials;  ///< at least one, names differ
-    WavelengthGrid wavelengths;           ///< within the range of every material unless clamped
+    WavelengthGrid wavelengths;       ///< within the range of every material unless clamped
     OutsideRange outside_range;
     double largest_theta_i, largest_theta_r;  ///< [rad] polar angles of lights and views, 0 ... pi/2, > 0
     bool polarised;                           ///< Mueller matrices are needed; all materials are of model he

@@ -108,7 +108,8 @@ std::string JsonValue::text() const {
 }
 
 bool JsonValue::boolean() const {
-    if (!value_of(value_).is_boolean()) throw error("must be true or false, not " + with_article(value_of(value_)));
+    if (!value_of(value_).is_boolean())
+        throw error("must be true or false, not " + with_article(value_of(value_)));
     return value_of(value_).get<bool>();
 }
 
@@ -123,7 +124,8 @@ std::vector<JsonValue> JsonValue::items() const {
 
 std::vector<JsonValue::Row> JsonValue::rows(const std::vector<std::string>& columns) const {
     if (!is_list()) {
-        throw error("must be an array of rows [" + joined(columns) + "], not " + with_article(value_of(value_)));
+        throw error("must be an array of rows [" + joined(columns) + "], not " +
+                    with_article(value_of(value_)));
     }
     if (value_of(value_).empty()) throw error("must have at least one row [" + joined(columns) + "]");
     std::vector<Row> result;

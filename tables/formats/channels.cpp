@@ -14,12 +14,13 @@ namespace {
 template <class Combine>
 class Channels final : public spectral::Evaluator {
   public:
-    Channels(spectral::Reflectance source, const spectral::WavelengthGrid& channels,
-             Combine combine)
-        : spectral::Evaluator{source.name(), channels}, source_{std::move(source)}, combine_{std::move(combine)} {
+    Channels(spectral::Reflectance source, const spectral::WavelengthGrid& channels, Combine combine)
+        : spectral::Evaluator{source.name(), channels},
+          source_{std::move(source)},
+          combine_{std::move(combine)} {
         if (source_.wavelengths().size() > most_channels) {
-            throw out_of_range("number of wavelengths", static_cast<double>(source_.wavelengths().size()),
-                               "", "at most " + std::to_string(most_channels));
+            throw out_of_range("number of wavelengths", static_cast<double>(source_.wavelengths().size()), "",
+                               "at most " + std::to_string(most_channels));
         }
     }
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
@@ -48,7 +49,8 @@ class Joined final : public spectral::Evaluator {
         : spectral::Evaluator{name, wavelengths}, parts_{std::move(parts)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].evaluator().brdf(pair, values.subspan(i, 1));
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            parts_[i].evaluator().brdf(pair, values.subspan(i, 1));
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
         for (std::size_t i = 0; i < parts_.size(); ++i)
@@ -60,9 +62,10 @@ class Joined final : public spectral::Evaluator {
 };
 
 template <class Combine>
-spectral::Reflectance channels_of(spectral::Reflectance source,
-                                          const spectral::WavelengthGrid& channels, Combine combine) {
-    return spectral::Reflectance{std::make_shared<const Channels<Combine>>(source, channels, std::move(combine))};
+spectral::Reflectance channels_of(spectral::Reflectance source, const spectral::WavelengthGrid& channels,
+                                  Combine combine) {
+    return spectral::Reflectance{
+        std::make_shared<const Channels<Combine>>(source, channels, std::move(combine))};
 }
 
 }  // namespace
@@ -77,8 +80,7 @@ const spectral::WavelengthGrid& luminance_wavelength() {
     return grid;
 }
 
-spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source,
-                                               spectral::Illuminant illuminant) {
+spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source, spectral::Illuminant illuminant) {
     const auto weights = spectral::tristimulus_weights(source.wavelengths().micrometres(), illuminant);
     return channels_of(std::move(source), rgb_wavelengths(),
                        [weights](std::span<const double> spectrum, std::span<double> values) {
@@ -89,8 +91,7 @@ spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source,
                        });
 }
 
-spectral::Reflectance luminance_brdf(spectral::Reflectance source,
-                                             spectral::Illuminant illuminant) {
+spectral::Reflectance luminance_brdf(spectral::Reflectance source, spectral::Illuminant illuminant) {
     const auto weights = spectral::tristimulus_weights(source.wavelengths().micrometres(), illuminant);
     return channels_of(std::move(source), luminance_wavelength(),
                        [weights](std::span<const double> spectrum, std::span<double> values) {
@@ -111,7 +112,7 @@ spectral::Reflectance brdf_at(spectral::Reflectance source, std::size_t index) {
 }
 
 spectral::Reflectance with_channels_named(spectral::Reflectance source,
-                                                  const spectral::WavelengthGrid& names) {
+                                          const spectral::WavelengthGrid& names) {
     if (names.size() != source.wavelengths().size()) {
         throw out_of_range("number of channels", static_cast<double>(names.size()), "",
                            std::to_string(source.wavelengths().size()));
@@ -122,8 +123,7 @@ spectral::Reflectance with_channels_named(spectral::Reflectance source,
                        });
 }
 
-spectral::Reflectance joined(const std::string& name,
-                                     std::vector<spectral::Reflectance> parts) {
+spectral::Reflectance joined(const std::string& name, std::vector<spectral::Reflectance> parts) {
     std::vector<double> micrometres;
     for (const auto& part : parts) {
         if (part.wavelengths().size() != 1)

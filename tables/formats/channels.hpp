@@ -25,26 +25,24 @@ inline constexpr std::size_t most_channels = 1024;
 ///   formula   colour.hpp and display_colour.hpp; components below 0 (out of gamut) become 0
 ///   source    must cover the visible (else hts::Error, see tristimulus_weights)
 [[nodiscard]] spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source,
-                                                             spectral::Illuminant illuminant);
+                                                     spectral::Illuminant illuminant);
 
 /// BRDF as the eye weighs it, luminance factor over pi [1/sr], and the Y of the specular reflectance [1].
 ///   source    as above
 [[nodiscard]] spectral::Reflectance luminance_brdf(spectral::Reflectance source,
-                                                           spectral::Illuminant illuminant);
+                                                   spectral::Illuminant illuminant);
 
 /// One wavelength of a BRDF.
 ///   index   < source.wavelengths().size(), else hts::Error
-[[nodiscard]] spectral::Reflectance brdf_at(spectral::Reflectance source,
-                                                    std::size_t index);
+[[nodiscard]] spectral::Reflectance brdf_at(spectral::Reflectance source, std::size_t index);
 
 /// The same values under other names.
 ///   names   as many as the source has wavelengths, else hts::Error
 [[nodiscard]] spectral::Reflectance with_channels_named(spectral::Reflectance source,
-                                                                const spectral::WavelengthGrid& names);
+                                                        const spectral::WavelengthGrid& names);
 
 /// BRDFs of one wavelength each as one of them all.
 ///   parts   in the order of increasing wavelength, at most most_channels, else hts::Error
-[[nodiscard]] spectral::Reflectance joined(const std::string& name,
-                                                   std::vector<spectral::Reflectance> parts);
+[[nodiscard]] spectral::Reflectance joined(const std::string& name, std::vector<spectral::Reflectance> parts);
 
 }  // namespace hts::tables

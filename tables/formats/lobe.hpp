@@ -32,7 +32,7 @@ namespace hts::tables {
                                                                      double largest_theta);
 
 /// Per wavelength the largest BRDF [1/sr] over those views.
-[[nodiscard]] std::vector<double> lobe_peaks(const spectral::Reflectance& brdf, const Direction& in, double slope,
-                                             double largest_theta);
+[[nodiscard]] std::vector<double> lobe_peaks(const spectral::Reflectance& brdf, const Direction& in,
+                                             double slope, double largest_theta);
 
 }  // namespace hts::tables

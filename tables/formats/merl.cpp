@@ -214,7 +214,7 @@ std::string merl_bytes(const spectral::Reflectance& brdf) {
 }
 
 spectral::Reflectance merl_brdf(std::string_view bytes, const std::string& name,
-                                        const spectral::WavelengthGrid& wavelengths, MerlLookup lookup) {
+                                const spectral::WavelengthGrid& wavelengths, MerlLookup lookup) {
     require_three(wavelengths);
     if (bytes.size() != merl_size) {
         throw Error{name + ": " + std::to_string(bytes.size()) + " bytes: a MERL file has " +
@@ -237,7 +237,8 @@ spectral::Reflectance merl_brdf(std::string_view bytes, const std::string& name,
         throw Error{name + ": offset " + std::to_string(offset) + ": BRDF " + shortest(values[i]) +
                     " 1/sr: must be from -1e100 to 1e100"};
     }
-    return spectral::Reflectance{std::make_shared<const MerlBrdf>(name, wavelengths, std::move(values), lookup)};
+    return spectral::Reflectance{
+        std::make_shared<const MerlBrdf>(name, wavelengths, std::move(values), lookup)};
 }
 
 }  // namespace hts::tables

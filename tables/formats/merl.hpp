@@ -35,9 +35,8 @@ enum class MerlLookup {
 ///   bytes         the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelengths   what blue, green and red are called, three
 /// hts::Error "path: …" where size or dimensions differ or a value is not finite, with its offset.
-[[nodiscard]] spectral::Reflectance merl_brdf(
-    std::string_view bytes, const std::string& name,
-    const spectral::WavelengthGrid& wavelengths = rgb_wavelengths(),
-    MerlLookup lookup = MerlLookup::interpolated);
+[[nodiscard]] spectral::Reflectance merl_brdf(std::string_view bytes, const std::string& name,
+                                              const spectral::WavelengthGrid& wavelengths = rgb_wavelengths(),
+                                              MerlLookup lookup = MerlLookup::interpolated);
 
 }  // namespace hts::tables

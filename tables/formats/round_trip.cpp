@@ -46,7 +46,8 @@ void require_same_wavelengths(const spectral::Reflectance& a, const spectral::Re
 /// The original's largest BRDF for any light, from every degree of its polar angle.
 class Peaks {
   public:
-    Peaks(const spectral::Reflectance& brdf, double slope) : azimuths_{brdf.properties().isotropic ? 1U : 24U} {
+    Peaks(const spectral::Reflectance& brdf, double slope)
+        : azimuths_{brdf.properties().isotropic ? 1U : 24U} {
         for (std::size_t a = 0; a < azimuths_; ++a)
             for (std::size_t t = 0; t < angles; ++t)
                 rows_.push_back(lobe_peaks(brdf, light(t, a), slope, largest_theta));
@@ -106,8 +107,8 @@ class PairDraws {
     bool around_lobe_ = false;
 };
 
-PeakError peak_error(const spectral::Reflectance& original, const DirectionPair& pair, std::size_t k, double expected,
-                     double read, double peak) {
+PeakError peak_error(const spectral::Reflectance& original, const DirectionPair& pair, std::size_t k,
+                     double expected, double read, double peak) {
     const double error = peak > 0 ? std::abs(read - expected) / peak : (read == expected ? 0.0 : 1.0);
     return {std::isfinite(error) ? error : std::numeric_limits<double>::infinity(),
             polar_angle(pair.in),
@@ -186,8 +187,8 @@ std::vector<double> albedos(const spectral::Reflectance& brdf, const Direction& 
     return sums;
 }
 
-AlbedoError albedo_error(const spectral::Reflectance& original, const spectral::Reflectance& read, const Direction& in,
-                         const std::vector<WeightedView>& views) {
+AlbedoError albedo_error(const spectral::Reflectance& original, const spectral::Reflectance& read,
+                         const Direction& in, const std::vector<WeightedView>& views) {
     const auto expected = albedos(original, in, views), values = albedos(read, in, views);
     std::size_t worst = 0;
     const auto error = [&](std::size_t k) { return std::abs(values[k] - expected[k]); };
@@ -202,7 +203,8 @@ double density_integral(const HasDensity& read, const Direction& in, const std::
     return sum;
 }
 
-void add_integrals(RoundTrip& result, const spectral::Reflectance& original, const spectral::Reflectance& read, double slope) {
+void add_integrals(RoundTrip& result, const spectral::Reflectance& original,
+                   const spectral::Reflectance& read, double slope) {
     constexpr int points = 4096;
     const auto* density = dynamic_cast<const HasDensity*>(&read.evaluator());
     for (const double degrees : {0., 15., 30., 45., 60., 75., 85.}) {
@@ -245,7 +247,8 @@ RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Refl
     RoundTrip result;
     result.pairs = options.pairs;
     result.wavelengths = original.wavelengths().size();
-    if (original.properties().polarised && read_back.properties().polarised) result.worst_mueller = PeakError{};
+    if (original.properties().polarised && read_back.properties().polarised)
+        result.worst_mueller = PeakError{};
     std::vector<double> errors;
     for (std::size_t i = 0; i < options.pairs; ++i) {
         const DirectionPair pair = draw();

@@ -74,7 +74,8 @@ struct RoundTripOptions {
 
 /// Compares the two at the wavelengths they share.
 /// hts::Error where these differ in number or by more than 1e-6 of their value.
-[[nodiscard]] RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Reflectance& read_back,
+[[nodiscard]] RoundTrip round_trip(const spectral::Reflectance& original,
+                                   const spectral::Reflectance& read_back,
                                    const RoundTripOptions& options = {});
 
 }  // namespace hts::tables

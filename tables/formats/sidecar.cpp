@@ -37,7 +37,8 @@ std::string sidecar_json(const std::filesystem::path& file, const spectral::Refl
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf, Exported exported) {
+void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf,
+                        Exported exported) {
     exported.files.push_back({file.string() + ".json", sidecar_json(file, brdf, exported.sidecar)});
     spectral::write_files(exported.files);
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "spectral/text/output.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "spectral/text/output.hpp"
 
 namespace hts::tables {
 
@@ -37,6 +37,7 @@ struct Exported {
 /// Writes the files and beside them FILE.json, all of them or none (spectral::write_files); hts::Error where one cannot be written.
 ///   file   the exported file, whose whole name gets ".json" appended
 ///   brdf   whose specular reflectance the sidecar tells
-void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf, Exported exported);
+void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf,
+                        Exported exported);
 
 }  // namespace hts::tables

@@ -47,8 +47,7 @@ class SpecularBox final : public spectral::Evaluator {
 
 }  // namespace
 
-spectral::Reflectance with_specular_box(spectral::Reflectance brdf,
-                                                double solid_angle) {
+spectral::Reflectance with_specular_box(spectral::Reflectance brdf, double solid_angle) {
     if (!(solid_angle >= least_solid_angle && solid_angle <= most_solid_angle)) {
         throw out_of_range("solid angle of the specular box", solid_angle, "sr", "from 1e-9 to 1 sr");
     }

@@ -15,7 +15,6 @@ namespace hts::tables {
 /// the horizon; for small cones it is solid_angle cos theta_i, as in [He91 (70)]. The delta that remains is 0.
 ///   brdf          not polarised afterwards, since a spectral::Reflectance knows of its delta the unpolarised reflectance alone
 ///   solid_angle   [sr] 1e-9 ... 1, else hts::Error
-[[nodiscard]] spectral::Reflectance with_specular_box(spectral::Reflectance brdf,
-                                                              double solid_angle);
+[[nodiscard]] spectral::Reflectance with_specular_box(spectral::Reflectance brdf, double solid_angle);
 
 }  // namespace hts::tables

@@ -222,7 +222,7 @@ std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularG
 }
 
 spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
-                                         const std::optional<spectral::WavelengthGrid>& wavelengths) {
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
     Tokens tokens{text, name};
     const Header header = take_header(tokens);
     std::vector<double> values = header.tristimulus ? take_linear_srgb(tokens, header.grid)
@@ -238,7 +238,8 @@ spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
     return gridded_brdf(name, *channels, header.grid, std::move(values));
 }
 
-std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf, const std::filesystem::path& path) {
+std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
+                                            const std::filesystem::path& path) {
     const auto wavelengths = brdf.wavelengths().micrometres();
     if (wavelengths.size() > 1 && path.extension() != ".json") {
         throw Error{path.string() + ": one file holds one wavelength; for " +
@@ -265,7 +266,7 @@ void write_zemax(const spectral::Reflectance& brdf, const std::filesystem::path&
 }
 
 spectral::Reflectance read_zemax(const std::filesystem::path& path,
-                                               const std::optional<spectral::WavelengthGrid>& wavelengths) {
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
     const auto one = [](const std::filesystem::path& file,
                         const std::optional<spectral::WavelengthGrid>& channels) {
         return zemax_brdf(spectral::read_text_file(file), file.string(), channels);

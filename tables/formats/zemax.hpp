@@ -25,7 +25,8 @@ namespace hts::tables {
 /// A file's text for each wavelength, six digits.
 ///   brdf   isotropic, else hts::Error      grid   axis mirror, phi_i one value
 /// "TIS" is the reflectance of each angle of incidence, integrated on a grid four times finer along the polar angle, twice along the azimuth.
-[[nodiscard]] std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularGrid grid = zemax_grid());
+[[nodiscard]] std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf,
+                                                   AngularGrid grid = zemax_grid());
 
 /// The BRDF of a file; one with tristimulus values comes as linear sRGB (rgb_wavelengths).
 ///   text          the whole file      name   its path, for messages and as the BRDF's name

@@ -139,13 +139,8 @@ PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& 
     const Timing timing{scene};
     const spectral::Rung& rung = form.rung();
     const double at_nodes = timing.diffuse(form.at_nodes()), interpolation = timing.interpolation(rung);
-    PlanCost cost{at_nodes + interpolation,
-                  timing.mirror(form),
-                  timing.colour(rung),
-                  0,
-                  0,
-                  at_nodes,
-                  interpolation};
+    PlanCost cost{
+        at_nodes + interpolation, timing.mirror(form), timing.colour(rung), 0, 0, at_nodes, interpolation};
     if (rung.lobe == DiffuseLobe::none || !rung.table.empty() || !forms.material().properties().surface)
         return cost;
     spectral::Rung simple = rung;

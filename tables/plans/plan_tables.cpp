@@ -16,8 +16,8 @@ namespace {
 using spectral::ErrorMeasure;
 using spectral::MaterialForms;
 using spectral::Plan;
-using spectral::PlannedMaterial;
 using spectral::PlannedForm;
+using spectral::PlannedMaterial;
 using spectral::Rung;
 using spectral::Scene;
 

@@ -48,12 +48,13 @@ TablePlan refined(TablePlan plan, const TableError& error, const std::string& na
 
 }  // namespace
 
-std::vector<double> table_slice(const spectral::Reflectance& exact, const TablePlan& plan, std::size_t slice) {
+std::vector<double> table_slice(const spectral::Reflectance& exact, const TablePlan& plan,
+                                std::size_t slice) {
     return slice_values(exact, plan.spacing, lobe_nodes(plan), slice, plan.floor, plan.basis);
 }
 
-MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSource& source, const TablePlan& plan,
-                             std::vector<std::vector<double>> slices) {
+MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSource& source,
+                             const TablePlan& plan, std::vector<std::vector<double>> slices) {
     const TableRequest& request = plan.request;
     const CoordinateMap map{plan.spacing};
     const std::size_t width = plan.floor.size();

@@ -80,8 +80,8 @@ using SliceSource = std::function<std::vector<std::vector<double>>(const TablePl
 /// The bytes of the file. Where the measured error is above the tolerance, slices of a plan with more nodes on every axis are
 /// asked for, by the same rule everywhere; hts::Error after three such rounds, or where the file would be larger than
 /// largest_bytes.
-[[nodiscard]] std::string finished_table(const spectral::Reflectance& exact, const TableSource& source, TablePlan plan,
-                                         const SliceSource& slices);
+[[nodiscard]] std::string finished_table(const spectral::Reflectance& exact, const TableSource& source,
+                                         TablePlan plan, const SliceSource& slices);
 
 /// All of it.
 [[nodiscard]] Table build_table(const spectral::Reflectance& exact, const TableSource& source,

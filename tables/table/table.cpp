@@ -162,7 +162,8 @@ Table Table::from_bytes(std::string bytes, const std::string& name) {
 }
 
 Table::Table(std::shared_ptr<const TableContents> contents)
-    : spectral::Evaluator{contents->info.source.name, contents->info.wavelengths}, contents_{std::move(contents)} {}
+    : spectral::Evaluator{contents->info.source.name, contents->info.wavelengths},
+      contents_{std::move(contents)} {}
 
 const TableInfo& Table::info() const noexcept {
     return contents_->info;
@@ -227,8 +228,7 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] + Mueller::depolariser(uniform[i]);
 }
 
-void Table::directional_diffuse_mueller(const DirectionPair& pair,
-                                        std::span<Mueller> values) const noexcept {
+void Table::directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept {
     if (contents_->info.nodes.polarisation == 0) return spectral::Evaluator::mueller(pair, values);
     const std::size_t width = values.size();
     const SplinePlace place =
@@ -257,8 +257,7 @@ void Table::directional_diffuse_mueller(const DirectionPair& pair,
     }
 }
 
-spectral::Reflectance open_for_plan(const std::filesystem::path& path,
-                                                  const std::string& checksum) {
+spectral::Reflectance open_for_plan(const std::filesystem::path& path, const std::string& checksum) {
     const Table table = Table::open(path);
     if (table.checksum() == checksum) return table.reflectance();
     throw Error{path.string() + ": checksum " + table.checksum() + ": must be " + checksum +

@@ -118,7 +118,8 @@ class Table final : public spectral::Evaluator {
     void diffuse_albedo(const Direction& in, std::span<double> values) const noexcept;
     [[nodiscard]] spectral::Properties properties() const override;
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override;
-    void directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override;
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override;
 
   private:
     explicit Table(std::shared_ptr<const TableContents> contents);
@@ -127,6 +128,6 @@ class Table final : public spectral::Evaluator {
 
 /// A table as spectral::read_plan wants it; hts::Error as of Table::open, or if its checksum is another.
 [[nodiscard]] spectral::Reflectance open_for_plan(const std::filesystem::path& path,
-                                                                const std::string& checksum);
+                                                  const std::string& checksum);
 
 }  // namespace hts::tables

@@ -15,8 +15,10 @@ struct Curve {
 };
 
 /// Specular reflectance and lobe albedo over grazing, to half of the tolerance with 1 as peak.
-[[nodiscard]] Curve specular_curve(const spectral::Reflectance& exact, const CoordinateMap& map, double tolerance);
-[[nodiscard]] Curve albedo_curve(const spectral::Reflectance& exact, const CoordinateMap& map, double tolerance);
+[[nodiscard]] Curve specular_curve(const spectral::Reflectance& exact, const CoordinateMap& map,
+                                   double tolerance);
+[[nodiscard]] Curve albedo_curve(const spectral::Reflectance& exact, const CoordinateMap& map,
+                                 double tolerance);
 /// F_p/F_s over cos theta_d, real parts, then imaginary parts.
 [[nodiscard]] Curve polarisation_curve(const spectral::Reflectance& exact, double tolerance);
 

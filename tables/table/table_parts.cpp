@@ -149,7 +149,7 @@ class Merger {
 }  // namespace
 
 spectral::Reflectance exact_model(const TableSource& source, std::span<const double> wavelengths_um,
-                                          Tolerance tolerance) {
+                                  Tolerance tolerance) {
     if (source.material.empty()) throw Error{source.name + ": has no material file: must be built from one"};
     const auto grid =
         spectral::WavelengthGrid::from_micrometres({wavelengths_um.begin(), wavelengths_um.end()});

@@ -35,9 +35,9 @@ struct TableJob {
 /// The exact model of a job, or of a finished table.
 ///   tolerance   of its arithmetic
 [[nodiscard]] spectral::Reflectance exact_model(const TableSource& source,
-                                                        std::span<const double> wavelengths_um,
-                                                        Tolerance tolerance = Tolerance{
-                                                            hts::accuracy::finest_tolerance});
+                                                std::span<const double> wavelengths_um,
+                                                Tolerance tolerance = Tolerance{
+                                                    hts::accuracy::finest_tolerance});
 /// As exact as building the job needs: a hundredth of its tolerance, at most 1e-6.
 [[nodiscard]] spectral::Reflectance exact_model(const TableJob& job);
 
@@ -49,8 +49,9 @@ using SliceWorker =
 
 /// Builds a table, or a shard's part of it, into a file that appears when it is whole.
 ///   path   hts::Error where it cannot be written
-void build_table_file(const spectral::Reflectance& exact, const TableJob& job, const std::filesystem::path& path,
-                      const TableShard& shard, const SliceWorker& worker, const TableProgress& progress = {});
+void build_table_file(const spectral::Reflectance& exact, const TableJob& job,
+                      const std::filesystem::path& path, const TableShard& shard, const SliceWorker& worker,
+                      const TableProgress& progress = {});
 
 /// Joins the parts of all shards. hts::Error that names the files that are broken or of another job, or the parts that lack.
 void merge_table_file(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& path);

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "spectral/models/symmetry.hpp"
 #include "hts/error.hpp"
+#include "spectral/models/symmetry.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/lobe_nodes.hpp"
 #include "tables/table/spline.hpp"
@@ -28,8 +28,8 @@ std::vector<double> floors(const LobePeaks& peaks, std::size_t wavelengths) {
 }
 
 /// Few spectra of which that of any direction is a sum, to a small part of the tolerance.
-std::vector<double> basis_of(const spectral::Reflectance& exact, const TableRequest& request, const LobePeaks& peaks,
-                             const std::vector<double>& floor) {
+std::vector<double> basis_of(const spectral::Reflectance& exact, const TableRequest& request,
+                             const LobePeaks& peaks, const std::vector<double>& floor) {
     constexpr double share = 0.1;
     constexpr std::size_t most_pairs = 16384, most_values = std::size_t{1} << 21;
     const std::size_t width = floor.size();
@@ -330,7 +330,8 @@ void require_tabulable(const spectral::Reflectance& exact, const TableRequest& r
 
 }  // namespace
 
-TablePlan plan_table(const spectral::Reflectance& exact, const TableRequest& request, const TableProgress& progress) {
+TablePlan plan_table(const spectral::Reflectance& exact, const TableRequest& request,
+                     const TableProgress& progress) {
     require_tabulable(exact, request);
     const LobePeaks peaks{exact};
     const std::size_t width = exact.wavelengths().size();

@@ -133,8 +133,8 @@ double nth(std::vector<float>& values, double share) {
 
 }  // namespace
 
-TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact, std::uint64_t pairs,
-                       std::uint64_t seed) {
+TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact,
+                       std::uint64_t pairs, std::uint64_t seed) {
     const auto a = table.wavelengths().micrometres(), b = exact.wavelengths().micrometres();
     if (!std::ranges::equal(a, b))
         throw Error{"the table and the exact model must have the same wavelengths"};

@@ -14,8 +14,8 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/phi/phi_simd.hpp"
-#include "hts/phi/tables/phi_table.hpp"
 #include "hts/phi/tables/phi_series.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 using hts::phi;
 using hts::PhiMethod;

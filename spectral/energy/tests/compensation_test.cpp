@@ -29,7 +29,8 @@ const Wavelength one_um = Wavelength::from_micrometres(1);
 
 constexpr hts::Tolerance exactly{hts::accuracy::finest_tolerance};
 
-Reflectance copper(const Surface& surface, const WavelengthGrid& grid, double albedo = 0, bool compensate = true) {
+Reflectance copper(const Surface& surface, const WavelengthGrid& grid, double albedo = 0,
+                   bool compensate = true) {
     return he_torrance_material("copper", surface, built_in_optical_constants("Cu"), DiffuseAlbedo{albedo})
         .at(grid, {.tolerance = exactly, .compensate_energy = compensate});
 }
@@ -148,7 +149,8 @@ TEST_CASE("draws of a compensated surface weigh what it reflects") {
         const hts::Draw drawn = sampler.sample(in, {u0, u1, random.uniform(0, 1)});
         if (drawn.lobe == hts::Lobe::directional_diffuse || drawn.lobe == hts::Lobe::uniform_diffuse) {
             CHECK(drawn.weight ==
-                  Approx(rough.brdf({in, drawn.out}).front() * drawn.out.cos_theta() / drawn.pdf).epsilon(1e-9));
+                  Approx(rough.brdf({in, drawn.out}).front() * drawn.out.cos_theta() / drawn.pdf)
+                      .epsilon(1e-9));
         }
         sum += drawn.weight;
         squares += drawn.weight * drawn.weight;

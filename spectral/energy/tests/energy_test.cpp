@@ -144,7 +144,8 @@ TEST_CASE("the terms of a reflector are those of the model") {
     const Surface surface{0.05, 0.5};
     const auto green = Wavelength::from_micrometres(0.55);
     const Direction in = Direction::from_degrees(35, 110);
-    const auto aluminium = he_torrance_material("test", surface, built_in_optical_constants("Al"), DiffuseAlbedo{0.1});
+    const auto aluminium =
+        he_torrance_material("test", surface, built_in_optical_constants("Al"), DiffuseAlbedo{0.1});
     const auto terms = aluminium.at(green).albedo(in, 0);
     const RefractiveIndex index = index_of("Al", green);
     CHECK(terms.uniform_diffuse == Approx(0.1).epsilon(1e-15));
@@ -201,8 +202,7 @@ TEST_CASE("the paper's plastic: 0.195 measured at the normal gives an albedo of 
               .albedo(normal, 0)
               .total() == Approx(0.195).epsilon(1e-12));
     for (const char* name : {"PMMA", "polycarbonate", "polystyrene"}) {
-        const double a =
-            diffuse_albedo_from(0.195, smooth, index_of(name, blue), blue, normal);
+        const double a = diffuse_albedo_from(0.195, smooth, index_of(name, blue), blue, normal);
         std::printf("albedo from 0.195 with the index of %s: %.4f\n", name, a);
         CHECK(a == Approx(0.15).margin(0.011));
     }
@@ -220,8 +220,10 @@ TEST_CASE("the largest diffuse albedo is what the brightest angle leaves") {
     CHECK(limit.albedo == Approx(1 - fresnel_60).epsilon(1e-12));
     CHECK(limit.theta == steepest);
     CHECK(limit.reflectance == Approx(fresnel_60).epsilon(1e-12));
-    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, std::numbers::pi / 2).albedo < 1e-12);
-    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, 0).albedo == Approx(0.96).epsilon(1e-12));
+    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, std::numbers::pi / 2).albedo <
+          1e-12);
+    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, 0).albedo ==
+          Approx(0.96).epsilon(1e-12));
     CHECK_THROWS_AS(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, 2), hts::Error);
     CHECK_THROWS_AS(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, -0.1), hts::Error);
 }
@@ -235,9 +237,8 @@ TEST_CASE("a maximum between the normal and grazing is found") {
     CHECK(limit.theta > 1);
     CHECK(limit.theta < 1.4);
     for (double theta = 1; theta < 1.4; theta += 0.02) {
-        CHECK(
-            directional_hemispherical_reflectance(surface, silver, one_um, Direction::from_angles(theta, 0)).total() <=
-            limit.reflectance + 1e-6);
+        CHECK(directional_hemispherical_reflectance(surface, silver, one_um, Direction::from_angles(theta, 0))
+                  .total() <= limit.reflectance + 1e-6);
     }
 }
 

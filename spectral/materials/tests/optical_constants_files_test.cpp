@@ -50,7 +50,8 @@ TEST_CASE("CSV materials in micrometres and nanometres are read") {
     CHECK(um.index(micrometres(0.6)).n() == Approx(1.7).epsilon(1e-14));
     CHECK(um.index(micrometres(0.5)).k() == Approx(0.25).epsilon(1e-14));
     CHECK(um.name() == (folder.path() / "m.csv").string());
-    const auto nm = read_optical_constants(folder.write("m.CSV", "n,wavelength_nm\r\n1.4,400\r\n1.6,600\r\n"));
+    const auto nm =
+        read_optical_constants(folder.write("m.CSV", "n,wavelength_nm\r\n1.4,400\r\n1.6,600\r\n"));
     CHECK(nm.range().shortest == 0.4);
     CHECK(nm.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
     CHECK(nm.index(micrometres(0.5)).k() == 0);

@@ -13,9 +13,9 @@
 
 using hts::Wavelength;
 using hts::spectral::DiffuseAlbedo;
+using hts::spectral::Material;
 using hts::spectral::OutsideRange;
 using hts::spectral::PiecewiseLinear;
-using hts::spectral::Material;
 using hts::spectral::read_material;
 using hts::testing::complaint;
 using hts::testing::TemporaryFolder;
@@ -58,8 +58,7 @@ TEST_CASE("the material file of the interface contract is read") {
     CHECK(material.properties().surface->rms_roughness() == 0.28);
     CHECK(material.properties().surface->correlation_length() == 1.77);
     const auto samples = material.at(green);
-    CHECK(samples.samples()[0].index.k() ==
-          hts::spectral::built_in_optical_constants("Al").index(green).k());
+    CHECK(samples.samples()[0].index.k() == hts::spectral::built_in_optical_constants("Al").index(green).k());
     CHECK(samples.samples()[0].uniform_diffuse == 0);
 }
 
@@ -221,8 +220,6 @@ TEST_CASE("files that are no JSON object are refused with path and line") {
         CHECK(message.find('\n') == std::string::npos);
     }
     std::filesystem::create_directory(folder.path() / "d.json");
-    CHECK_THROWS_WITH(read_material(folder.path() / "d.json"),
-                      Catch::EndsWith("is a directory, not a file"));
-    CHECK_THROWS_WITH(read_material(folder.path() / "none.json"),
-                      Catch::EndsWith("none.json: no such file"));
+    CHECK_THROWS_WITH(read_material(folder.path() / "d.json"), Catch::EndsWith("is a directory, not a file"));
+    CHECK_THROWS_WITH(read_material(folder.path() / "none.json"), Catch::EndsWith("none.json: no such file"));
 }

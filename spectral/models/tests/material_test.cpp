@@ -16,16 +16,16 @@
 #include "temporary_folder.hpp"
 
 using hts::Direction;
+using hts::Draw;
 using hts::Lobe;
 using hts::Uniforms;
 using hts::Wavelength;
-using hts::Draw;
-using hts::spectral::Material;
-using hts::spectral::Reflectance;
-using hts::spectral::Sampler;
 using hts::spectral::built_in_models;
+using hts::spectral::Material;
 using hts::spectral::ModelEntry;
 using hts::spectral::read_material;
+using hts::spectral::Reflectance;
+using hts::spectral::Sampler;
 using hts::testing::complaint;
 using hts::testing::Random;
 using hts::testing::relative_error;
@@ -226,10 +226,12 @@ TEST_CASE("properties say what can be asked of a material") {
     CHECK_FALSE(reflectance_of("ward").properties().isotropic);
     CHECK_FALSE(reflectance_of("kurt").properties().isotropic);
     CHECK(reflectance_of("lambert").samples().empty());
-    CHECK_THROWS_WITH(reflectance_of("lambert").mueller({Direction::from_degrees(10, 0), Direction::from_degrees(20, 0)}),
-                      "m: has no Mueller matrices");
+    CHECK_THROWS_WITH(
+        reflectance_of("lambert").mueller({Direction::from_degrees(10, 0), Direction::from_degrees(20, 0)}),
+        "m: has no Mueller matrices");
     const TemporaryFolder folder;
-    const auto glass = material_of(folder, R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0}})");
+    const auto glass = material_of(
+        folder, R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0}})");
     CHECK(glass.at(green).properties().transmitting);
     CHECK_FALSE(reflectance_of("walter").properties().transmitting);
 }
@@ -241,7 +243,8 @@ TEST_CASE("what a model has not is refused by name") {
                       "m: energy compensation: must be off, since its model is lambert, not he");
     CHECK_THROWS_WITH(lambert.at(green, {.lobe = hts::DiffuseLobe::rough_limit}),
                       "m: lobe rough_limit: must be full or none, since its model is lambert, not he");
-    const Reflectance uniform = material_of(folder, files.at("ward")).at(green, {.lobe = hts::DiffuseLobe::none});
+    const Reflectance uniform =
+        material_of(folder, files.at("ward")).at(green, {.lobe = hts::DiffuseLobe::none});
     const Direction in = Direction::from_degrees(30, 0);
     CHECK(uniform.brdf({in, in.mirror()}).front() == Approx(0.1 / pi).epsilon(1e-14));
 }
@@ -262,7 +265,7 @@ TEST_CASE("a number with a default may be left out") {
     const TemporaryFolder folder;
     const auto lobe = [&](const std::string& ks) {
         return material_of(folder, R"({"model": "ashikhmin_shirley", "rd": 0, )" + ks +
-                                        R"("f0": 0.1, "nx": 20, "ny": 80})")
+                                       R"("f0": 0.1, "nx": 20, "ny": 80})")
             .at(green);
     };
     const Direction in = Direction::from_degrees(30, 0), out = Direction::from_degrees(35, 170);
@@ -373,11 +376,9 @@ TEST_CASE("a model of one's own joins by a line") {
     auto models = built_in_models();
     models.push_back(hts::spectral::model_of_numbers<Toy>("toy", "nobody", {{"albedo", 0.5}}));
     const TemporaryFolder folder;
-    const auto toy =
-        read_material(folder.write("toy.json", R"({"model": "toy", "albedo": 0.8})"), models);
+    const auto toy = read_material(folder.write("toy.json", R"({"model": "toy", "albedo": 0.8})"), models);
     const Direction in = Direction::from_degrees(60, 0);
     CHECK(toy.at(green).albedo(in, 0).total() == Approx(0.8 * 0.75).epsilon(1e-5));
-    CHECK_THROWS_WITH(
-        read_material(folder.write("bad.json", R"({"model": "toy", "albedo": 8})"), models),
-        Catch::Contains("key \"albedo\": toy albedo 8: must be from 0 to 1"));
+    CHECK_THROWS_WITH(read_material(folder.write("bad.json", R"({"model": "toy", "albedo": 8})"), models),
+                      Catch::Contains("key \"albedo\": toy albedo 8: must be from 0 to 1"));
 }

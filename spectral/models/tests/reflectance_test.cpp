@@ -16,8 +16,8 @@ using hts::Surface;
 using hts::Tolerance;
 using hts::spectral::DiffuseAlbedo;
 using hts::spectral::DirectionPair;
-using hts::spectral::OutsideRange;
 using hts::spectral::Material;
+using hts::spectral::OutsideRange;
 using hts::spectral::Reflectance;
 using hts::spectral::WavelengthGrid;
 
@@ -112,7 +112,8 @@ TEST_CASE("a coarser tolerance is met, with and without polarisation") {
 }
 
 TEST_CASE("a result of the wrong size is refused") {
-    const Reflectance reflectance = rough_aluminium().at(WavelengthGrid::linear(0.38, 0.78, 7), {.tolerance = exactly});
+    const Reflectance reflectance =
+        rough_aluminium().at(WavelengthGrid::linear(0.38, 0.78, 7), {.tolerance = exactly});
     const auto pairs = fan_of_pairs();
     std::vector<double> result(12);
     CHECK_THROWS_WITH(reflectance.brdf(pairs, result),
@@ -125,7 +126,8 @@ TEST_CASE("a result of the wrong size is refused") {
 }
 
 TEST_CASE("polarised reflection adds up to the BRDF") {
-    const Reflectance reflectance = rough_aluminium(0.3).at(WavelengthGrid::linear(0.4, 0.7, 4), {.tolerance = exactly});
+    const Reflectance reflectance =
+        rough_aluminium(0.3).at(WavelengthGrid::linear(0.4, 0.7, 4), {.tolerance = exactly});
     const auto brdf = reflectance.brdf(forward);
     const auto mueller = reflectance.mueller(forward);
     const auto specular = reflectance.specular_reflectance(forward.in);
@@ -141,7 +143,8 @@ TEST_CASE("polarised reflection adds up to the BRDF") {
 }
 
 TEST_CASE("the mirror term grows and the lobe fades with wavelength") {
-    const Reflectance reflectance = rough_aluminium().at(WavelengthGrid::linear(0.5, 8, 16), {.tolerance = exactly});
+    const Reflectance reflectance =
+        rough_aluminium().at(WavelengthGrid::linear(0.5, 8, 16), {.tolerance = exactly});
     const auto specular = reflectance.specular_reflectance(Direction::from_degrees(10, 0));
     for (std::size_t i = 1; i < specular.size(); ++i) CHECK(specular[i].value() > specular[i - 1].value());
 }

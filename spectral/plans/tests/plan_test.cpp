@@ -310,8 +310,7 @@ TEST_CASE("the mirror term is dropped only where it does not count, and then is 
     CHECK(planned[1].specular_reflectance(in)[3].value() > 0);
     const PlannedForm& ground = plan.materials[1].form;
     std::vector<double> scratch(ground.at_nodes().size());
-    CHECK_THROWS_WITH(ground.colour({in, in}, scratch),
-                      "ground: no colour: the scene's output must be rgb");
+    CHECK_THROWS_WITH(ground.colour({in, in}, scratch), "ground: no colour: the scene's output must be rgb");
 }
 
 TEST_CASE("a memory budget is kept or refused") {
@@ -447,9 +446,10 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
             } else {
                 CHECK(rung.wavelengths.size() == 1);
             }
-            CHECK(
-                plan.materials[i].form.reflectance().specular_reflectance(Direction::from_degrees(30, 0))[0].value() ==
-                0);
+            CHECK(plan.materials[i]
+                      .form.reflectance()
+                      .specular_reflectance(Direction::from_degrees(30, 0))[0]
+                      .value() == 0);
         }
         CHECK(plan.bytes() < 20'000);
         const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
@@ -483,8 +483,7 @@ TEST_CASE("a scene that compensates energy is planned with it") {
     CHECK(fingerprint(scene) != published);
     const Plan plan = plan_of(scene, 300);
     CHECK(plan.materials[0].choice.rung.wavelengths.size() < 7);
-    const Reflectance compensated =
-        scene.materials[0].at(scene.wavelengths, {.compensate_energy = true});
+    const Reflectance compensated = scene.materials[0].at(scene.wavelengths, {.compensate_energy = true});
     const Direction in = Direction::from_degrees(55, 0);
     std::vector<double> exact(7), mirror(7);
     for (const double degrees : {20., 55., 59.}) {

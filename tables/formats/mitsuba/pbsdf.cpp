@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "tables/formats/mitsuba/frames.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
 #include "tables/formats/mitsuba/half_angles.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/whole_file.hpp"
@@ -273,8 +273,8 @@ void write_pbsdf(const spectral::Reflectance& brdf, const std::filesystem::path&
 }
 
 spectral::Reflectance parse_pbsdf(std::string bytes, const std::filesystem::path& path) {
-    return spectral::Reflectance{std::make_shared<const PolarisedTable>(path.stem().string(),
-                                            PbsdfFile{TensorFile::parse(std::move(bytes), path.string())})};
+    return spectral::Reflectance{std::make_shared<const PolarisedTable>(
+        path.stem().string(), PbsdfFile{TensorFile::parse(std::move(bytes), path.string())})};
 }
 
 spectral::Reflectance read_pbsdf(const std::filesystem::path& path) {

@@ -13,8 +13,8 @@
 #include <memory>
 #include <string>
 
-#include "tables/formats/sidecar.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "tables/formats/sidecar.hpp"
 
 namespace hts::tables {
 

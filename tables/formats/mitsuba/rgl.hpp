@@ -17,9 +17,9 @@
 #include <memory>
 #include <string>
 
+#include "spectral/models/reflectance.hpp"
 #include "tables/formats/round_trip.hpp"
 #include "tables/formats/sidecar.hpp"
-#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -51,7 +51,8 @@ class RglBrdf : public spectral::Evaluator, public HasDensity {
 };
 
 /// Writes an isotropic reflectance; hts::Error for others, or where the file cannot be written.
-void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path, const RglResolution& resolution);
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+               const RglResolution& resolution);
 /// The same as finely as it must be: each try is read back at random pairs of directions, and if the worst error is above
 /// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.

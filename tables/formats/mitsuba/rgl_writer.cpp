@@ -281,7 +281,8 @@ Sidecar described() {
 
 }  // namespace
 
-void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path, const RglResolution& resolution) {
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+               const RglResolution& resolution) {
     spectral::write_file(path.string(), rgl_bytes(brdf, resolution));
 }
 

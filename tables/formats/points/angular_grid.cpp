@@ -164,9 +164,8 @@ std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectan
     return values;
 }
 
-spectral::Reflectance gridded_brdf(const std::string& name,
-                                           const spectral::WavelengthGrid& wavelengths, AngularGrid grid,
-                                           std::vector<double> values) {
+spectral::Reflectance gridded_brdf(const std::string& name, const spectral::WavelengthGrid& wavelengths,
+                                   AngularGrid grid, std::vector<double> values) {
     grid.check();
     if (values.size() != grid.size() * wavelengths.size()) {
         throw out_of_range(
@@ -177,7 +176,8 @@ spectral::Reflectance gridded_brdf(const std::string& name,
         if (!(std::abs(value) <= largest_number))
             throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
     }
-    return spectral::Reflectance{std::make_shared<const GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values))};
+    return spectral::Reflectance{
+        std::make_shared<const GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values))};
 }
 
 bool is_plane_symmetric(const spectral::Reflectance& brdf) {

@@ -44,8 +44,8 @@ struct AngularGrid {
 /// Linear interpolation in all angles; nodes below the horizon have no part in it. Constant beyond the ends of an axis.
 ///   values   as `values_on` gives them, finite, grid.size() times the number of wavelengths; else hts::Error
 [[nodiscard]] spectral::Reflectance gridded_brdf(const std::string& name,
-                                                         const spectral::WavelengthGrid& wavelengths,
-                                                         AngularGrid grid, std::vector<double> values);
+                                                 const spectral::WavelengthGrid& wavelengths,
+                                                 AngularGrid grid, std::vector<double> values);
 
 /// Whether the BRDF is the same on both sides of the plane of incidence, as far as random pairs can tell (1e-6).
 [[nodiscard]] bool is_plane_symmetric(const spectral::Reflectance& brdf);

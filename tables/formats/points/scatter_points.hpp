@@ -34,7 +34,7 @@ struct ScatterPoints {
 /// The BRDF that the points describe. hts::Error if there is none, a polar angle is out of range or a value not finite or above 1e100.
 ///   regular   set to whether the points are a full grid
 [[nodiscard]] spectral::Reflectance brdf_from(const std::string& name, const ScatterPoints& points,
-                                                      bool* regular = nullptr);
+                                              bool* regular = nullptr);
 
 /// The grid that a CSV file gets: polar angles every 2.5 degrees, the last 89.9, azimuths every 5; where the surface is not
 /// isotropic polar angles every 5, azimuths every 10 and the light's every 15.

@@ -40,7 +40,8 @@ class KlemsBrdf final : public spectral::Evaluator {
 };
 
 // Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until it changes by 1 % at most.
-double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light, std::size_t view) {
+double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light,
+               std::size_t view) {
     constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
                                           0.5385972572236101};
     constexpr int first = 256, most = 1 << 15;
@@ -162,12 +163,13 @@ double largest_reflectance(const KlemsBasis& basis, std::span<const double> mean
 }
 
 spectral::Reflectance klems_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
-                                         const KlemsBasis& basis, std::vector<double> means) {
+                                 const KlemsBasis& basis, std::vector<double> means) {
     if (wavelength.size() != 1 || means.size() != basis.size() * basis.size()) {
         throw out_of_range("number of patches' means", static_cast<double>(means.size()), "",
                            std::to_string(basis.size() * basis.size()) + " at one wavelength");
     }
-    return spectral::Reflectance{std::make_shared<const KlemsBrdf>(name, wavelength, basis, std::move(means))};
+    return spectral::Reflectance{
+        std::make_shared<const KlemsBrdf>(name, wavelength, basis, std::move(means))};
 }
 
 }  // namespace hts::tables

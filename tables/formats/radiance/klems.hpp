@@ -61,7 +61,7 @@ class KlemsBasis {
 /// The means as a BRDF, constant within patches.
 ///   means   basis.size()^2 of them, >= 0
 [[nodiscard]] spectral::Reflectance klems_brdf(const std::string& name,
-                                                       const spectral::WavelengthGrid& wavelength,
-                                                       const KlemsBasis& basis, std::vector<double> means);
+                                               const spectral::WavelengthGrid& wavelength,
+                                               const KlemsBasis& basis, std::vector<double> means);
 
 }  // namespace hts::tables

@@ -134,7 +134,7 @@ pugi::xml_node reflection_block(const Document& document, const pugi::xml_node& 
 }
 
 spectral::Reflectance matrix(const Document& document, const pugi::xml_node& block, Tokens& tokens,
-                                     bool light_fastest, const spectral::WavelengthGrid& wavelength) {
+                             bool light_fastest, const spectral::WavelengthGrid& wavelength) {
     const auto columns = document.text(block, "ColumnAngleBasis"),
                rows = document.text(block, "RowAngleBasis");
     if (columns != rows) throw document.error(block, "ColumnAngleBasis and RowAngleBasis: must be the same");
@@ -156,7 +156,7 @@ spectral::Reflectance matrix(const Document& document, const pugi::xml_node& blo
 }
 
 spectral::Reflectance tree(const Document& document, Tokens& tokens, int rank,
-                                   const spectral::WavelengthGrid& wavelength) {
+                           const spectral::WavelengthGrid& wavelength) {
     auto brdf = tensor_tree_brdf(document.name(), wavelength, rank, tokens);
     if (!tokens.at_end()) throw tokens.error("text after the tree");
     return brdf;
@@ -184,7 +184,7 @@ std::string tensor_tree_xml(const spectral::Reflectance& brdf, const TensorTreeO
 }
 
 spectral::Reflectance radiance_brdf(std::string_view text, const std::string& name,
-                                            const std::optional<spectral::WavelengthGrid>& wavelength) {
+                                    const std::optional<spectral::WavelengthGrid>& wavelength) {
     const Document file{text, name};
     const auto layer = file.layer();
     const auto definition = layer.child("DataDefinition");

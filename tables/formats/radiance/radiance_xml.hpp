@@ -18,11 +18,13 @@ namespace hts::tables {
 /// A file's text.
 ///   brdf   one wavelength, else hts::Error. Radiance loads no file that reflects more than 1.01 of the light of any patch
 ///          (largest_reflectance)
-[[nodiscard]] std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis = KlemsBasis::full());
+[[nodiscard]] std::string klems_xml(const spectral::Reflectance& brdf,
+                                    const KlemsBasis& basis = KlemsBasis::full());
 
 /// A file's text.
 ///   brdf   one wavelength, else hts::Error
-[[nodiscard]] std::string tensor_tree_xml(const spectral::Reflectance& brdf, const TensorTreeOptions& options = {});
+[[nodiscard]] std::string tensor_tree_xml(const spectral::Reflectance& brdf,
+                                          const TensorTreeOptions& options = {});
 
 /// The BRDF of a file of either kind: of its "Reflection Back", else "Reflection Front"; of these "Visible" first. Constant in
 /// patches or cells; negative values become 0.

@@ -284,9 +284,8 @@ std::string tensor_tree_text(const spectral::Reflectance& brdf, const TensorTree
     return TreeWriter{brdf, rank, chosen}.text();
 }
 
-spectral::Reflectance tensor_tree_brdf(const std::string& name,
-                                               const spectral::WavelengthGrid& wavelength, int rank,
-                                               Tokens& tokens) {
+spectral::Reflectance tensor_tree_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
+                                       int rank, Tokens& tokens) {
     if (wavelength.size() != 1)
         throw out_of_range("number of wavelengths", static_cast<double>(wavelength.size()), "", "1");
     return spectral::Reflectance{std::make_shared<const TensorTreeBrdf>(name, wavelength, rank, tokens)};

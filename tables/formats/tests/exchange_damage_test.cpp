@@ -32,7 +32,8 @@ using hts::testing::TemporaryFolder;
 /// A smooth BRDF.
 class Smooth final : public spectral::Evaluator {
   public:
-    explicit Smooth(const spectral::WavelengthGrid& wavelengths) : spectral::Evaluator{"smooth", wavelengths} {}
+    explicit Smooth(const spectral::WavelengthGrid& wavelengths)
+        : spectral::Evaluator{"smooth", wavelengths} {}
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         for (double& value : values) value = 0.1 + 0.05 * dot(pair.in.mirror().vector(), pair.out.vector());
     }

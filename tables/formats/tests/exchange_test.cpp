@@ -106,8 +106,7 @@ const std::vector<TestSurface> surfaces{{"aluminium", "Al", 0.28, 1.77, 0},
                                         {"very rough", "Al", 2.5, 16, 0}};
 
 /// One of them at tolerance 1e-6, far below what files hold.
-spectral::Reflectance brdf_of(const TestSurface& surface,
-                                            const spectral::WavelengthGrid& wavelengths) {
+spectral::Reflectance brdf_of(const TestSurface& surface, const spectral::WavelengthGrid& wavelengths) {
     return spectral::he_torrance_material(surface.name, {surface.rms_roughness, surface.correlation_length},
                                           spectral::built_in_optical_constants(surface.index),
                                           spectral::DiffuseAlbedo{surface.albedo})
@@ -126,8 +125,7 @@ TEST_CASE("a MERL file has its exact size and survives within 2 % of the peak") 
         const auto brdf = brdf_of(surface, rgb());
         const std::string bytes = merl_bytes(brdf);
         REQUIRE(bytes.size() == 34'992'012);
-        check(std::string{"MERL, "}.append(surface.name), compared(brdf, merl_brdf(bytes, "m")), 0.02,
-              0.004);
+        check(std::string{"MERL, "}.append(surface.name), compared(brdf, merl_brdf(bytes, "m")), 0.02, 0.004);
         check(std::string{"MERL by bins, "}.append(surface.name),
               compared(brdf, merl_brdf(bytes, "m", rgb(), MerlLookup::bins)), 0.3, 0.08);
     }
@@ -205,8 +203,8 @@ TEST_CASE("a tensor tree survives within its cells, isotropic or not") {
         const std::string text = tensor_tree_xml(brdf, {exhaustive() ? 7 : 5, 0.02});
         std::cout << surface.name << ": " << text.size() << " bytes\n";
         // cells at the horizon span 10 degrees: see the bound
-        check(std::string{"tensor tree, "}.append(surface.name), compared(brdf, radiance_brdf(text, "r")),
-              4, 2);
+        check(std::string{"tensor tree, "}.append(surface.name), compared(brdf, radiance_brdf(text, "r")), 4,
+              2);
     }
     for (const auto function : {broad_lobe, grained_lobe}) {
         const spectral::Reflectance lobe = written(function, luminance_wavelength());
@@ -241,11 +239,11 @@ TEST_CASE("Klems' patches: means survive within 5 % of the peak, and views and l
                     };
                     double value = 0;
                     brdf.brdf({basis.point(light, at(0), at(1)).mirror(), basis.point(view, at(2), at(3))},
-                               {&value, 1});
+                              {&value, 1});
                     means[view] += value / count;
                 }
                 read.brdf({basis.point(light, 0.5, 0.5).mirror(), basis.point(view, 0.5, 0.5)},
-                           {&held[view], 1});
+                          {&held[view], 1});
                 peak = std::max(peak, means[view]);
             }
             for (std::size_t view = 0; view < basis.size(); ++view)

@@ -34,14 +34,16 @@ constexpr PbsdfResolution small{9, 10, 13};
 
 /// A surface of the given constant index.
 spectral::Reflectance surface(double n, double k, double albedo) {
-    return spectral::he_torrance_material("surface", {0.28, 1.77}, spectral::OpticalConstants::constant({n, k}),
+    return spectral::he_torrance_material("surface", {0.28, 1.77},
+                                          spectral::OpticalConstants::constant({n, k}),
                                           spectral::DiffuseAlbedo{albedo})
         .at(five, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 /// Written, and the raw arrays read.
 class Written {
-    [[nodiscard]] static spectral::Reflectance written(const spectral::Reflectance& brdf, const fs::path& path,
+    [[nodiscard]] static spectral::Reflectance written(const spectral::Reflectance& brdf,
+                                                       const fs::path& path,
                                                        const PbsdfResolution& resolution) {
         write_pbsdf(brdf, path, resolution);
         return read_pbsdf(path);
@@ -77,7 +79,6 @@ class Written {
 
     std::vector<float> theta_h, theta_d, phi_d, matrices;
     spectral::Reflectance read;
-
 };
 
 using Complex = std::complex<double>;

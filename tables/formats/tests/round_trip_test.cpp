@@ -24,7 +24,9 @@ class Faulty final : public spectral::Evaluator, public HasDensity {
   public:
     using Fault = std::function<double(const DirectionPair&, std::size_t, double)>;
     Faulty(spectral::Reflectance brdf, Fault fault)
-        : spectral::Evaluator{brdf.name(), brdf.wavelengths()}, brdf_{std::move(brdf)}, fault_{std::move(fault)} {}
+        : spectral::Evaluator{brdf.name(), brdf.wavelengths()},
+          brdf_{std::move(brdf)},
+          fault_{std::move(fault)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         brdf_.evaluator().brdf(pair, values);
@@ -76,8 +78,8 @@ TEST_CASE("a fault is found with its size and its place") {
         CHECK(each.wavelength_um == 0.6);
         CHECK(each.read_back == Approx(1.03 * each.original).epsilon(1e-12));
     }
-    const spectral::Reflectance dark_corner = faulty(
-        aluminium, [](const DirectionPair& pair, std::size_t, double f) {
+    const spectral::Reflectance dark_corner =
+        faulty(aluminium, [](const DirectionPair& pair, std::size_t, double f) {
             return pair.in.cos_theta() < std::cos(1.4) && pair.out.cos_theta() < std::cos(1.3) ? 0 : f;
         });
     const RoundTrip corner = round_trip(aluminium, dark_corner, few);
@@ -86,14 +88,15 @@ TEST_CASE("a fault is found with its size and its place") {
     CHECK(corner.worst.theta_i > 1.4);
     CHECK(corner.worst.theta_r > 1.3);
     CHECK(corner.median == 0);
-    const spectral::Reflectance not_a_number = faulty(aluminium,
-                              [](const DirectionPair&, std::size_t, double) { return std::nan(""); });
+    const spectral::Reflectance not_a_number =
+        faulty(aluminium, [](const DirectionPair&, std::size_t, double) { return std::nan(""); });
     CHECK(std::isinf(round_trip(aluminium, not_a_number, few).worst.error));
 }
 
 TEST_CASE("a density is integrated") {
     const auto aluminium = brdf_of("rough-aluminium.json", grid);
-    const spectral::Reflectance read = faulty(aluminium, [](const DirectionPair&, std::size_t, double f) { return f; });
+    const spectral::Reflectance read =
+        faulty(aluminium, [](const DirectionPair&, std::size_t, double f) { return f; });
     const RoundTrip result = round_trip(aluminium, read, few);
     REQUIRE(result.density.size() == 7);
     for (const DensityIntegral& each : result.density) CHECK(each.integral == Approx(1).epsilon(2e-3));
