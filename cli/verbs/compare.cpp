@@ -69,9 +69,9 @@ void run(const CompareOptions& options) {
     if (options.detector) set.detector_solid_angle = options.detector;
     set = from_option("--source-solid-angle, --detector-solid-angle",
                       [&] { return validation::checked(std::move(set), "curves"); });
-    const auto reflector = options.material.read();
-    const Section section = validation::comparison_section(set, reflector,
-                                                           {.model = validation::described(reflector),
+    const auto material = options.material.read();
+    const Section section = validation::comparison_section(set, material,
+                                                           {.model = validation::described(material),
                                                             .policy = options.material.policy(),
                                                             .nodes = {options.wavelengths, options.rings}});
     Output output{"-"};

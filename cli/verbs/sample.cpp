@@ -1,7 +1,5 @@
 // hts sample: outgoing directions drawn in proportion to what a material reflects.
 
-#include "hts/sampling.hpp"
-
 #include <array>
 #include <cmath>
 #include <iomanip>
@@ -47,7 +45,7 @@ struct Statistics {
     std::array<std::size_t, 4> lobes{};  // by Lobe
     std::size_t count = 0;
 
-    void add(const WeightedDirection& drawn) {
+    void add(const Draw& drawn) {
         sum += drawn.weight;
         squares += drawn.weight * drawn.weight;
         ++lobes[static_cast<std::size_t>(drawn.lobe)];
@@ -76,12 +74,12 @@ Degrees degrees(const Direction& direction) {
     return {std::atan2(direction.sin_theta(), direction.cos_theta()) * per_radian, phi < 0 ? phi + 360 : phi};
 }
 
-spectral::AnyModel model(const SampleOptions& options) {
+spectral::Sampler sampler(const SampleOptions& options) {
     const auto grid = spectral::WavelengthGrid::from_micrometres(
         {wavelength_from_option(options.wavelength).micrometres()});
-    return spectrum_from_option("--wavelength", options.material.read(), grid, options.material.policy())
-        .models()
-        .front();
+    return reflectance_from_option("--wavelength", options.material.read(), grid,
+                                   options.material.evaluation())
+        .sampler(0);
 }
 
 Uniforms uniforms(std::mt19937_64& random) {
@@ -116,7 +114,7 @@ plot $draws using 1:($3==2 ? $2 : 1/0) with dots lc rgb '#0072b2' notitle, \
 void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
-    const spectral::AnyModel prepared = model(options);
+    const spectral::Sampler prepared = sampler(options);
     if (!options.plot.empty()) require_gnuplot(options.plot);
     std::mt19937_64 random{options.seed};
     Output output{options.output.path};
@@ -128,7 +126,7 @@ void run(const SampleOptions& options) {
     const Vector3 light = in.vector();
     points << light.x << ' ' << light.y << " 4\n";
     for (std::uint64_t i = 0; i < options.count; ++i) {
-        const WeightedDirection drawn = prepared.sample(in, uniforms(random));
+        const Draw drawn = prepared.sample(in, uniforms(random));
         const Degrees out = degrees(drawn.out);
         std::string text;
         TableWriter::Row row{table, text};

@@ -80,11 +80,11 @@ void run(const BuildOptions& options) {
     const auto exact = tables::exact_model(job);
     Stopwatch watch;
     watch.start();
-    Ranks ranks{*exact, job};
+    Ranks ranks{exact, job};
     if (!ranks.first()) return;
     {
         Progress progress;
-        build_table_file(*exact, job, options.output, shard, ranks.worker(),
+        build_table_file(exact, job, options.output, shard, ranks.worker(),
                          [&](const std::string& step, double share) { progress.show(step, share); });
     }
     watch.stop();

@@ -9,7 +9,7 @@ namespace hts::cli {
 /// constructors and are done.
 class Ranks {
   public:
-    Ranks(const tables::SpectralBrdf& exact, const tables::TableJob& job);
+    Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);
     ~Ranks();
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
@@ -19,7 +19,7 @@ class Ranks {
     [[nodiscard]] tables::SliceWorker worker();
 
   private:
-    const tables::SpectralBrdf& exact_;
+    const spectral::Reflectance& exact_;
     const tables::TableJob& job_;
     bool first_ = true;
 };

@@ -243,6 +243,8 @@ TEST_CASE("what a model has not is refused by name") {
                       "m: energy compensation: must be off, since its model is lambert, not he");
     CHECK_THROWS_WITH(lambert.at(green, {.lobe = hts::DiffuseLobe::rough_limit}),
                       "m: lobe rough_limit: must be full or none, since its model is lambert, not he");
+    CHECK_THROWS_WITH(lambert.at(green, {.instead = {.n = 1.5}}),
+                      "m: values of a rough surface: must not be given, since its model is lambert, not he");
     const Reflectance uniform =
         material_of(folder, files.at("ward")).at(green, {.lobe = hts::DiffuseLobe::none});
     const Direction in = Direction::from_degrees(30, 0);
