@@ -128,12 +128,6 @@ std::string in_quotes(std::string_view text) {
     return line;
 }
 
-std::string gnuplot_string(std::string_view text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
-    return quoted + "'";
-}
-
 std::string brief(double value, int digits) {
     std::array<char, 32> text{};
     const auto end =

@@ -29,9 +29,6 @@ namespace hts::spectral {
 /// "text" with quotation marks around it, on one line: control characters become question marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// A text as a gnuplot string literal, taken as it is, on one line.
-[[nodiscard]] std::string gnuplot_string(std::string_view text);
-
 /// For the eye: so many significant digits, without trailing zeros.
 [[nodiscard]] std::string brief(double value, int digits = 4);
 

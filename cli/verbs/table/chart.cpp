@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "bench/charts/table_sizes.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/output/gnuplot.hpp"
 #include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::cli {
@@ -33,7 +33,7 @@ void run(const ChartOptions& options) {
     const auto exact =
         tables::model_brdf(reflector, wavelengths_from_option(options.wavelengths), options.material.policy(),
                            Tolerance{hts::accuracy::finest_lane_tolerance});
-    if (!options.plot.empty()) require_gnuplot(options.plot);
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
     const auto sizes = bench::table_sizes(*exact, options.pairs, options.seed);
     Output output{options.output.path};
     TableWriter writer{
@@ -46,7 +46,7 @@ void run(const ChartOptions& options) {
     }
     writer.finish();
     output.commit();
-    if (!options.plot.empty()) draw(options.plot, bench::table_sizes_script(sizes, reflector.name()));
+    if (!options.plot.empty()) output::draw(options.plot, bench::table_sizes_script(sizes, reflector.name()));
 }
 
 }  // namespace

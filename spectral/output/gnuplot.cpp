@@ -1,4 +1,4 @@
-#include "cli/io/gnuplot.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -10,10 +10,12 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "cli/io/output.hpp"
 #include "hts/error.hpp"
+#include "spectral/output/script.hpp"
+#include "spectral/text/output.hpp"
+#include "spectral/text/text.hpp"
 
-namespace hts::cli {
+namespace hts::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +71,8 @@ std::string head(const std::string& picture) {
            "\n"
            "set encoding utf8\n"
            "set terminal svg size 900,600 font 'Helvetica,15' background '#ffffff'\n"
-           "set output picture\n";
+           "set output picture\n" +
+           std::string{script_file("style")};
 }
 
 }  // namespace
@@ -89,17 +92,15 @@ void draw(const std::string& svg_path, std::string_view script) {
     const fs::path svg{svg_path};
     const fs::path script_path = fs::path{svg}.replace_extension(".gnuplot");
     const std::string name = svg.filename().string();
-    write_file(script_path.string(), head(name) + std::string{script});
+    spectral::write_file(script_path.string(), head(name) + std::string{script});
 
     const fs::path folder = svg.has_parent_path() ? svg.parent_path() : fs::path{"."};
-    const std::string partial = name + ".partial-" + std::to_string(::getpid());
-    const Ended ended =
-        run_gnuplot(folder.string(), "picture = " + gnuplot_string(partial), script_path.filename().string());
-    std::error_code problem;
-    if (ended.status == 0) fs::rename(folder / partial, svg, problem);
-    if (ended.status == 0 && !problem) return;
-    fs::remove(folder / partial, problem);
+    spectral::PartialFile partial{svg_path};
+    const std::string partial_name = fs::path{partial.path()}.filename().string();
+    const Ended ended = run_gnuplot(folder.string(), "picture = " + gnuplot_string(partial_name),
+                                    script_path.filename().string());
+    if (ended.status == 0 && partial.finish()) return;
     throw Error{svg_path + ": gnuplot failed: " + one_line(ended.messages)};
 }
 
-}  // namespace hts::cli
+}  // namespace hts::output
