@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/csv_reader.hpp"
 #include "spectral/energy/compensation.hpp"
 #include "spectral/models/any_reflector.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "spectral/text/csv.hpp"
 
 namespace hts::cli {
+
+using spectral::CsvReader;
+using spectral::CsvRow;
 
 /// The three terms at one pair and wavelength, and what the directional-diffuse term of He-Torrance was made of.
 struct Evaluation {
