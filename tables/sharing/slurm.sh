@@ -1,6 +1,6 @@
 #!/bin/sh
 # A table as a Slurm array, a shard for each task. The arguments are those of `hts table build` but --shard and --output:
-#   sbatch --array=1-64 tables/table/slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31 --tolerance 1e-4
+#   sbatch --array=1-64 tables/sharing/slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31 --tolerance 1e-4
 #   hts table merge part.* --output aluminium.htst
 # A task that is stopped goes on where it ended when it is submitted again; merge names the parts that lack.
 #SBATCH --job-name=hts-table

@@ -1,4 +1,4 @@
-#include "tables/table/slice_file.hpp"
+#include "tables/sharing/slice_file.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -108,13 +108,6 @@ std::uint64_t record_checksum(std::string_view number, std::string_view values) 
 }
 
 }  // namespace
-
-std::vector<std::size_t> PartHeader::slices() const {
-    std::vector<std::size_t> own;
-    for (std::size_t slice = shard.number - 1; slice < plan.slices(); slice += shard.count)
-        own.push_back(slice);
-    return own;
-}
 
 std::string part_header_bytes(const PartHeader& header) {
     const std::string text = header_text(header);

@@ -1,7 +1,8 @@
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -12,7 +13,7 @@
 #include "spectral/text/output.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
-#include "tables/table/slice_file.hpp"
+#include "tables/sharing/slice_file.hpp"
 
 namespace hts::tables {
 namespace {
@@ -51,8 +52,11 @@ class OpenPart {
     }
 
     [[nodiscard]] const PartHeader& header() const noexcept { return header_; }
+    [[nodiscard]] std::vector<std::size_t> wanted() const {
+        return header_.shard.slices(header_.plan.slices());
+    }
     [[nodiscard]] std::vector<std::size_t> missing() const {
-        std::vector<std::size_t> missing = header_.slices();
+        std::vector<std::size_t> missing = wanted();
         std::erase_if(missing, [&](std::size_t slice) { return slices_.contains(slice); });
         return missing;
     }
@@ -92,7 +96,7 @@ OpenPart open_part(const SpectralBrdf& exact, const TableJob& job, const fs::pat
 
 void fill(OpenPart& part, const SliceWorker& worker, const TableProgress& progress) {
     const std::vector<std::size_t> missing = part.missing();
-    const double all = static_cast<double>(part.header().slices().size());
+    const double all = static_cast<double>(part.wanted().size());
     double done = all - static_cast<double>(missing.size());
     worker(part.header().plan, missing, [&](std::size_t slice, const std::vector<double>& values) {
         part.keep(slice, values);
@@ -105,6 +109,13 @@ void require_shard(const TableShard& shard) {
     if (shard.count >= 1 && shard.number >= 1 && shard.number <= shard.count) return;
     throw Error{"shard " + std::to_string(shard.number) + "/" + std::to_string(shard.count) +
                 ": must be k/N with k from 1 to N"};
+}
+
+std::size_t whole(std::string_view text) {
+    std::size_t value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure == std::errc{} && end == text.data() + text.size()) return value;
+    throw Error{"shard: " + spectral::in_quotes(text) + " is no whole number"};
 }
 
 /// All slices of a table from the parts, each job and plan the first one's.
@@ -147,6 +158,20 @@ class Merger {
 };
 
 }  // namespace
+
+TableShard TableShard::from_text(std::string_view text) {
+    const auto slash = std::min(text.find('/'), text.size());
+    const TableShard shard{whole(text.substr(0, slash)),
+                           whole(text.substr(std::min(slash + 1, text.size())))};
+    require_shard(shard);
+    return shard;
+}
+
+std::vector<std::size_t> TableShard::slices(std::size_t all) const {
+    std::vector<std::size_t> own;
+    for (std::size_t slice = number - 1; slice < all; slice += count) own.push_back(slice);
+    return own;
+}
 
 std::unique_ptr<SpectralBrdf> exact_model(const TableSource& source, std::span<const double> wavelengths_um,
                                           Tolerance tolerance) {

@@ -1,4 +1,4 @@
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "table_fixture.hpp"
-#include "tables/table/slice_file.hpp"
+#include "tables/sharing/slice_file.hpp"
 
 namespace {
 
@@ -141,6 +141,10 @@ TEST_CASE("shards, merged in any order, are the table; what lacks or does not be
                    return 0;
                }),
                Catch::Contains("shard 4/3: must be k/N"));
+    CHECK(TableShard::from_text("2/3") == TableShard{2, 3});
+    CHECK(TableShard{2, 3}.slices(8) == std::vector<std::size_t>{1, 4, 7});
+    for (const char* text : {"", "2", "0/3", "4/3", "a/3", "1/3/3", "1/", "-1/3"})
+        CHECK_THROWS_AS(TableShard::from_text(text), hts::Error);
 }
 
 TEST_CASE(

@@ -1,7 +1,8 @@
 /// Finished slices in a file. Private to the module.
 ///
-/// Prelude of 32 bytes (magic (8), version (4), 01020304 hexadecimal (4), bytes of the header (8), CRC-64 of the header (8)),
-/// header in JSON, then records: number of the slice (8), CRC-64 of number and values (8), values (double). All little-endian.
+/// Prelude of 32 bytes (magic (8), version (4), 01020304 hexadecimal (4), bytes of the header (8), CRC-64 of
+/// the header (8)), header in JSON, then records: number of the slice (8), CRC-64 of number and values (8),
+/// values (double). All little-endian.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::tables {
 
@@ -20,9 +21,6 @@ struct PartHeader {
     TableJob job;
     TablePlan plan;
     TableShard shard;
-
-    /// The slices of the shard.
-    [[nodiscard]] std::vector<std::size_t> slices() const;
 };
 
 /// A part as it was found.
