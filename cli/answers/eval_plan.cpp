@@ -141,7 +141,7 @@ void evaluate_planned(const PlannedEval& options, CsvReader& points, const Outpu
     if (options.mueller && !plan.scene.polarised) {
         throw UsageError{"--mueller: the plan is for unpolarised light: must be polarised in its scene"};
     }
-    if (points.column("wavelength_um")) {
+    if (points.find_column("wavelength_um")) {
         throw UsageError{"column wavelength_um: the plan has the wavelengths: must not come with --plan"};
     }
     const PlannedPair pair{points, plan.scene, plan.scene.materials[chosen]};

@@ -10,6 +10,7 @@
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/models/reflected_terms.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::cli {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::array known_columns{
     "rms_roughness_um", "correlation_length_um", "albedo"};
 
 double cell(const CsvRow& row, std::size_t column, const char* name) {
-    return number(row.fields[column], name);
+    return spectral::number_in(row.fields[column], name);
 }
 
 Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const std::string& name) {
@@ -51,10 +52,10 @@ void add_detail(const spectral::Reflectance& of, const DirectionPair& pair, std:
 }  // namespace
 
 PairColumns::PairColumns(const CsvReader& points)
-    : theta_i_{points.required_column("theta_i_deg")},
-      phi_i_{points.required_column("phi_i_deg")},
-      theta_r_{points.required_column("theta_r_deg")},
-      phi_r_{points.required_column("phi_r_deg")} {}
+    : theta_i_{points.column("theta_i_deg")},
+      phi_i_{points.column("phi_i_deg")},
+      theta_r_{points.column("theta_r_deg")},
+      phi_r_{points.column("phi_r_deg")} {}
 
 DirectionPair PairColumns::pair(const CsvRow& row) const {
     const Direction in = direction(row, theta_i_, phi_i_, "i");
@@ -63,12 +64,12 @@ DirectionPair PairColumns::pair(const CsvRow& row) const {
 
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
     : directions{points},
-      wavelength{needs_wavelength ? points.required_column("wavelength_um") : points.column("wavelength_um")},
-      n{points.column("n")},
-      k{points.column("k")},
-      rms_roughness{points.column("rms_roughness_um")},
-      correlation_length{points.column("correlation_length_um")},
-      albedo{points.column("albedo")} {}
+      wavelength{needs_wavelength ? points.column("wavelength_um") : points.find_column("wavelength_um")},
+      n{points.find_column("n")},
+      k{points.find_column("k")},
+      rms_roughness{points.find_column("rms_roughness_um")},
+      correlation_length{points.find_column("correlation_length_um")},
+      albedo{points.find_column("albedo")} {}
 
 bool PointEvaluator::Columns::any_of_material() const noexcept {
     return n || k || rms_roughness || correlation_length || albedo;
@@ -111,7 +112,7 @@ void PointEvaluator::require_material(const CsvReader& points) const {
 
 void PointEvaluator::require_no_material_columns(const CsvReader& points) const {
     for (const char* name : {"n", "k", "rms_roughness_um", "correlation_length_um", "albedo"}) {
-        if (!points.column(name)) continue;
+        if (!points.find_column(name)) continue;
         throw Error{points.where_header() + "column " + name +
                     ": must not be in the header where the material's model is not he"};
     }

@@ -9,11 +9,14 @@
 
 #include "cli/answers/reflectance_cache.hpp"
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/csv_reader.hpp"
 #include "hts/terms.hpp"
 #include "spectral/models/material.hpp"
+#include "spectral/text/csv.hpp"
 
 namespace hts::cli {
+
+using spectral::CsvReader;
+using spectral::CsvRow;
 
 /// The three terms at one pair and wavelength.
 struct Evaluation {

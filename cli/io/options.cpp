@@ -4,7 +4,6 @@
 #include <iostream>
 #include <limits>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/usage.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
@@ -16,7 +15,7 @@ std::vector<double> numbers(const std::string& text, const std::string& quantity
     std::vector<double> values;
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t end = std::min(text.find(',', start), text.size());
-        values.push_back(number(text.substr(start, end - start), quantity));
+        values.push_back(spectral::number_in(text.substr(start, end - start), quantity));
         start = end + 1;
     }
     return values;

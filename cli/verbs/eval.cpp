@@ -112,7 +112,7 @@ void require_known(const EvalOptions& options, const spectral::Material& materia
 }
 
 bool has_own_constants(const CsvReader& points) {
-    return points.column("n") || points.column("k") || points.column("albedo");
+    return points.find_column("n") || points.find_column("k") || points.find_column("albedo");
 }
 
 CsvReader points_of(const EvalOptions& options) {

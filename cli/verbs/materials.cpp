@@ -7,7 +7,6 @@
 #include <memory>
 #include <regex>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
@@ -78,7 +77,7 @@ spectral::WavelengthGrid sample_grid(const OpticalConstants& material) {
     std::vector<double> um{first};
     for (int i = 1; i < sample_size; ++i) {
         const double exact = first * std::pow(last / first, static_cast<double>(i) / (sample_size - 1));
-        const double next = number(brief(exact), "wavelength");
+        const double next = spectral::number_in(brief(exact));
         if (next > um.back() && next < last) um.push_back(next);
     }
     if (last > first) um.push_back(last);

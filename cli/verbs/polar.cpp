@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/output/gnuplot.hpp"
 #include "validation/papers/polar_script.hpp"
 
 namespace hts::cli {
@@ -122,10 +122,10 @@ void write(const PolarOptions& options, const spectral::Reflectance& reflectance
         write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
         return;
     }
-    require_gnuplot(options.output.path);
+    output::require_gnuplot(options.output.path);
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
-    draw(options.output.path,
+    output::draw(options.output.path,
          polar_script(drawn, style(options, reflectance.name(), data.filename().string())));
 }
 

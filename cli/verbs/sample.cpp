@@ -9,11 +9,12 @@
 #include <random>
 #include <sstream>
 
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/output/gnuplot.hpp"
+#include "spectral/output/script.hpp"
 
 namespace hts::cli {
 namespace {
@@ -88,43 +89,20 @@ Uniforms uniforms(std::mt19937_64& random) {
     return u;
 }
 
-/// Directions as seen from above the surface, each lobe in a colour.
-std::string plot_script(const std::string& title, const std::string& points) {
-    return "set title " + gnuplot_string(title) + R"( noenhanced
-$draws << EOD
-)" + points +
-           R"(EOD
-set size ratio -1
-set xrange [-1.15:1.15]
-set yrange [-1.15:1.15]
-unset border
-unset tics
-set key outside right top samplen 1
-set for [s=1:3] object s circle at 0,0 size sin(30*s*pi/180) fc rgb '#999999' fs empty border rgb '#bbbbbb'
-set for [s=1:3] label s sprintf('%d°', 30*s) at 0,-sin(30*s*pi/180)-0.03 center tc rgb '#777777' font ',11'
-plot $draws using 1:($3==2 ? $2 : 1/0) with dots lc rgb '#0072b2' notitle, \
-     '' using 1:($3==3 ? $2 : 1/0) with dots lc rgb '#009e73' notitle, \
-     '' using 1:($3==1 ? $2 : 1/0) with points pt 7 ps 1 lc rgb '#d55e00' title 'specular', \
-     NaN with points pt 7 lc rgb '#0072b2' title 'directional diffuse', \
-     NaN with points pt 7 lc rgb '#009e73' title 'uniform diffuse', \
-     '' using 1:($3==4 ? $2 : 1/0) with points pt 2 ps 1.5 lc rgb '#000000' title 'light'
-)";
-}
-
 void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
     const spectral::Sampler prepared = sampler(options);
-    if (!options.plot.empty()) require_gnuplot(options.plot);
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
     std::mt19937_64 random{options.seed};
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
                       {"theta_r_deg", "phi_r_deg", "lobe", "pdf", "weight"}};
     Statistics statistics;
-    std::ostringstream points;
+    output::Rows points;
     const Vector3 light = in.vector();
-    points << light.x << ' ' << light.y << " 4\n";
+    points.push_back({light.x, light.y, 4});
     for (std::uint64_t i = 0; i < options.count; ++i) {
         const Draw drawn = prepared.sample(in, uniforms(random));
         const Degrees out = degrees(drawn.out);
@@ -140,16 +118,16 @@ void run(const SampleOptions& options) {
         statistics.add(drawn);
         if (options.plot.empty() || drawn.lobe == Lobe::none) continue;
         const Vector3 v = drawn.out.vector();
-        points << v.x << ' ' << v.y << ' ' << static_cast<int>(drawn.lobe) << '\n';
+        points.push_back({v.x, v.y, static_cast<double>(drawn.lobe)});
     }
     table.finish();
     output.commit();
     std::cerr << "hts: " << statistics.text() << '\n';
     if (options.plot.empty()) return;
-    draw(options.plot,
-         plot_script(std::to_string(options.count) + " draws, theta_i " + shortest(options.theta_i) +
-                         " deg, " + shortest(options.wavelength) + " um",
-                     points.str()));
+    output::Script script;
+    script.set("title", std::to_string(options.count) + " draws, theta_i " + shortest(options.theta_i) +
+                            " deg, " + shortest(options.wavelength) + " um");
+    output::draw(options.plot, script.data("draws", points).with("sample"));
 }
 
 }  // namespace

@@ -9,12 +9,14 @@
 
 #include "cli/answers/spectrum_colour.hpp"
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "spectral/models/reflected_terms.hpp"
+#include "spectral/output/gnuplot.hpp"
+#include "spectral/output/script.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::cli {
 namespace {
@@ -84,22 +86,11 @@ std::string title(const spectral::Material& material, const DirectionOptions& di
 
 std::string plot_script(const std::string& title, const spectral::WavelengthGrid& grid,
                         const Spectrum& spectrum) {
-    std::ostringstream script;
-    script << "set title " << gnuplot_string(title) << " noenhanced\n"
-           << "set xlabel 'wavelength [µm]'\nset ylabel 'BRDF [1/sr]'\n"
-           << "set y2label 'specular reflectance'\nset ytics nomirror\nset y2tics\n"
-           << "set yrange [0:*]\nset y2range [0:*]\nset grid lc rgb '#dddddd'\n"
-           << "set bmargin at screen 0.18\nset key at screen 0.5,0.02 bottom center horizontal\n"
-           << "$spectrum << EOD\n";
+    output::Rows rows;
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        script << grid.micrometres()[i] << ' ' << spectrum.brdf[i] << ' ' << spectrum.specular_reflectance[i]
-               << '\n';
+        rows.push_back({grid.micrometres()[i], spectrum.brdf[i], spectrum.specular_reflectance[i]});
     }
-    script
-        << "EOD\n"
-        << "plot $spectrum using 1:2 with lines lw 2.5 lc rgb '#0072b2' title 'diffuse terms (left)', \\\n"
-        << "     '' using 1:3 axes x1y2 with lines lw 2.5 dt 2 lc rgb '#d55e00' title 'specular (right)'\n";
-    return script.str();
+    return output::Script{}.set("title", title).data("spectrum", rows).with("spectrum");
 }
 
 /// The colour, none for a grid that does not span the visible unless an illuminant was asked for.
@@ -123,7 +114,7 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto material = options.material.read();
-    if (!options.plot.empty()) require_gnuplot(options.plot);
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
     const auto reflectance = reflectance_of(options, material, grid);
     const auto spectrum = spectrum_of(reflectance, pair);
     const auto seen = colour(options, grid, spectrum);
@@ -142,7 +133,7 @@ void run(const SpectrumOptions& options) {
     warning.print();
     if (seen) std::cerr << title(material, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
-        draw(options.plot, plot_script(title(material, options.directions), grid, spectrum));
+        output::draw(options.plot, plot_script(title(material, options.directions), grid, spectrum));
 }
 
 }  // namespace

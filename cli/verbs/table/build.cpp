@@ -1,6 +1,5 @@
 // hts table build: a table of a material, or one shard's part of it.
 
-#include <charconv>
 #include <iostream>
 #include <memory>
 
@@ -12,7 +11,7 @@
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "spectral/text/text.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {
@@ -29,7 +28,7 @@ Examples:
   hts table build ... --shard 2/3 --output part.2        then: hts table merge part.* --output m.htst
   mpirun -n 4 hts table build ...                        in a build with -DHTS_MPI=ON
 
-As a Slurm array, a shard for each task (tables/table/slurm.sh):
+As a Slurm array, a shard for each task (tables/sharing/slurm.sh):
   sbatch --array=1-64 slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31)";
 
 struct BuildOptions {
@@ -38,24 +37,12 @@ struct BuildOptions {
     tables::TableRequest request;
 };
 
-std::size_t whole(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) throw Error{"not a whole number"};
-    return value;
-}
-
 tables::TableShard shard_from_option(const std::string& text) {
     try {
-        const auto parts = spectral::split(text, '/');
-        if (parts.size() == 2) {
-            const tables::TableShard shard{whole(parts[0]), whole(parts[1])};
-            if (shard.number >= 1 && shard.number <= shard.count) return shard;
-        }
+        return tables::TableShard::from_text(text);
     } catch (const Error&) {
-        // told below
+        throw UsageError{"--shard: " + spectral::in_quotes(text) + ": must be k/N, k from 1 to N"};
     }
-    throw UsageError{"--shard: " + spectral::in_quotes(text) + ": must be k/N, k from 1 to N"};
 }
 
 tables::TableJob job_from(const BuildOptions& options) {

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "bench/charts/table_sizes.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 namespace hts::cli {
 namespace {
@@ -31,7 +31,7 @@ void run(const ChartOptions& options) {
     const auto exact = options.material.read().at(
         wavelengths_from_option(options.wavelengths),
         {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = options.material.policy()});
-    if (!options.plot.empty()) require_gnuplot(options.plot);
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
     const auto sizes = bench::table_sizes(exact, options.pairs, options.seed);
     Output output{options.output.path};
     TableWriter writer{
@@ -44,7 +44,7 @@ void run(const ChartOptions& options) {
     }
     writer.finish();
     output.commit();
-    if (!options.plot.empty()) draw(options.plot, bench::table_sizes_script(sizes, exact.name()));
+    if (!options.plot.empty()) output::draw(options.plot, bench::table_sizes_script(sizes, exact.name()));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "hts/error.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {

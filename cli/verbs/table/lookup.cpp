@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/transform.hpp"
@@ -39,7 +38,7 @@ struct Value {
 class Points {
   public:
     explicit Points(const CsvReader& reader) {
-        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.required_column(names[i]);
+        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.column(names[i]);
     }
     [[nodiscard]] double wavelength(const CsvRow& row) const { return cell(row, 0); }
     [[nodiscard]] DirectionPair pair(const CsvRow& row) const {
@@ -51,7 +50,7 @@ class Points {
     static constexpr std::array names{"wavelength_um", "theta_i_deg", "phi_i_deg", "theta_r_deg",
                                       "phi_r_deg"};
     [[nodiscard]] double cell(const CsvRow& row, std::size_t i) const {
-        return number(row.fields[places_[i]], names[i]);
+        return spectral::number_in(row.fields[places_[i]], names[i]);
     }
     std::array<std::size_t, names.size()> places_{};
 };

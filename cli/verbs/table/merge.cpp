@@ -5,7 +5,7 @@
 
 #include "cli/io/options.hpp"
 #include "cli/verbs/table/table.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {

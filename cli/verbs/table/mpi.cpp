@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "tables/table/slice_file.hpp"
+#include "tables/sharing/slice_file.hpp"
 #endif
 
 namespace hts::cli {

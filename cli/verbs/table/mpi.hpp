@@ -1,7 +1,7 @@
 /// Several processes at one table: MPI ranks where the program was built with -DHTS_MPI=ON and started by mpirun, else one.
 #pragma once
 
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 
