@@ -22,15 +22,15 @@ BEGIN {
     add(last)
 }
 END {
-    printf "%-26s%6s", "dB: least median greatest", "cases"
-    for (m = 1; m <= 3; ++m) printf "%20s", titles[m]
+    printf "%-25s%5s", "least, median, greatest", "cases"
+    for (m = 1; m <= 3; ++m) printf "%17s", titles[m]
     print ""
     for (region = 1; region <= last; ++region) {
         if (!count[region]) continue
-        printf "%-26s%6d", regions[region], count[region]
+        printf "%-25s%5d", regions[region], count[region]
         for (m = 1; m <= 3; ++m) {
             sort(m, region)
-            printf "  %6.2f%6.2f%6.2f", value[region, m, 1], median(m, region), value[region, m, count[region]]
+            printf "  %5.2f%5.2f%5.2f", value[region, m, 1], median(m, region), value[region, m, count[region]]
         }
         print ""
     }
