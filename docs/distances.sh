@@ -1,11 +1,11 @@
 #!/bin/sh
 # Prints how far three closed forms are from exact scattering, region by region [dB], from a map of `hts truth`:
-#     docs/distances.sh validation/data/ground-truth/moment-method-map.csv
-exec awk '
+#     docs/distances.sh validation/data/ground-truth/moment-method-map.csv [te | tm]      unpolarised light unless told
+exec awk -v polarisation="${2:+${2}_}" '
 BEGIN {
     FS = ","
     split("this model|Kirchhoff|correlated Smith", titles, "|")
-    split("he_torrance_db|kirchhoff_db|smith_db", columns, "|")
+    split("he_torrance_|kirchhoff_|smith_", columns, "|")
     last = split("gentle, tau >= 2 lambda|gentle, tau = lambda|gentle, tau = 0.7 lambda|" \
                  "gentle, tau = 0.35 lambda|steep, tau > lambda/2|all", regions, "|")
 }
@@ -34,10 +34,15 @@ END {
         }
         print ""
     }
+    printf "%-47s%17s%17s\n", "cases where it is nearer than this model", nearer[2], nearer[3]
 }
 function add(region,    m) {
     ++count[region]
-    for (m = 1; m <= 3; ++m) value[region, m, count[region]] = $place[columns[m]] + 0
+    for (m = 1; m <= 3; ++m) value[region, m, count[region]] = distance(m)
+    for (m = 2; region == last && m <= 3; ++m) nearer[m] += distance(m) < distance(1)
+}
+function distance(m) {
+    return $place[columns[m] polarisation "db"] + 0
 }
 function sort(m, region,    i, j, x) {
     for (i = 2; i <= count[region]; ++i) {
@@ -49,4 +54,4 @@ function sort(m, region,    i, j, x) {
 function median(m, region,    n) {
     n = count[region]
     return (value[region, m, int((n + 1) / 2)] + value[region, m, int(n / 2) + 1]) / 2
-}' "$@"
+}' "$1"
