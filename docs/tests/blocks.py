@@ -44,7 +44,7 @@ def of_page(path, checkout):
         if language == "json" and len(words) > 1:
             block.name = words[1]
         found.append(block)
-    return [block for block in found if block.language in ("sh", "cpp", "json", "console")]
+    return [block for block in found if block.language in ("sh", "cpp", "json", "bash")]
 
 
 def alike(shown, printed):
