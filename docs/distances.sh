@@ -1,6 +1,6 @@
 #!/bin/sh
 # Prints how far three closed forms are from exact scattering, region by region [dB], from a map of `hts truth`:
-#     docs/distances.sh validation/data/ground-truth/moment-method-map.csv [te | tm]      unpolarised light unless told
+#     docs/distances.sh validation/scattering/data/moment-method-map.csv [te | tm]      unpolarised light unless told
 exec awk -v polarisation="${2:+${2}_}" '
 BEGIN {
     FS = ","

@@ -14,7 +14,8 @@ import sys
 COMMENT = re.compile(r"^(\s*)///(?!<)(?: (.*)|)$")
 MEMBER = re.compile(r"^(.*?///<)(.*)$")
 ITEM = re.compile(r"^( {2,5})(\S+(?: \S+){0,7}) {2,}(\S.*)$")
-CODE = re.compile(r"[;{}]|//")
+BULLET = re.compile(r"^ {2,5}\* (.*)$")
+CODE = re.compile(r";\s*(//.*)?$|^\s*#include")
 SECOND_KEY = re.compile(r"\s{3,}(?=(?:range|error|domain|cost|limits|result|phi|theta)\s{2,}\S)")
 
 
@@ -57,8 +58,12 @@ def rendered(lines):
         state = new
 
     for line in lines:
-        columns = items(line)
-        if not line.strip():
+        columns, bullet = items(line), BULLET.match(line)
+        if bullet and state != "code":
+            if state != "list":
+                become("list")
+            out.append(f"- {escaped(bullet[1])}")
+        elif not line.strip():
             if state != "code":
                 become("text")
             out.append("")

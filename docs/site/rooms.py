@@ -61,8 +61,9 @@ class Room(SphinxDirective):
         self.state.document.note_explicit_target(section)
         lines = ["```{eval-rst}", f".. doxygenfile:: {header}", f"   :sections: {SECTIONS}", "```"]
         self.state.nested_parse(StringList(lines, source=self.env.doc2path(self.env.docname)), 0, section)
-        file = next(node for node in section.findall(addnodes.desc) if node["objtype"] == "file")
-        file.parent.replace(file, file[-1].children)  # what it holds, without "file hts/phi.hpp" above
+        file = next((node for node in section.findall(addnodes.desc) if node["objtype"] == "file"), None)
+        if file is not None:  # else Breathe has complained
+            file.parent.replace(file, file[-1].children)  # what it holds, without "file hts/phi.hpp" above
         return section
 
 
