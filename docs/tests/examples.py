@@ -98,7 +98,7 @@ def run_block(block, copy, programs):
     if block.language == "sh":
         return copy.run(block.text)
     if block.language == "cpp":
-        return copy.run([str(pathlib.Path(programs) / block.program)])
+        return copy.run([str(pathlib.Path(programs).resolve() / block.program)])
     if block.language == "json":
         check_json(block, copy)
     if block.language == "bash":

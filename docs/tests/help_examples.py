@@ -3,9 +3,11 @@
 import re
 import subprocess
 
-# Those that take longer than some five seconds, by how they begin.
-SLOW = ("hts chart", "hts compare", "hts figures", "hts fit", "hts furnace", "hts render fig",
-        "hts stability", "hts table chart", "hts table export", "hts truth", "hts validate")
+# Those that take longer than some five seconds.
+SLOW = re.compile(
+    r"hts (chart|compare|figures|fit|furnace|render fig|stability|table chart|truth|validate)"
+    r"|hts table export .* --format (rgl|pbsdf)"
+)
 
 
 def help_text(hts, verbs):
@@ -35,4 +37,4 @@ def of(hts, verbs=()):
 
 
 def takes_minutes(example):
-    return example.startswith(SLOW)
+    return SLOW.match(example) is not None
