@@ -30,8 +30,8 @@ and for materials of model he:
 By reciprocity the columns are the hemispherical-directional reflectance too.
 
 Examples:
-  hts albedo --material aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
-  hts albedo --material plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195)";
+  hts albedo --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
+  hts albedo --material cli/data/smooth-plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195)";
 
 struct AlbedoOptions {
     MaterialOptions material;

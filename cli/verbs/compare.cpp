@@ -29,8 +29,8 @@ standard error, and a criterion that fails makes the exit code 1. With --output 
 their scripts and numbers go into a folder.
 
 Examples:
-  hts compare mwir-aluminium-sandblasted --material sandblasted.json --output out
-  hts compare my-curves.json --material m.json --detector-solid-angle 2e-3)";
+  hts compare mwir-aluminium-sandblasted --material cli/data/very-rough-aluminium.json --output out
+  hts compare curet-sandpaper --material cli/data/sandpaper.json --detector-solid-angle 2e-3)";
 
 struct CompareOptions {
     std::string curves, folder;

@@ -33,11 +33,12 @@ sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_gr
 specular_blue of the specular reflectance.
 
 Examples:
-  hts eval --material aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
-  hts eval --material aluminium.json --points points.csv --output values.csv --detail
-  hts eval --material aluminium.json --points - --wavelengths 0.4:0.7:31 < pairs.csv
-  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
-  hts eval --plan plan.json --material "copper sphere" --points pairs.csv)";
+  hts eval --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
+  hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv --output values.csv --detail
+  hts eval --material cli/data/rough-aluminium.json --points - --wavelengths 0.4:0.7:31 < cli/data/pairs.csv
+  hts eval --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
+  hts plan cli/data/figure-14.json --output plan.json
+  hts eval --plan plan.json --material "copper sphere" --points cli/data/pairs.csv)";
 
 struct EvalOptions {
     MaterialOptions material;

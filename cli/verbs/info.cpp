@@ -26,8 +26,8 @@ be wrong with the material.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.
 
 Examples:
-  hts info aluminium.json
-  hts info aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output aluminium-info.csv)";
+  hts info cli/data/rough-aluminium.json
+  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output info.csv)";
 
 struct InfoOptions {
     std::string material, wavelengths = "0.38:0.78:9";

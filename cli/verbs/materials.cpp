@@ -29,7 +29,7 @@ and n, k over the range, or at --wavelengths, as data.
 Examples:
   hts materials
   hts materials Al --wavelengths 0.4:0.7:7
-  hts materials Rakic.yml --json)";
+  hts materials spectral/materials/data/Al.yml --json)";
 
 struct MaterialsOptions {
     std::string name, wavelengths;

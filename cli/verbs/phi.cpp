@@ -21,7 +21,7 @@ columns g and t in any order; the answer repeats its columns and adds phi, log_p
 
 Examples:
   hts phi --g 100 --t 30
-  hts phi --points gt.csv --output phi.csv)";
+  hts phi --points cli/data/g-and-t.csv --output phi.csv)";
 
 struct PhiOptions {
     std::optional<double> g, t;

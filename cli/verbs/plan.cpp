@@ -39,8 +39,8 @@ directions of the scene against the full model; spectral/plans/plan.hpp defines 
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
 
 Examples:
-  hts plan figure-14.json
-  hts plan figure-14.json --tolerance 1e-6 --output plan.json
+  hts plan cli/data/figure-14.json
+  hts plan cli/data/figure-14-spectral.json --tolerance 1e-6 --output plan.json
   hts plan --check plan.json --seed 2)";
 
 struct PlanOptions {

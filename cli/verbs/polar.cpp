@@ -36,9 +36,10 @@ acos(1 - w / 2 pi), one about the mirror direction, one about the view. The diff
 are not averaged over the cones. The paper has w = pi/1024 sr = 0.0030679616.
 
 Examples:
-  hts polar --material aluminium.json --wavelength 0.5 --theta-i 10,30,45,60,75 \
+  hts polar --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 10,30,45,60,75 \
       --solid-angle 0.0030679616 --output figure.svg
-  hts polar --material aluminium.json --wavelength 2 --theta-i 45 --absolute --log -o log.svg)";
+  hts polar --material cli/data/rough-aluminium.json --wavelength 2 --theta-i 45 --absolute --log \
+      --output log.svg)";
 
 struct PolarOptions {
     MaterialOptions material;

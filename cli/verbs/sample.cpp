@@ -29,8 +29,10 @@ the hemisphere. The same seed gives the same draws. Models other than he draw on
 called uniform_diffuse where that part is all there is.
 
 Examples:
-  hts sample --material aluminium.json --wavelength 0.5 --theta-i 45 --count 100000 --output dirs.csv
-  hts sample --material aluminium.json --wavelength 2 --theta-i 75 --count 20000 --plot dirs.svg --output dirs.csv)";
+  hts sample --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 45 --count 100000 \
+      --output directions.csv
+  hts sample --material cli/data/rough-aluminium.json --wavelength 2 --theta-i 75 --count 20000 \
+      --plot directions.svg --output directions.csv)";
 
 struct SampleOptions {
     MaterialOptions material;

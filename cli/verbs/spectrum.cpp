@@ -28,8 +28,8 @@ pi f of both diffuse terms, and that of the specular reflectance; it goes to sta
 error, in JSON beside the spectrum.
 
 Examples:
-  hts spectrum --material aluminium.json --theta-i 30 --theta-r 30 --phi 180
-  hts spectrum --material aluminium.json --theta-i 30 --theta-r 45 --phi 180 \
+  hts spectrum --material cli/data/rough-aluminium.json --theta-i 30 --theta-r 30 --phi 180
+  hts spectrum --material cli/data/rough-aluminium.json --theta-i 30 --theta-r 45 --phi 180 \
       --wavelengths 0.4:0.7:31 --illuminant E --output spectrum.csv --plot spectrum.svg)";
 
 struct SpectrumOptions {

@@ -23,11 +23,13 @@ Finished slices stand in FILE.slices meanwhile: a build that was interrupted goe
 it ended. The bytes are the same for any number of threads, shards, ranks and interruptions.
 
 Examples:
-  hts table build --material aluminium.json --wavelengths 0.38:0.78:31 --tolerance 1e-3 \
-      --output aluminium.htst
-  hts table build ... --shard 2/3 --output part.2        then: hts table merge part.* --output m.htst
-  mpirun -n 4 hts table build ...                        in a build with -DHTS_MPI=ON
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --output m.htst
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --shard 1/2 --output part.1
 
+--shard 2/2 makes the other part, and hts table merge joins them. In a build with -DHTS_MPI=ON:
+  mpirun -n 4 hts table build ...
 As a Slurm array, a shard for each task (tables/sharing/slurm.sh):
   sbatch --array=1-64 slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31)";
 

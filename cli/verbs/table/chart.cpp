@@ -17,7 +17,7 @@ Builds tables of the material in five ways, each at six sizes, and measures the 
 error of each on the same random directions. A minute or two.
 
 Example:
-  hts table chart --material aluminium.json --plot table-sizes.svg)";
+  hts table chart --material cli/data/rough-aluminium.json --plot table-sizes.svg)";
 
 struct ChartOptions {
     MaterialOptions material;

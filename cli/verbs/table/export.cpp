@@ -37,8 +37,8 @@ the file, as FILE.json, together with what the numbers mean. --specular box spre
 pairs of directions: the report goes to standard output.
 
 Examples:
-  hts table export aluminium.json --format rgl --output aluminium.bsdf
-  hts table export gold.json --format pbsdf --output gold.pbsdf)";
+  hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
+  hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf)";
 }
 
 const TableFormat& format_named(const std::string& name) {

@@ -34,7 +34,7 @@ each wavelength [um]. --output writes a material file with the model "measured",
 eval, polar, sample and the others take.
 
 Examples:
-  hts table import nickel.binary --output nickel.json
+  hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
   hts table import scan.csv --wavelengths 0.633 --output scan.json)";
 }
 

@@ -22,8 +22,10 @@ phi_r_deg. Added: directional_diffuse, uniform_diffuse, brdf [1/sr], specular_re
 and diffuse_albedo [1], the last the share of light that both diffuse terms reflect.
 A wavelength that is not in the table, or a polar angle above 88 degrees, stops the run.
 
-Example:
-  hts table lookup m.htst --points points.csv --output values.csv)";
+Examples:
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --output m.htst
+  hts table lookup m.htst --points cli/data/points.csv --output values.csv)";
 
 struct LookupOptions {
     std::string table, points;
