@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "spectral/text/csv.hpp"
+
 namespace hts::bench {
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "table_fixture.hpp"
+#include "tables/table/tests/table_fixture.hpp"
 #include "tables/sharing/slice_file.hpp"
 
 namespace {
