@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "spectral/parallel.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
@@ -118,9 +119,7 @@ std::vector<double> node_values(const tables::SpectralBrdf& exact, const Exact& 
                                 std::size_t n, bool logarithm) {
     const std::size_t width = probes.wavelengths.size(), padded = n + tables::spline_ghosts;
     std::vector<double> block(padded * padded * padded * width);
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(n); ++s) {
-        const auto i = static_cast<std::size_t>(s);
+    spectral::parallel_for(n, [&](std::size_t i) {
         std::vector<double> values(exact.wavelengths().size());
         const auto last = static_cast<double>(n - 1);
         for (std::size_t j = 0; j < n; ++j) {
@@ -136,7 +135,7 @@ std::vector<double> node_values(const tables::SpectralBrdf& exact, const Exact& 
                 }
             }
         }
-    }
+    });
     return block;
 }
 

@@ -14,6 +14,7 @@
 #include "spectral/models/reflectance.hpp"
 #include "spectral/processor_time.hpp"
 #include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 #include "validation/fit/fit.hpp"
 
@@ -72,7 +73,7 @@ class Truth {
         return std::span{pairs_}.subspan(fitted_);
     }
 
-    /// |f - f_he|/(f_he + peak/100) of all judged pairs and wavelengths, sorted.
+    /// |f - f_he|/(f_he + peak/100) of all judged pairs and wavelengths.
     [[nodiscard]] std::vector<double> errors(const Evaluator& model) const {
         std::vector<double> errors;
         Spectrum spectrum{};
@@ -82,7 +83,6 @@ class Truth {
                 errors.push_back(std::abs(spectrum[k] - values_[i][k]) / floor_of(i, k));
             }
         }
-        std::sort(errors.begin(), errors.end());
         return errors;
     }
 
@@ -149,8 +149,7 @@ double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs)
         }
         time = (spectral::thread_seconds() - start) * 1e9 / static_cast<double>(pairs.size());
     }
-    std::sort(times.begin(), times.end());
-    return std::isnan(sum) ? 0 : times[passes / 2];
+    return std::isnan(sum) ? 0 : spectral::median({times.begin(), times.end()});
 }
 
 ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
@@ -158,8 +157,8 @@ ModelPoint point(const Truth& truth, const std::string& surface, const std::stri
     const std::vector<double> errors = truth.errors(evaluator);
     return {surface,
             model,
-            errors[errors.size() / 2],
-            errors[errors.size() * 99 / 100],
+            spectral::in_order(errors, errors.size() / 2),
+            spectral::in_order(errors, errors.size() * 99 / 100),
             nanoseconds(evaluator, truth.judged_pairs()),
             bytes};
 }

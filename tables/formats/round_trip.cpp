@@ -12,6 +12,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/lobe_quadrature.hpp"
 
@@ -214,14 +215,6 @@ void add_integrals(RoundTrip& result, const SpectralBrdf& original, const Spectr
     }
 }
 
-double quantile(std::vector<double> values, double fraction) {
-    if (values.empty()) return 0;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 std::ostream& operator<<(std::ostream& out, const PeakError& error) {
     return out << error.error * 100 << " % of the peak, at theta_i " << error.theta_i / degree << ", theta_r "
                << error.theta_r / degree << ", phi " << error.phi / degree << " deg, " << error.wavelength_um
@@ -254,8 +247,8 @@ RoundTrip round_trip(const SpectralBrdf& original, const SpectralBrdf& read_back
         keep_worse(result.worst, error);
         if (result.worst_mueller) keep_worse(*result.worst_mueller, comparison.of_mueller(pair));
     }
-    result.median = quantile(errors, 0.5);
-    result.percentile_99 = quantile(std::move(errors), 0.99);
+    result.median = spectral::quantile(errors, 0.5);
+    result.percentile_99 = spectral::quantile(std::move(errors), 0.99);
     add_integrals(result, original, read_back, comparison.slope());
     return result;
 }

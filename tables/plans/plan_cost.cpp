@@ -9,6 +9,7 @@
 
 #include "spectral/processor_time.hpp"
 #include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::tables {
 namespace {
@@ -52,8 +53,7 @@ double nanoseconds(const Work& work) {
         for (; taken < least_seconds; taken = spectral::thread_seconds() - start, ++repeats) work();
         pass = taken / static_cast<double>(repeats);
     }
-    std::nth_element(passes.begin(), passes.begin() + 3, passes.end());
-    return passes[3] * 1e9 / pair_count;
+    return spectral::median({passes.begin(), passes.end()}) * 1e9 / pair_count;
 }
 
 /// Times the parts of one evaluator.

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 
 namespace hts::tables {
@@ -46,17 +48,16 @@ DirectionPair RandomPairs::lobe_pair() {
 
 LobePeaks::LobePeaks(const SpectralBrdf& exact)
     : wavelengths_{exact.wavelengths().size()}, peaks_((whole_degrees + 1) * wavelengths_) {
-#pragma omp parallel for schedule(dynamic)
-    for (int i = 0; i <= whole_degrees; ++i) {
-        const Direction in = Direction::from_degrees(i, 0);
+    spectral::parallel_for(whole_degrees + 1, [&](std::size_t i) {
+        const Direction in = Direction::from_degrees(static_cast<double>(i), 0);
         std::vector<double> values(wavelengths_);
-        double* const peaks = peaks_.data() + static_cast<std::size_t>(i) * wavelengths_;
+        double* const peaks = peaks_.data() + i * wavelengths_;
         for (int half = -2 * whole_degrees; half <= 2 * whole_degrees; ++half) {
             exact.directional_diffuse({in, Direction::from_degrees(std::abs(half) / 2.0, half < 0 ? 0 : 180)},
                                       values);
             for (std::size_t w = 0; w < wavelengths_; ++w) peaks[w] = std::max(peaks[w], values[w]);
         }
-    }
+    });
 }
 
 double LobePeaks::operator()(const Direction& in, std::size_t wavelength) const noexcept {
@@ -123,14 +124,6 @@ class PairErrors {
     std::vector<Mueller> matrices_, tabulated_matrices_;
 };
 
-double nth(std::vector<float>& values, double share) {
-    if (values.empty()) return 0;
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return static_cast<double>(*place);
-}
-
 }  // namespace
 
 TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std::uint64_t pairs,
@@ -143,19 +136,14 @@ TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std
     const std::vector<DirectionPair> all = random.next(pairs);
     const std::size_t width = a.size();
     std::vector<float> errors(all.size() * width);
-#pragma omp parallel
-    {
+    spectral::parallel_blocks(all.size(), 256, [&](std::size_t first, std::size_t count) {
         PairErrors of_pair{table, exact, peaks};
-#pragma omp for schedule(dynamic, 256)
-        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(all.size()); ++i) {
-            const auto place = static_cast<std::size_t>(i);
-            of_pair.write(all[place], errors.data() + place * width);
-        }
-    }
+        for (std::size_t i = first; i < first + count; ++i) of_pair.write(all[i], errors.data() + i * width);
+    });
     TableError result{0, 0, 0, pairs, seed};
     if (!errors.empty()) result.largest = static_cast<double>(*std::ranges::max_element(errors));
-    result.percentile_99 = nth(errors, 0.99);
-    result.median = nth(errors, 0.5);
+    result.percentile_99 = static_cast<double>(spectral::quantile(errors, 0.99));
+    result.median = static_cast<double>(spectral::quantile(std::move(errors), 0.5));
     return result;
 }
 

@@ -9,7 +9,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/models/reflectance.hpp"
-#include "validation/scattering/quadrature.hpp"
+#include "validation/curves/quadrature.hpp"
 
 namespace hts::validation {
 namespace {

@@ -9,6 +9,7 @@
 #include "hts/he_torrance.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/random_directions.hpp"
 
 namespace hts::validation {
@@ -129,15 +130,13 @@ FourierResult fourier_result(const FourierCase& of, const FourierSettings& setti
     const LatticeDirection in{-static_cast<int>(std::lround(sine * sampling.period)), 0};
     result.points = drawn_points(result, sampling, in, settings);
     std::vector<std::vector<double>> values(static_cast<std::size_t>(settings.realisations));
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int r = 0; r < settings.realisations; ++r) {
+    spectral::parallel_for(values.size(), [&](std::size_t r) {
         const auto part = static_cast<std::uint64_t>(std::lround(1e3 * of.phase_variance)) * 1000 +
                           static_cast<std::uint64_t>(std::lround(10 * of.correlation_length));
         const auto field = random_field(result.surface, sampling.step, sampling.samples,
-                                        seed_of(settings.study, part, static_cast<std::uint64_t>(r)));
-        auto& row = values[static_cast<std::size_t>(r)];
-        for (const FourierPoint& point : result.points) row.push_back(brdf(field, point.in, point.out));
-    }
+                                        seed_of(settings.study, part, r));
+        for (const FourierPoint& point : result.points) values[r].push_back(brdf(field, point.in, point.out));
+    });
     const auto count = static_cast<double>(settings.realisations);
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         double sum = 0, squares = 0;

