@@ -8,34 +8,18 @@
 #include <filesystem>
 
 #include "hts/error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace hts::spectral;
+using hts::testing::TemporaryFolder;
 namespace fs = std::filesystem;
 
-namespace {
-
-class Folder {
-  public:
-    Folder() { fs::create_directory(path_); }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-    [[nodiscard]] bool empty() const { return fs::is_empty(path_); }
-
-  private:
-    fs::path path_ = fs::temp_directory_path() / ("hts-output-test-" + std::to_string(::getpid()));
-};
-
-}  // namespace
-
 TEST_CASE("a signal leaves none of the files that are under construction, and those that are done") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
-        Output a{folder.file("a")}, b{folder.file("b")}, c{folder.file("c")};
+        Output a{(folder / "a").string()}, b{(folder / "b").string()}, c{(folder / "c").string()};
         for (Output* each : {&a, &b, &c}) {
             each->write("half");
             each->flush();
@@ -48,15 +32,15 @@ TEST_CASE("a signal leaves none of the files that are under construction, and th
     REQUIRE(::waitpid(child, &status, 0) == child);
     CHECK(WIFSIGNALED(status));
     CHECK(WTERMSIG(status) == SIGTERM);
-    CHECK(fs::remove(folder.file("b")));
-    CHECK(folder.empty());
+    CHECK(fs::remove((folder / "b").string()));
+    CHECK(folder.size() == 0);
 }
 
 TEST_CASE("several files are written all or none") {
-    const Folder folder;
-    CHECK_THROWS_AS(write_files({{folder.file("a"), "1"}, {folder.file("none/b"), "2"}}), hts::Error);
-    CHECK(folder.empty());
-    write_files({{folder.file("a"), "1"}, {folder.file("b"), "2"}});
-    CHECK(fs::file_size(folder.file("a")) == 1);
-    CHECK(fs::file_size(folder.file("b")) == 1);
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(write_files({{(folder / "a").string(), "1"}, {(folder / "none/b").string(), "2"}}), hts::Error);
+    CHECK(folder.size() == 0);
+    write_files({{(folder / "a").string(), "1"}, {(folder / "b").string(), "2"}});
+    CHECK(fs::file_size((folder / "a").string()) == 1);
+    CHECK(fs::file_size((folder / "b").string()) == 1);
 }

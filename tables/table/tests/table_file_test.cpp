@@ -15,6 +15,7 @@
 #include "tables/formats/little_endian.hpp"
 #include "tables/table/crc64.hpp"
 #include "tables/table/table_contents.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -57,8 +58,8 @@ std::string refusal(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("a table is read as it was written, from memory and from a file") {
-    const auto path = std::filesystem::temp_directory_path() / "hts_table_file_test.htst";
-    std::ofstream{path, std::ios::binary} << small_bytes();
+    const hts::testing::TemporaryFolder folder;
+    const auto path = folder.write("m.htst", small_bytes());
     const Table table = Table::open(path);
     std::filesystem::remove(path);
     const auto& info = table.info();
@@ -69,7 +70,7 @@ TEST_CASE("a table is read as it was written, from memory and from a file") {
     CHECK(info.wavelengths.size() == 3);
     CHECK(header_text(info_from_header(header_text(info), "again")) == header_text(info));
     CHECK_THAT(error_of([&] { return Table::open(path); }), Catch::Contains("cannot be read"));
-    CHECK_THAT(error_of([] { return Table::open(std::filesystem::temp_directory_path()); }),
+    CHECK_THAT(error_of([&] { return Table::open(folder.path()); }),
                Catch::Contains("must be a file"));
 }
 
