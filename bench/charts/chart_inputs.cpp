@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "bench/phi/accuracy_sweep.hpp"
-#include "bench/random.hpp"
 #include "hts/he_torrance.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace hts::bench {
 namespace {

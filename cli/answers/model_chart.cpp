@@ -5,15 +5,14 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <random>
 
 #include "bench/charts/machine.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/reflectance.hpp"
 #include "spectral/processor_time.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 #include "validation/fit/fit.hpp"
@@ -58,7 +57,7 @@ class Truth {
   public:
     Truth(const ChartSurface& chosen, std::size_t fitted, std::size_t judged, std::uint64_t seed)
         : surface_{chosen}, exact_{reflector(chosen), wavelengths()} {
-        std::mt19937_64 random{seed};
+        Random random{seed};
         for (std::size_t i = 0; i < fitted + judged; ++i) pairs_.push_back(pair(random, i % 2 == 0));
         values_.resize(pairs_.size());
         peaks_.resize(pairs_.size());
@@ -103,13 +102,12 @@ class Truth {
     }
 
     /// Half of them near the mirror direction, where the light is.
-    static DirectionPair pair(std::mt19937_64& random, bool near_mirror) {
+    static DirectionPair pair(Random& random, bool near_mirror) {
         constexpr double lowest = 0.1736;  // 80 deg
-        const Direction in = spectral::random_direction(random, lowest);
-        if (!near_mirror) return {in, spectral::random_direction(random, lowest)};
-        const Vector3 off = spectral::random_direction(random).vector();
-        const Vector3 out =
-            in.mirror().vector() + 0.3 * spectral::uniform(random) * (off - Vector3{0, 0, 0.5});
+        const Direction in = random.direction(lowest);
+        if (!near_mirror) return {in, random.direction(lowest)};
+        const Vector3 off = random.direction().vector();
+        const Vector3 out = in.mirror().vector() + 0.3 * random.uniform() * (off - Vector3{0, 0, 0.5});
         if (out.z <= lowest * std::sqrt(dot(out, out))) return {in, in.mirror()};
         return {in, Direction::from_vector(out)};
     }

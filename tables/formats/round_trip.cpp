@@ -5,13 +5,12 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "hts/error.hpp"
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/lobe_quadrature.hpp"
@@ -87,15 +86,14 @@ class PairDraws {
 
     DirectionPair operator()() {
         around_lobe_ = !around_lobe_;
-        const Direction in = spectral::random_direction(random_, std::cos(largest_theta));
-        return {in, around_lobe_ ? near_mirror(in)
-                                 : spectral::random_direction(random_, std::cos(largest_theta))};
+        const Direction in = random_.direction(std::cos(largest_theta));
+        return {in, around_lobe_ ? near_mirror(in) : random_.direction(std::cos(largest_theta))};
     }
 
   private:
     Direction near_mirror(const Direction& in) {
         for (int attempt = 0; attempt < 64; ++attempt) {
-            const double u1 = spectral::uniform(random_), u2 = spectral::uniform(random_);
+            const double u1 = random_.uniform(), u2 = random_.uniform();
             const Vector3 out = facets_.draw(in, u1, u2);
             if (out.z >= std::cos(largest_theta)) return Direction::from_unit_vector(out);
         }
@@ -103,7 +101,7 @@ class PairDraws {
     }
 
     FacetDraws facets_;
-    std::mt19937_64 random_;
+    Random random_;
     bool around_lobe_ = false;
 };
 

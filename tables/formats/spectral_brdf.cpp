@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
+
 
 namespace hts::tables {
 namespace {
@@ -21,13 +21,13 @@ Direction turned(const Direction& direction, double cosine, double sine) {
 template <class Change>
 double largest_change(const SpectralBrdf& brdf, Change&& changed) {
     constexpr int pairs = 256;
-    std::mt19937_64 random{1};
+    Random random{1};
     std::vector<double> before(brdf.wavelengths().size()), after(before.size());
     double worst = 0;
     for (int i = 0; i < pairs; ++i) {
-        const Direction in = spectral::random_direction(random, 0.1);
-        const DirectionPair pair{in, spectral::random_direction(random, 0.1)};
-        const double turn = 2 * std::numbers::pi * spectral::uniform(random);
+        const Direction in = random.direction(0.1);
+        const DirectionPair pair{in, random.direction(0.1)};
+        const double turn = 2 * std::numbers::pi * random.uniform();
         brdf.brdf(pair, before);
         brdf.brdf(changed(pair, turn), after);
         for (std::size_t k = 0; k < before.size(); ++k) {

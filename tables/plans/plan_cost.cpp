@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <random>
 
+#include "hts/sampling/random.hpp"
 #include "spectral/processor_time.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/statistics.hpp"
 
 namespace hts::tables {
@@ -32,11 +31,11 @@ class OneThread {
 };
 
 std::vector<DirectionPair> pairs_of(const spectral::Scene& scene) {
-    std::mt19937_64 random{1};
+    Random random{1};
     std::vector<DirectionPair> pairs;
     while (pairs.size() < pair_count) {
-        const Direction in = spectral::random_direction(random, std::cos(scene.largest_theta_i));
-        pairs.push_back({in, spectral::random_direction(random, std::cos(scene.largest_theta_r))});
+        const Direction in = random.direction(std::cos(scene.largest_theta_i));
+        pairs.push_back({in, random.direction(std::cos(scene.largest_theta_r))});
     }
     return pairs;
 }

@@ -6,7 +6,6 @@
 
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 
@@ -30,15 +29,15 @@ std::vector<DirectionPair> RandomPairs::next(std::size_t count) {
 }
 
 DirectionPair RandomPairs::uniform_pair() {
-    const Direction in = spectral::random_direction(random_, lowest_cosine);
-    return {in, spectral::random_direction(random_, lowest_cosine)};
+    const Direction in = random_.direction(lowest_cosine);
+    return {in, random_.direction(lowest_cosine)};
 }
 
 DirectionPair RandomPairs::lobe_pair() {
     for (;;) {
-        const Direction in = Direction::from_angles(steepest_theta * spectral::uniform(random_), 0);
-        const double slope = std::pow(10, -2.5 + 3 * spectral::uniform(random_));
-        const double azimuth = 2 * std::numbers::pi * spectral::uniform(random_);
+        const Direction in = Direction::from_angles(steepest_theta * random_.uniform(), 0);
+        const double slope = std::pow(10, -2.5 + 3 * random_.uniform());
+        const double azimuth = 2 * std::numbers::pi * random_.uniform();
         const double up = 1 / std::sqrt(1 + slope * slope);
         const Vector3 half{up * slope * std::cos(azimuth), up * slope * std::sin(azimuth), up};
         const Vector3 out = 2 * dot(in.vector(), half) * half - in.vector();

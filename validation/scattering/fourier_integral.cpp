@@ -4,13 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 
 #include "hts/he_torrance.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/random_directions.hpp"
 
 namespace hts::validation {
 namespace {
@@ -84,9 +83,9 @@ std::vector<FourierPoint> drawn_points(const FourierResult& result, const Sampli
         brightest = std::max(brightest, points.back().closed_form);
     }
     std::erase_if(points, [&](const FourierPoint& point) { return point.closed_form < brightest / 1000; });
-    std::mt19937_64 random{seed_of(settings.study, 0, points.size())};
+    Random random{seed_of(settings.study, 0, points.size())};
     for (std::size_t i = points.size() - 1; i > 0; --i) {
-        const auto j = static_cast<std::size_t>(spectral::uniform(random) * static_cast<double>(i + 1));
+        const auto j = static_cast<std::size_t>(random.uniform() * static_cast<double>(i + 1));
         std::swap(points[i], points[j]);
     }
     points.resize(std::min(points.size(), static_cast<std::size_t>(settings.directions)), points.front());

@@ -23,9 +23,7 @@ inline Direction random_direction(Random& random) {
 }
 
 inline Uniforms random_uniforms(Random& random) {
-    const double u0 = random.uniform(0, 1);
-    const double u1 = random.uniform(0, 1);
-    return {u0, u1, random.uniform(0, 1)};
+    return random.uniforms();
 }
 
 inline std::string text(const Direction& d) {

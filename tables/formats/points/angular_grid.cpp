@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 
 #include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/random_directions.hpp"
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
@@ -182,11 +181,10 @@ std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
 
 bool is_plane_symmetric(const SpectralBrdf& brdf) {
     constexpr int pairs = 64;
-    std::mt19937_64 random{2};
+    Random random{2};
     std::vector<double> there(brdf.wavelengths().size()), here(there.size());
     for (int i = 0; i < pairs; ++i) {
-        const DirectionPair pair{spectral::random_direction(random, 0.1),
-                                 spectral::random_direction(random, 0.1)};
+        const DirectionPair pair{random.direction(0.1), random.direction(0.1)};
         // the view mirrored at the plane of the light and the normal
         const double c = pair.in.cos_phi(), s = pair.in.sin_phi();
         const Vector3 v = pair.out.vector();

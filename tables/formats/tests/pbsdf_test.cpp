@@ -7,13 +7,11 @@
 #include <filesystem>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "comparison.hpp"
 #include "materials.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/round_trip.hpp"

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "comparison.hpp"
+#include "hts/sampling/random.hpp"
 #include "materials.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
@@ -67,11 +66,11 @@ TensorFileWriter lambertian_file(std::size_t phis) {
 
 /// Mean of f cos/pdf and the share of draws above the horizon.
 double mean_weight(const RglBrdf& brdf, const Direction& in, std::size_t draws) {
-    std::mt19937_64 random{3};
+    Random random{3};
     std::vector<double> values(brdf.wavelengths().size());
     double sum = 0;
     for (std::size_t i = 0; i < draws; ++i) {
-        const double u1 = spectral::uniform(random), u2 = spectral::uniform(random);
+        const double u1 = random.uniform(), u2 = random.uniform();
         const auto draw = brdf.sample(in, u1, u2);
         if (!(draw.density > 0)) continue;
         const Direction out = Direction::from_unit_vector(draw.out);
@@ -87,11 +86,10 @@ TEST_CASE("the warp of a bilinear density is its inverse distribution") {
     // density (1 + x)(1 + 2y) and 1 + xy, whose distributions are polynomials
     const std::vector<float> slices{1, 2, 3, 6, 1, 1, 1, 2};
     const BilinearWarp warp{slices, 2, 2};
-    std::mt19937_64 random{5};
+    Random random{5};
     WorstCase there{"warp, by quadrature", 3e-6}, back{"warp and back", 3e-6};
     for (int i = 0; i < 3000; ++i) {
-        const Point2 u{static_cast<float>(spectral::uniform(random)),
-                       static_cast<float>(spectral::uniform(random))};
+        const Point2 u{static_cast<float>(random.uniform()), static_cast<float>(random.uniform())};
         const auto where = [&] { return std::to_string(u.x) + ", " + std::to_string(u.y); };
         const auto product = warp.sample(u, slice_mix({0, 0}, {0, 0}, 1, 2));
         const double x = product.point.x, y = product.point.y;

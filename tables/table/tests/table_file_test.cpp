@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "damaged_files.hpp"
+#include "hts/sampling/random.hpp"
 #include "table_fixture.hpp"
 #include "tables/formats/little_endian.hpp"
 #include "tables/table/crc64.hpp"
@@ -135,8 +135,8 @@ TEST_CASE("damaged tables are refused or read, and never crash") {
                                std::vector<double>(count.lobe - 1, 0.3)};
     const std::string good = table_bytes(info, numbers);
     const auto header = from_little_endian<std::uint64_t>(good.substr(header_size_at));
-    const auto past_checksum = [&](std::string bytes, std::mt19937_64& random) {
-        const bool sizes = random() % 2 == 0, sign = random() % 4 != 0;
+    const auto past_checksum = [&](std::string bytes, Random& random) {
+        const bool sizes = random.bits() % 2 == 0, sign = random.bits() % 4 != 0;
         if (bytes.size() < prelude_bytes) return bytes;
         const std::size_t behind = bytes.size() - prelude_bytes;
         if (sizes) {

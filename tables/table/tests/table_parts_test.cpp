@@ -1,7 +1,5 @@
 #include "tables/table/table_parts.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 

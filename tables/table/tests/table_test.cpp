@@ -10,7 +10,6 @@
 
 #include "hts/tests/support/comparison.hpp"
 #include "spectral/energy/energy.hpp"
-#include "spectral/random_directions.hpp"
 #include "table_fixture.hpp"
 
 namespace {

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "hts/he_torrance.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/random_directions.hpp"
 
 namespace hts::validation {
 namespace {
@@ -34,10 +33,9 @@ FacetSurface surface_number(double slope, int number, const TracingSettings& set
 }
 
 /// A part of the work on one surface has random numbers of its own.
-std::mt19937_64 random_numbers(const TracingSettings& settings, double theta_deg, int number) {
-    return std::mt19937_64{seed_of(settings.study + 1,
-                                   static_cast<std::uint64_t>(std::lround(100 * theta_deg)),
-                                   static_cast<std::uint64_t>(number))};
+Random random_numbers(const TracingSettings& settings, double theta_deg, int number) {
+    return Random{seed_of(settings.study + 1, static_cast<std::uint64_t>(std::lround(100 * theta_deg)),
+                          static_cast<std::uint64_t>(number))};
 }
 
 /// Towards the light at an angle, along x.
@@ -58,8 +56,8 @@ Seen seen_share(const FacetSurface& surface, double theta_deg, const TracingSett
     const Vector3 light = towards(theta_deg), mirror{-light.x, 0, light.z};
     int lit = 0, both = 0;
     for (int i = 0; i < settings.points; ++i) {
-        const double x = surface.period() * spectral::uniform(random);
-        const auto point = surface.at(x, surface.period() * spectral::uniform(random));
+        const double x = surface.period() * random.uniform();
+        const auto point = surface.at(x, surface.period() * random.uniform());
         if (!sees(surface, point, light)) continue;
         ++lit;
         if (sees(surface, point, mirror)) ++both;
@@ -130,8 +128,8 @@ Tally traced(const FacetSurface& surface, double theta_deg, const TracingSetting
     auto random = random_numbers(settings, theta_deg, number);
     Tally tally;
     for (int i = 0; i < settings.rays; ++i) {
-        const double x = surface.period() * spectral::uniform(random);
-        const double y = surface.period() * spectral::uniform(random);
+        const double x = surface.period() * random.uniform();
+        const double y = surface.period() * random.uniform();
         trace(surface, {{x, y, surface.highest() * (1 + 1e-9) + 1e-9}, -towards(theta_deg)}, tally);
     }
     return tally;
