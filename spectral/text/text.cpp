@@ -107,6 +107,13 @@ std::string brief(double value, int digits) {
     return {text.data(), end};
 }
 
+std::string brief(const std::vector<double>& values, int digits) {
+    std::vector<std::string> texts;
+    texts.reserve(values.size());
+    for (const double value : values) texts.push_back(brief(value, digits));
+    return joined(texts);
+}
+
 double number_in(std::string_view text) {
     std::string_view digits = trimmed(text);
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);

@@ -34,6 +34,8 @@ namespace hts::spectral {
 
 /// For the eye: so many significant digits, without trailing zeros.
 [[nodiscard]] std::string brief(double value, int digits = 4);
+/// "a, b, c".
+[[nodiscard]] std::string brief(const std::vector<double>& values, int digits = 3);
 
 /// The finite number that is the whole text; hts::Error "\"abc\" is not a number" otherwise.
 [[nodiscard]] double number_in(std::string_view text);
