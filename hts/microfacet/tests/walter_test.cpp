@@ -16,10 +16,12 @@
 using hts::Direction;
 using hts::FacetDistribution;
 using hts::FacetShape;
+using hts::NormalDraw;
 using hts::PathFrom;
 using hts::RefractiveIndex;
 using hts::Side;
 using hts::SidedDirection;
+using hts::Uniforms;
 using hts::WalterBrdf;
 using hts::WalterBsdf;
 using hts::testing::Random;
