@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
 
 #include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/colour/colour_difference.hpp"
-#include "spectral/random_directions.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -36,8 +35,8 @@ class PairSource {
     }
 
     DirectionPair anywhere() {
-        const Direction in = random_direction(random_, lowest_cosine_i_);
-        return {in, random_direction(random_, lowest_cosine_r_)};
+        const Direction in = random_.direction(lowest_cosine_i_);
+        return {in, random_.direction(lowest_cosine_r_)};
     }
 
     /// The view in the lobe of a random wavelength, where that is in the domain.
@@ -45,7 +44,7 @@ class PairSource {
         constexpr int most_tries = 32;
         const DirectionPair pair = anywhere();
         const auto count = static_cast<double>(scene_.wavelengths.size());
-        const auto wavelength = static_cast<std::size_t>(count * uniform(random_));
+        const auto wavelength = static_cast<std::size_t>(count * random_.uniform());
         const double width = he_ != nullptr ? lobe_width(pair.in, scene_.wavelengths[wavelength]) : 0;
         for (int i = 0; i < most_tries; ++i) {
             const auto out = he_ != nullptr ? about_mirror(pair.in, width) : drawn(pair.in, wavelength);
@@ -66,8 +65,8 @@ class PairSource {
 
     /// About as far from the mirror direction as a He-Torrance lobe is wide.
     std::optional<Direction> about_mirror(const Direction& in, double width) {
-        const double away = width * std::sqrt(-2 * std::log1p(-uniform(random_)));
-        const double azimuth = 2 * std::numbers::pi * uniform(random_);
+        const double away = width * std::sqrt(-2 * std::log1p(-random_.uniform()));
+        const double azimuth = 2 * std::numbers::pi * random_.uniform();
         const Vector3 mirror = in.mirror().vector();
         const double x = mirror.x + away * std::cos(azimuth), y = mirror.y + away * std::sin(azimuth);
         const double sine_squared = square(x) + square(y);
@@ -77,7 +76,7 @@ class PairSource {
 
     /// As another model draws.
     std::optional<Direction> drawn(const Direction& in, std::size_t wavelength) {
-        const Uniforms uniforms{uniform(random_), uniform(random_), uniform(random_)};
+        const Uniforms uniforms = random_.uniforms();
         const WeightedDirection draw = models_[wavelength].sample(in, uniforms);
         if (draw.lobe == Lobe::none || draw.out.cos_theta() < lowest_cosine_r_) return std::nullopt;
         return draw.out;
@@ -87,7 +86,7 @@ class PairSource {
     const Reflector* he_;
     std::vector<AnyModel> models_;  // of a model other than He-Torrance, at the scene's wavelengths
     double lowest_cosine_i_, lowest_cosine_r_;
-    std::mt19937_64 random_;
+    Random random_;
 };
 
 /// Lights along the normal and at the rim; views in the mirror direction, along the normal and at the rim.
