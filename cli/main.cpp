@@ -7,6 +7,7 @@
 
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "hts/version.hpp"
 
 namespace {
 

@@ -15,6 +15,10 @@ void require_finite_azimuth(double phi, const char* unit) {
     if (!std::isfinite(phi)) throw out_of_range("azimuth", phi, unit, "finite");
 }
 
+double square(double x) {
+    return x * x;
+}
+
 /// sin(theta_r) - sin(theta_i), from whichever of sine and cosine is the better conditioned.
 double sine_difference(const Direction& in, const Direction& out) {
     const double sines = in.sin_theta() + out.sin_theta();
@@ -76,6 +80,25 @@ WaveVectorChange wave_vector_change(const Direction& in, const Direction& out) n
     const double across = std::sqrt(in.sin_theta() * out.sin_theta()) *
                           std::hypot(in.cos_phi() + out.cos_phi(), in.sin_phi() + out.sin_phi());
     return {std::hypot(along, across), in.cos_theta() + out.cos_theta()};
+}
+
+double sin_azimuth_between(const Direction& in, const Direction& out) noexcept {
+    return out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi();
+}
+
+WaveVectorChangeGradient wave_vector_change_gradient(const Direction& in, const Direction& out) noexcept {
+    const double along = sine_difference(in, out);
+    // 1 + cos phi, so that sin theta_i + sin theta_r cos phi does not cancel about the mirror direction
+    const double across = (square(in.cos_phi() + out.cos_phi()) + square(in.sin_phi() + out.sin_phi())) / 2;
+    const double vertical = in.cos_theta() + out.cos_theta();
+    const ByAngles<double> horizontal_squared{
+        2 * in.cos_theta() * (out.sin_theta() * across - along),
+        2 * out.cos_theta() * (in.sin_theta() * across + along),
+        -2 * in.sin_theta() * out.sin_theta() * sin_azimuth_between(in, out)};
+    return {horizontal_squared,
+            {-in.sin_theta(), -out.sin_theta(), 0},
+            {horizontal_squared.theta_i - 2 * vertical * in.sin_theta(),
+             horizontal_squared.theta_r - 2 * vertical * out.sin_theta(), horizontal_squared.phi}};
 }
 
 }  // namespace hts

@@ -50,7 +50,8 @@ class Direction {
     /// 0.
     [[nodiscard]] static Direction from_vector(Vector3 vector);
 
-    /// From a vector known to have length 1, to rounding, and z >= 0, unchecked; a vertical one gets azimuth 0.
+    /// From a vector known to have length 1, to rounding, and z >= 0, unchecked; a vertical one gets azimuth
+    /// 0.
     [[nodiscard]] static Direction from_unit_vector(Vector3 vector) noexcept;
 
     [[nodiscard]] double cos_theta() const noexcept { return cos_theta_; }
@@ -89,5 +90,30 @@ struct WaveVectorChange {
 /// Wave-vector change of a pair.
 ///   error   |v_xy| keeps about 2e-16 absolute, also where both directions graze and nearly mirror each other
 [[nodiscard]] WaveVectorChange wave_vector_change(const Direction& in, const Direction& out) noexcept;
+
+/// Derivatives by the angles of a pair [1/rad]. Along the normal theta grows towards the azimuth that the
+/// direction keeps; phi is the azimuth of the outgoing direction less that of the incident one.
+template <class Value>
+struct ByAngles {
+    Value theta_i, theta_r, phi;
+};
+
+/// Derivatives of a wave-vector change. That of |v_xy|^2 is smooth in the mirror direction, that of |v_xy| is
+/// not.
+struct WaveVectorChangeGradient {
+    ByAngles<double> horizontal_squared;  ///< of |v_xy|^2
+    ByAngles<double> vertical;            ///< of v_z
+    ByAngles<double> squared;             ///< of |v|^2
+};
+
+/// Derivatives of `wave_vector_change`.
+///   formula   d|v_xy|^2/d theta_i = 2 cos theta_i (sin theta_i + sin theta_r cos phi), its twin, and
+///             d|v_xy|^2/d phi = -2 sin theta_i sin theta_r sin phi
+///   error     2e-15, absolute
+[[nodiscard]] WaveVectorChangeGradient wave_vector_change_gradient(const Direction& in,
+                                                                   const Direction& out) noexcept;
+
+/// Sine of the azimuth between a pair, phi_r - phi_i; 0 in the plane of incidence.
+[[nodiscard]] double sin_azimuth_between(const Direction& in, const Direction& out) noexcept;
 
 }  // namespace hts

@@ -1,116 +1,96 @@
 #include "hts/he_torrance.hpp"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "hts/error.hpp"
-#include "hts/roughness.hpp"
+#include "hts/sampling/simd.hpp"
 
 namespace hts {
 namespace {
 
-double square(double x) {
-    return x * x;
+namespace detail = sampling_detail;
+using detail::Light;
+using detail::Mixture;
+
+Light light(const Direction& in) {
+    return {in.cos_theta(), in.sin_theta()};
 }
 
-Phi limit(double log) {
-    return {std::exp(log), log, PhiMethod::limit};
-}
-
-Phi phi(DiffuseLobe lobe, double g, double t) {
-    if (lobe == DiffuseLobe::full) return hts::phi(g, t);
-    if (lobe == DiffuseLobe::none || g == 0)
-        return {0, -std::numeric_limits<double>::infinity(), PhiMethod::zero};
-    return limit(lobe == DiffuseLobe::first_order ? std::log(g) - g - t : -t / g - std::log(g));
+Direction out_of_frame(const Direction& in, Vector3 v) {
+    return Direction::from_unit_vector(
+        {v.x * in.cos_phi() - v.y * in.sin_phi(), v.x * in.sin_phi() + v.y * in.cos_phi(), v.z});
 }
 
 }  // namespace
 
-View view(const Surface& surface, const Direction& direction) noexcept {
-    return {direction, visibility(surface, direction)};
-}
+struct HeTorrance::Sampler {
+    std::vector<Mixture> mixtures;
+    detail::Forms forms;
 
-PairFactors::PairFactors(const Surface& surface, const View& in, const View& out) noexcept
-    : change_{wave_vector_change(in.direction, out.direction)},
-      cos_theta_d_{change_.cos_theta_d()},
-      effective_roughness_{surface.rms_roughness() *
-                           effective_roughness_ratio(in.visibility.obstruction + out.visibility.obstruction)},
-      shadowing_{in.visibility.shadowing * out.visibility.shadowing},
-      correlation_length_{surface.correlation_length()},
-      shadowing_over_cosines_{in.visibility.shadowing_over_cosine * out.visibility.shadowing_over_cosine} {}
-
-double PairFactors::phase_variance(const Wavelength& wavelength) const noexcept {
-    return hts::phase_variance(effective_roughness_, change_.vertical, wavelength);
-}
-
-double PairFactors::lobe_argument(const Wavelength& wavelength) const noexcept {
-    return square(wavelength.wave_number() * change_.horizontal * correlation_length_ / 2);
-}
-
-double PairFactors::lobe(double phi, const Wavelength& wavelength) const noexcept {
-    if (phi == 0) return 0;
-    const double root_g =
-        change_.root_geometrical_factor();  // on both sides of Phi, which is small where G is large
-    const double tau_over_lambda = correlation_length_ / wavelength.micrometres();
-    return std::numbers::pi / 4 * square(tau_over_lambda) * (root_g * phi * root_g) * shadowing_over_cosines_;
-}
-
-const char* name(DiffuseLobe lobe) noexcept {
-    switch (lobe) {
-        case DiffuseLobe::none:
-            return "none";
-        case DiffuseLobe::first_order:
-            return "first_order";
-        case DiffuseLobe::rough_limit:
-            return "rough_limit";
-        case DiffuseLobe::full:
-            return "full";
+    [[nodiscard]] const Mixture& at(const Direction& in) const noexcept {
+        return mixtures[detail::mixture_index(in.cos_theta())];
     }
-    return "";
+};
+
+HeTorrance::HeTorrance(const Surface& surface, const SpectralSample& sample, Tolerance tolerance)
+    : spectrum_{surface, {sample}, tolerance},
+      sampler_{std::make_shared<const Sampler>(
+          Sampler{detail::fitted_mixtures(surface, sample), detail::forms()})} {}
+
+std::size_t HeTorrance::bytes() const noexcept {
+    return sizeof *this - sizeof spectrum_ + spectrum_.bytes() + sizeof(Sampler) +
+           sampler_->mixtures.size() * sizeof(Mixture);
 }
 
-DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                       const RefractiveIndex& index, DiffuseLobe lobe_of) noexcept {
-    const double g = pair.phase_variance(wavelength);
-    const double t = pair.lobe_argument(wavelength);
-    const Phi roughness = phi(lobe_of, g, t);
-    const FresnelAmplitudes amplitudes = fresnel(pair.cos_theta_d(), index);
-    const double lobe = pair.lobe(roughness.value, wavelength);
-    return {amplitudes.unpolarised_reflectance() * lobe, lobe, amplitudes, g, t, roughness.method};
+double HeTorrance::specular_probability(const Direction& in) const noexcept {
+    return sampler_->at(in).share(detail::specular);
 }
 
-Mueller directional_diffuse_mueller(const Direction& in, const Direction& out,
-                                    const DirectionalDiffuse& term) noexcept {
-    return term.lobe * Mueller::from_jones(facet_jones(in, out, term.amplitudes));
+double HeTorrance::pdf(const Direction& in, const Direction& out) const noexcept {
+    return sampler_->forms.pdf(sampler_->mixtures.data(), in, out);
 }
 
-double coherent_fraction(const Surface& surface, const View& in, const Wavelength& wavelength) noexcept {
-    const double effective_roughness =
-        surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
-    const double g = phase_variance(effective_roughness, 2 * in.direction.cos_theta(), wavelength);
-    return std::exp(-g) * square(in.visibility.shadowing);
+double HeTorrance::brdf(const Direction& in, const Direction& out) const noexcept {
+    double value = 0;
+    spectrum_.brdf({in, out}, {&value, 1});
+    return value;
 }
 
-SpecularReflectance specular_reflectance(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                         const RefractiveIndex& index) noexcept {
-    return SpecularReflectance{fresnel(in.direction.cos_theta(), index).unpolarised_reflectance() *
-                               coherent_fraction(surface, in, wavelength)};
+SpecularReflectance HeTorrance::specular_reflectance(const Direction& in) const noexcept {
+    double value = 0;
+    spectrum_.specular_reflectance(in, {&value, 1});
+    return SpecularReflectance{value};
 }
 
-Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                         const RefractiveIndex& index) noexcept {
-    const FresnelAmplitudes f = fresnel(in.direction.cos_theta(), index);
-    return coherent_fraction(surface, in, wavelength) * Mueller::from_jones({f.s, 0.0, 0.0, f.p});
+Mueller HeTorrance::mueller(const Direction& in, const Direction& out) const noexcept {
+    Mueller value;
+    spectrum_.mueller({in, out}, {&value, 1});
+    return value;
 }
 
-double uniform_diffuse(double albedo) {
-    if (!(albedo >= 0 && albedo <= 1)) throw out_of_range("diffuse albedo", albedo, "", "from 0 to 1");
-    return albedo * std::numbers::inv_pi;
+Mueller HeTorrance::specular_mueller(const Direction& in) const noexcept {
+    return hts::specular_mueller(surface(), view(surface(), in), at().wavelength, at().index);
 }
 
-Mueller uniform_diffuse_mueller(double albedo) {
-    return Mueller::depolariser(uniform_diffuse(albedo));
+Draw HeTorrance::draw(const Direction& in, const Uniforms& u) const noexcept {
+    constexpr double not_evaluated = std::numeric_limits<double>::quiet_NaN();
+    const Mixture& mixture = sampler_->at(in);
+    const detail::Drawn drawn = sampler_->forms.draw(mixture, light(in), u);
+    if (drawn.part == detail::specular)
+        return {in.mirror(), not_evaluated, mixture.share(detail::specular), Lobe::specular};
+    if (!(drawn.out.z > 0)) return Draw::none(in);
+    return {out_of_frame(in, drawn.out), not_evaluated, drawn.pdf,
+            drawn.part == detail::uniform_diffuse ? Lobe::uniform_diffuse : Lobe::directional_diffuse};
+}
+
+Draw HeTorrance::sample(const Direction& in, const Uniforms& u) const noexcept {
+    Draw drawn = draw(in, u);
+    if (drawn.lobe == Lobe::none) return drawn;
+    const double value =
+        drawn.lobe == Lobe::specular
+            ? hts::specular_reflectance(surface(), view(surface(), in), at().wavelength, at().index).value()
+            : brdf(in, drawn.out) * drawn.out.cos_theta();
+    drawn.weight = value / drawn.pdf;
+    return drawn;
 }
 
 }  // namespace hts

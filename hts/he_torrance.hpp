@@ -1,144 +1,90 @@
-/// The reflectance model of He, Torrance, Sillion and Greenberg (SIGGRAPH 1991) at one wavelength:
+/// The model of He, Torrance, Sillion and Greenberg at one wavelength as a value: evaluated, and drawn from in proportion
+/// to what the surface reflects, with the density that draws have.
 ///
-///   f = specular + directional diffuse + uniform diffuse                              [He91 (5)]
+/// The three terms of terms.hpp are lobes to choose from: the specular delta, the directional-diffuse lobe and
+/// the uniform-diffuse one, each with a probability near its share of the albedo. The directional-diffuse term is drawn
+/// from a mixture of simple densities, all normalised in closed form, so that the density returned is that of the draw
+/// itself, to rounding. In the frame where the light is (s, 0, c), with q the slopes of the facet that mirrors the light
+/// into the drawn direction, q = v_xy/v_z, and x = |q|^2/alpha^2:
 ///
-///   specular             a delta in the mirror direction,
-///                        reflectance |F|^2 exp(-g) S                                  [He91 (73)]
-///   directional diffuse  |F|^2 G S D / (pi cos theta_i cos theta_r),
-///                        D = pi^2 tau^2/(4 lambda^2) Phi(g, t)                        [He91 (71), (78)]
-///   uniform diffuse      a/pi; the paper prints a(lambda), but its numbers are albedos  [He91 (72)]
+///   lowered facets   exp(-x)/(pi alpha^2) (1 - q_x (1 - s)/c)     Beckmann's slopes [Walter07 (25)], as many towards the
+///                                            view as Fresnel's rise at grazing wants
+///   raised facets    exp(-x)/(pi alpha^2) (1 + q_x (1 + s)/c)     towards the light; half of each makes 1 + q_x tan theta_i,
+///                                            the slopes weighted by their area as the light sees it
+///   grazing facets   2 q_x exp(-x)/(sqrt(pi) alpha^3), q_x > 0     these weighted slopes at grazing light
+///   beam             v_xy normal, variance 2 m/tau^2 per axis     one term of Phi's Poisson sum [He91 (78)]
+///   cosine           c_r/pi (1 + s sin theta_r cos phi)           light scattered back by very short correlation
+///   uniform          1/(2 pi)                                     the defence that bounds every weight
 ///
-/// Work that many evaluations share is split off: `view` once per direction, `PairFactors` once per pair, the
-/// rest once per wavelength. BRDFs are in 1/sr, reflectances 0 ... 1. Every function is total, never NaN.
+/// In (1 + q_x a) values outside 0 ... 2 are moved to the nearer end, and where the facet of -q_x mirrors to below the
+/// horizon the bracket is 2: p(q) + p(-q) stays 2, so every such density is normalised, whatever a, and few draws are
+/// lost; likewise the beam's across its centre. Facets come in three widths each, alpha^2 halved or doubled; alpha follows
+/// the mean m of Phi's Poisson sum. Drawing Phi's own terms instead would put a Phi, some 20 ns, into every density.
 ///
-/// At the horizon. As theta -> 90 deg the directional-diffuse term goes to 0, but only logarithmically, since
-/// sigma^2 ~ sigma_0^2/(2 ln K): at 89.9999999999 deg it can still be a quarter of its value at 89.99 deg. At
-/// exactly 90 deg it is 0. A table should end short of the horizon. The specular reflectance of a mirror
-/// (sigma_0 = 0) is 1 there; that of a rough surface goes to 0 at every wavelength, since the model shadows the
-/// mirror term too, even where lambda >> sigma_0 and a real surface would reflect all.
+/// Shares, alpha and skews are constant in each of 66 intervals of cos theta_i, eighths of octaves, so that a density reads
+/// one row of numbers; the shares are found at construction as those of the least variance of brdf cos/pdf.
 #pragma once
 
-#include "hts/direction.hpp"
-#include "hts/fresnel.hpp"
-#include "hts/phi.hpp"
-#include "hts/polarisation.hpp"
-#include "hts/shadowing.hpp"
-#include "hts/surface.hpp"
-#include "hts/wavelength.hpp"
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "hts/he_torrance_spectrum.hpp"
+#include "hts/microfacet/model.hpp"
 
 namespace hts {
 
-// Of `directional_diffuse` and of each Mueller element beside element 00, and of `specular_reflectance`, relative,
-// above 1e-280, for sigma_0/tau >= 0.003. Narrower lobes are worse in proportion: |v_xy| keeps 4e-16, which is
-// relative to the lobe's width, (t/g) 4e-16/|v_xy| in all; inputs that carry their last bits do no better.
 namespace accuracy {
-inline constexpr double brdf = 4e-12;
-inline constexpr double specular_reflectance = 7e-13;
-inline constexpr double mueller = 4e-12;
+/// Of `HeTorrance::pdf`, relative, for sigma_0/tau >= 0.005 and above 1e-280: rounding alone.
+inline constexpr double pdf = 5e-12;
 }  // namespace accuracy
 
-/// A direction together with what a given surface lets it see.
-struct View {
-    Direction direction;
-    Visibility visibility;
-};
-
-[[nodiscard]] View view(const Surface& surface, const Direction& direction) noexcept;
-
-/// All that a pair of directions contributes to the directional-diffuse term, whatever the wavelength.
-class PairFactors {
+/// The model at one wavelength, unpolarised and polarised, with its sampler: a ReflectanceModel.
+///
+///     const hts::HeTorrance model{surface, {wavelength, index, uniform_diffuse}};
+///     const double f = model.brdf(in, out);                  // 1/sr
+///     const Draw drawn = model.sample(in, {u0, u1, u2});     // mean weight: the albedo
+///
+/// For a spectrum draw at one wavelength, `draw`, and divide the BRDF of every wavelength, times cos theta_r, by that pdf
+/// (for a specular draw the specular reflectance of every wavelength).
+/// Every call is const, allocates nothing, takes bounded time and may run on any thread; the same numbers give the same
+/// direction. Construction fits the sampler, some 30 ms: who only evaluates takes HeTorranceSpectrum or terms.hpp.
+class HeTorrance {
   public:
-    /// Both views must be of this surface.
-    PairFactors(const Surface& surface, const View& in, const View& out) noexcept;
-    PairFactors(const Surface& surface, const Direction& in, const Direction& out) noexcept
-        : PairFactors{surface, view(surface, in), view(surface, out)} {}
+    ///   tolerance   of brdf, specular_reflectance, mueller and the weights, relative: that of HeTorranceSpectrum
+    HeTorrance(const Surface& surface, const SpectralSample& sample, Tolerance tolerance = {});
 
-    [[nodiscard]] const WaveVectorChange& change() const noexcept { return change_; }
-    [[nodiscard]] double cos_theta_d() const noexcept { return cos_theta_d_; }
-    /// sigma [um], the roughness of what is lit and seen [He91 (80)].
-    [[nodiscard]] double effective_roughness() const noexcept { return effective_roughness_; }
-    /// S, the shadowing of the pair [He91 (23)].
-    [[nodiscard]] double shadowing() const noexcept { return shadowing_; }
-    /// g [He91 (79)].
-    [[nodiscard]] double phase_variance(const Wavelength& wavelength) const noexcept;
-    /// t = v_xy^2 tau^2 / 4.
-    [[nodiscard]] double lobe_argument(const Wavelength& wavelength) const noexcept;
-    /// The lobe for |F|^2 = 1 [1/sr], from Phi(g, t) at that wavelength.
-    [[nodiscard]] double lobe(double phi, const Wavelength& wavelength) const noexcept;
+    /// Both diffuse terms [1/sr].
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
+    /// Reflectance into the mirror direction.
+    [[nodiscard]] SpecularReflectance specular_reflectance(const Direction& in) const noexcept;
+    /// Mueller matrix of both diffuse terms [1/sr], and that of the specular term [1].
+    [[nodiscard]] Mueller mueller(const Direction& in, const Direction& out) const noexcept;
+    [[nodiscard]] Mueller specular_mueller(const Direction& in) const noexcept;
+
+    /// Draws a direction with its weight. The mean of the weights is the directional-hemispherical reflectance.
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept;
+    /// The same without an evaluation: the weight is NaN, but 0 of none.
+    [[nodiscard]] Draw draw(const Direction& in, const Uniforms& u) const noexcept;
+    /// Density in solid angle of drawing `out` from a diffuse lobe [1/sr], whichever it was.
+    ///   range   >= 0; 0 on and below the horizon. Its integral, the probabilities of the specular lobe and of none add up to 1
+    ///   error   accuracy::pdf
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
+    /// Probability of the specular lobe [1].
+    [[nodiscard]] double specular_probability(const Direction& in) const noexcept;
+
+    [[nodiscard]] const Surface& surface() const noexcept { return spectrum_.surface(); }
+    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    WaveVectorChange change_;
-    double cos_theta_d_;
-    double effective_roughness_;
-    double shadowing_;
-    double correlation_length_;
-    double shadowing_over_cosines_;  // S / (cos theta_i cos theta_r)
+    struct Sampler;
+
+    [[nodiscard]] const SpectralSample& at() const noexcept { return spectrum_.samples().front(); }
+
+    HeTorranceSpectrum spectrum_;
+    std::shared_ptr<const Sampler> sampler_;
 };
 
-/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for surfaces that need no more.
-enum class DiffuseLobe {
-    none,         ///< 0: a mirror, with its uniform diffuse term
-    first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large
-    rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution
-    full,         ///< Phi(g, t)
-};
-
-[[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
-
-/// Directional-diffuse BRDF and what it was made of.
-struct DirectionalDiffuse {
-    double brdf;                   ///< [1/sr], unpolarised
-    double lobe;                   ///< brdf / |F|^2 [1/sr]
-    FresnelAmplitudes amplitudes;  ///< at theta_d
-    double phase_variance;         ///< g
-    double lobe_argument;          ///< t
-    PhiMethod method;              ///< which branch computed Phi
-};
-
-/// Directional-diffuse term for unpolarised light.
-///   error   accuracy::brdf
-[[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index,
-                                                     DiffuseLobe lobe = DiffuseLobe::full) noexcept;
-
-/// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
-///   error   accuracy::mueller
-[[nodiscard]] Mueller directional_diffuse_mueller(const Direction& in, const Direction& out,
-                                                  const DirectionalDiffuse& term) noexcept;
-
-/// Coefficient of the specular delta: reflectance into the mirror direction. Not a BRDF value, so it does not
-/// add to one; averaged over a detector's or source's solid angle it is value() / (cos theta_i solid angle)
-/// [He91 (70)].
-class SpecularReflectance {
-  public:
-    explicit SpecularReflectance(double value) noexcept : value_{value} {}
-    [[nodiscard]] double value() const noexcept { return value_; }
-
-  private:
-    double value_;
-};
-
-/// What roughness leaves of a mirror's reflectance in the mirror direction, exp(-g) S, all at theta_r = theta_i
-/// [He91 (73)].
-///   range   0 ... 1, 1 for a mirror      error   accuracy::specular_reflectance
-[[nodiscard]] double coherent_fraction(const Surface& surface, const View& in,
-                                       const Wavelength& wavelength) noexcept;
-
-/// Specular term for unpolarised light, |F(theta_i)|^2 exp(-g) S, all at theta_r = theta_i.
-///   error   accuracy::specular_reflectance
-[[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,
-                                                       const Wavelength& wavelength,
-                                                       const RefractiveIndex& index) noexcept;
-
-/// Its Mueller matrix [1]: that of diag(F_s, F_p), times exp(-g) S.
-[[nodiscard]] Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                       const RefractiveIndex& index) noexcept;
-
-/// Uniform-diffuse BRDF, albedo / pi [1/sr].
-///   albedo   a, 0 ... 1, else hts::Error
-[[nodiscard]] double uniform_diffuse(double albedo);
-
-/// Its Mueller matrix [1/sr]: a depolariser.
-[[nodiscard]] Mueller uniform_diffuse_mueller(double albedo);
+static_assert(ReflectanceModel<HeTorrance>);
 
 }  // namespace hts

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "hts/lanes/evaluation_simd.hpp"
+#include "hts/evaluation/evaluation_simd.hpp"
 
 namespace hts {
 namespace {
@@ -59,13 +59,13 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
 
 }  // namespace
 
-struct PreparedReflectance::Lanes {
+struct HeTorranceSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
 };
 
-PreparedReflectance::PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples,
-                                         Tolerance tolerance, DiffuseLobe lobe)
+HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
+                                       Tolerance tolerance, DiffuseLobe lobe)
     : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
     if (lobe == DiffuseLobe::none) return;
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance || !is_ordinary(surface_, samples_))
@@ -75,15 +75,15 @@ PreparedReflectance::PreparedReflectance(const Surface& surface, std::vector<Spe
     lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_)});
 }
 
-PreparedReflectance::~PreparedReflectance() = default;
-PreparedReflectance::PreparedReflectance(const PreparedReflectance& other)
+HeTorranceSpectrum::~HeTorranceSpectrum() = default;
+HeTorranceSpectrum::HeTorranceSpectrum(const HeTorranceSpectrum& other)
     : surface_{other.surface_},
       samples_{other.samples_},
       tolerance_{other.tolerance_},
       lobe_{other.lobe_},
       lanes_{other.lanes_ ? std::make_unique<const Lanes>(*other.lanes_) : nullptr} {}
-PreparedReflectance::PreparedReflectance(PreparedReflectance&&) noexcept = default;
-PreparedReflectance& PreparedReflectance::operator=(PreparedReflectance other) noexcept {
+HeTorranceSpectrum::HeTorranceSpectrum(HeTorranceSpectrum&&) noexcept = default;
+HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noexcept {
     std::swap(surface_, other.surface_);
     std::swap(samples_, other.samples_);
     std::swap(tolerance_, other.tolerance_);
@@ -92,18 +92,17 @@ PreparedReflectance& PreparedReflectance::operator=(PreparedReflectance other) n
     return *this;
 }
 
-std::size_t PreparedReflectance::bytes() const noexcept {
+std::size_t HeTorranceSpectrum::bytes() const noexcept {
     const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
 }
 
-void PreparedReflectance::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
     if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
     exact_brdf(pair, result);
 }
 
-void PreparedReflectance::brdf(std::span<const DirectionPair> pairs,
-                               std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept {
     const std::size_t count = samples_.size();
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
     if (lanes_take_all) return;
@@ -113,17 +112,17 @@ void PreparedReflectance::brdf(std::span<const DirectionPair> pairs,
     }
 }
 
-void PreparedReflectance::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
     if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
     exact_specular_reflectance(in, result);
 }
 
-void PreparedReflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
 }
 
-void PreparedReflectance::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
     std::transform(samples_.begin(), samples_.end(), result.begin(),
                    [](const SpectralSample& sample) { return sample.uniform_diffuse; });
     if (lobe_ == DiffuseLobe::none) return;
@@ -134,25 +133,26 @@ void PreparedReflectance::exact_brdf(const DirectionPair& pair, std::span<double
     }
 }
 
-void PreparedReflectance::exact_specular_reflectance(const Direction& in,
-                                                     std::span<double> result) const noexcept {
+void HeTorranceSpectrum::exact_specular_reflectance(const Direction& in,
+                                                    std::span<double> result) const noexcept {
     const View seen = view(surface_, in);
     std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
         return hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index).value();
     });
 }
 
-void PreparedReflectance::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    std::transform(samples_.begin(), samples_.end(), result.begin(),
-                   [](const SpectralSample& sample) { return Mueller::depolariser(sample.uniform_diffuse); });
-    if (lobe_ == DiffuseLobe::none) return;
+void HeTorranceSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
     const PairFactors shared{surface_, pair.in, pair.out};
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
-        result[i] =
-            directional_diffuse_mueller(pair.in, pair.out,
-                                        directional_diffuse(shared, sample.wavelength, sample.index, lobe_)) +
-            result[i];
+        const Mueller uniform = Mueller::depolariser(sample.uniform_diffuse);
+        if (lobe_ == DiffuseLobe::none) {
+            result[i] = uniform;
+            continue;
+        }
+        result[i] = directional_diffuse_mueller(
+            pair.in, pair.out, directional_diffuse(shared, sample.wavelength, sample.index, lobe_));
+        if (sample.uniform_diffuse != 0) result[i] = result[i] + uniform;  // else zeros keep their signs
     }
 }
 

@@ -3,7 +3,7 @@
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
 /// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon take the
-/// exact path of he_torrance.hpp.
+/// exact path of terms.hpp.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "hts/tolerance.hpp"
 
 namespace hts {
@@ -35,21 +35,21 @@ struct SpectralSample {
 
 /// Surface, optical constants at each wavelength, and tolerance.
 ///
-///     const hts::PreparedReflectance prepared{surface, samples, hts::Tolerance{1e-6}};
+///     const hts::HeTorranceSpectrum prepared{surface, samples, hts::Tolerance{1e-6}};
 ///     std::vector<double> spectrum(samples.size());
 ///     prepared.brdf({in, out}, spectrum);
 ///
 /// Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits alone, in
 /// any batch and at any place in it.
-class PreparedReflectance {
+class HeTorranceSpectrum {
   public:
     ///   tolerance   of the arithmetic; what a limit neglects comes on top
-    PreparedReflectance(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance,
-                        DiffuseLobe lobe = DiffuseLobe::full);
-    ~PreparedReflectance();
-    PreparedReflectance(const PreparedReflectance& other);
-    PreparedReflectance(PreparedReflectance&& other) noexcept;
-    PreparedReflectance& operator=(PreparedReflectance other) noexcept;
+    HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
+                       DiffuseLobe lobe = DiffuseLobe::full);
+    ~HeTorranceSpectrum();
+    HeTorranceSpectrum(const HeTorranceSpectrum& other);
+    HeTorranceSpectrum(HeTorranceSpectrum&& other) noexcept;
+    HeTorranceSpectrum& operator=(HeTorranceSpectrum other) noexcept;
 
     [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
     [[nodiscard]] std::span<const SpectralSample> samples() const noexcept { return samples_; }

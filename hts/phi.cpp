@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "hts/phi/phi_simd.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 namespace hts {
 namespace {
@@ -51,6 +51,11 @@ void phi(std::span<const double> g, std::span<const double> t, std::span<double>
          Tolerance tolerance) noexcept {
     assert(g.size() == result.size() && t.size() == result.size());
     forms().many[cheapest_form(tolerance)](g.data(), t.data(), result.data(), result.size());
+}
+
+PhiGradient phi_gradient(double g, double t, Tolerance tolerance) noexcept {
+    const bool tabled = tolerance.relative_error() >= accuracy::tabled_phi_gradient;
+    return tabled ? forms().gradient(g, t) : phi_gradient(g, t);
 }
 
 std::size_t phi_table_bytes(Tolerance tolerance) noexcept {

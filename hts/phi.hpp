@@ -6,9 +6,9 @@
 /// g is the phase variance, t = v_xy^2 tau^2 / 4. Material, wavelength and directions enter only through
 /// these two.
 ///
-/// Tables of polynomials hold every (g, t) with Phi > 1e-280, but for t > 7 where g < 1/128 (1/64 at tolerance
-/// 1e-3): there the few terms that count are summed. Wherever the arguments' own last bits count for more than an error
-/// stated here, they bound it: one ulp of t changes Phi by 1.1e-16 t/g at most.
+/// Tables of polynomials hold every (g, t) with Phi > 1e-280, but for t > 7 where g < 1/128 (1/64 at
+/// tolerance 1e-3): there the few terms that count are summed. Wherever the arguments' own last bits count
+/// for more than an error stated here, they bound it: one ulp of t changes Phi by 1.1e-16 t/g at most.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,10 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double phi = 1e-12;           ///< of `phi`, relative, wherever it exceeds 1e-280
-inline constexpr double log_phi = 4e-13;       ///< of `log_phi`, relative to max(|log Phi|, 1)
-inline constexpr double phi_gradient = 1e-12;  ///< of `phi_gradient`, see there
+inline constexpr double phi = 1e-12;                  ///< of `phi`, relative, wherever it exceeds 1e-280
+inline constexpr double log_phi = 4e-13;              ///< of `log_phi`, relative to max(|log Phi|, 1)
+inline constexpr double phi_gradient = 1e-12;         ///< of `phi_gradient`, see there
+inline constexpr double tabled_phi_gradient = 1e-10;  ///< the finest tolerance that its quicker form meets
 }  // namespace accuracy
 
 /// How a value of Phi was computed.
@@ -82,6 +83,14 @@ struct PhiGradient {
 ///            cancel), of d_t relative; of their logarithmic twins the same over Phi
 ///   cost     about 0.2 to 1 microsecond, whatever g and t
 [[nodiscard]] PhiGradient phi_gradient(double g, double t) noexcept;
+
+/// Phi and its derivatives by the cheapest form that meets a tolerance: the derivatives of the table's
+/// polynomials from accuracy::tabled_phi_gradient on, else the sums.
+///   g, t     as for phi
+///   error    at most `tolerance`, of the kinds above; from the table also of g log_d_g, beside 1 plus itself,
+///            where the sums lose 1e-16 sqrt(g)
+///   cost     about a fifth of the sums
+[[nodiscard]] PhiGradient phi_gradient(double g, double t, Tolerance tolerance) noexcept;
 
 /// Bytes of coefficients behind `phi` at a tolerance: what it takes of the caches.
 [[nodiscard]] std::size_t phi_table_bytes(Tolerance tolerance) noexcept;

@@ -61,6 +61,9 @@ class Mueller {
     [[nodiscard]] static Mueller from_elements(const std::array<double, 16>& elements) noexcept;
     /// Of a deterministic reflection: M_ij = Tr(sigma_i J sigma_j J^+) / 2.
     [[nodiscard]] static Mueller from_jones(const JonesMatrix& jones) noexcept;
+    /// Derivative of `from_jones` where the Jones matrix changes by `by`: bilinear in both.
+    [[nodiscard]] static Mueller from_jones_gradient(const JonesMatrix& jones,
+                                                     const JonesMatrix& by) noexcept;
     /// Unpolarised light of the given reflectance whatever comes in.
     [[nodiscard]] static Mueller depolariser(double reflectance) noexcept;
 
@@ -93,5 +96,18 @@ class Mueller {
 ///   amplitudes   at the facet's own angle of incidence, `WaveVectorChange::cos_theta_d`
 [[nodiscard]] JonesMatrix facet_jones(const Direction& in, const Direction& out,
                                       const FresnelAmplitudes& amplitudes) noexcept;
+
+/// Derivatives of `facet_jones` by the angles, at constant amplitudes: the frames turn about their rays.
+///   formula   J is F_s and F_p between two rotations, by alpha_i and alpha_r; mu = in . out.
+///             (F_s - F_p)/2 goes with their sum, whose derivatives are
+///             (-sin theta_r sin phi, -sin theta_i sin phi, cos theta_i + cos theta_r)/(1 + mu);
+///             (F_s + F_p)/2 goes with alpha_i - alpha_r, whose derivatives are
+///             (sin theta_r sin phi, -sin theta_i sin phi, cos theta_i - cos theta_r)/(1 - mu),
+///             where 1 - mu = 2 sin^2 theta_d cancels
+///   jones     of `facet_jones`      amplitudes   of `fresnel_gradient` at theta_d
+///   limits    both rays along the horizon and mirrored: 0
+[[nodiscard]] ByAngles<JonesMatrix> facet_jones_gradient(const Direction& in, const Direction& out,
+                                                         const JonesMatrix& jones,
+                                                         const FresnelGradient& amplitudes) noexcept;
 
 }  // namespace hts

@@ -15,6 +15,10 @@ double effective_roughness_ratio(double obstruction) noexcept {
     return 1 / std::sqrt(1 + lambert_w0_of_square(obstruction * inverse_sqrt_8pi));
 }
 
+double effective_roughness_log_slope(double ratio) noexcept {
+    return -ratio * ratio * (1 - ratio) * (1 + ratio);
+}
+
 double phase_variance(double effective_roughness, double vertical, const Wavelength& wavelength) noexcept {
     const double phase = wavelength.wave_number() * effective_roughness * vertical;
     return phase * phase;

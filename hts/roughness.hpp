@@ -18,6 +18,12 @@ inline constexpr double effective_roughness = 6e-16;  ///< of `effective_roughne
 ///   error         accuracy::effective_roughness
 [[nodiscard]] double effective_roughness_ratio(double obstruction) noexcept;
 
+/// Its derivative d ln(sigma/sigma_0) / d ln K.
+///   formula   -y^2 (1 - y^2) with y = sigma/sigma_0: from W_0'(x) = W_0/(x (1 + W_0)) and 1 + W_0 = 1/y^2
+///   ratio     y, of `effective_roughness_ratio` [1]   0 ... 1
+///   range     [-1/4, 0]; 0 at both ends      error   absolute, at most accuracy::effective_roughness
+[[nodiscard]] double effective_roughness_log_slope(double ratio) noexcept;
+
 /// Variance of the phase that heights add, g.
 ///   formula               (2 pi sigma / lambda (cos theta_i + cos theta_r))^2 [He91 (79)]
 ///   effective_roughness   sigma [um]

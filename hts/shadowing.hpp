@@ -11,8 +11,10 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double shadowing = 1.5e-15;  ///< of S_1 and S_1 / cos theta, relative
-inline constexpr double obstruction = 3e-15;  ///< of K, relative to max(K, 1)
+inline constexpr double shadowing = 1.5e-15;           ///< of S_1 and S_1 / cos theta, relative
+inline constexpr double obstruction = 3e-15;           ///< of K, relative to max(K, 1)
+inline constexpr double obstruction_gradient = 1e-13;  ///< of derivatives of ln K, relative, where K > 1e-290
+inline constexpr double shadowing_gradient = 5e-15;    ///< of those of ln S_1, beside 1 plus the derivative
 }  // namespace accuracy
 
 /// What the view along one direction contributes; independent of wavelength.
@@ -29,5 +31,25 @@ struct Visibility {
 ///             member is then 0, since no light falls on a surface edge on
 ///   error     accuracy::shadowing, accuracy::obstruction
 [[nodiscard]] Visibility visibility(const Surface& surface, const Direction& direction) noexcept;
+
+/// A visibility with its logarithmic derivatives, by theta [1/rad] and by ln(sigma_0/tau) [1].
+struct VisibilityGradient {
+    Visibility value;
+    double log_obstruction_by_theta;  ///< of ln K; both are 0 where K is 0
+    double log_obstruction_by_log_slope;
+    double log_shadowing_by_theta;      ///< of ln S_1
+    double log_shadowing_by_log_slope;  ///< of ln S_1 and of ln(S_1/cos theta)
+    double log_quotient_by_theta;       ///< of ln(S_1/cos theta)
+};
+
+/// Visibility along a direction, and how it changes.
+///   formula   with e = exp(-c^2)/sqrt(pi), h = 2 c e/erfc(c), N = 1 - erfc(c)/2, D = cos theta / (S_1/N):
+///             ln K by slope: h, by theta: (1 + h)/(sin theta cos theta);
+///             ln S_1 by slope: -e (c/N + (sigma_0/tau) sin theta/D),
+///             by theta: -e (tau/(2 sigma_0 sin^2 theta N) + (sigma_0/tau)/(cos theta D))
+///   limits    at the horizon ln K and ln S_1 fall and grow without bound: infinite; a mirror's are 0
+///   error     accuracy::obstruction_gradient, accuracy::shadowing_gradient
+[[nodiscard]] VisibilityGradient visibility_gradient(const Surface& surface,
+                                                     const Direction& direction) noexcept;
 
 }  // namespace hts

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench/phi/accuracy_sweep.hpp"
-#include "hts/he_torrance.hpp"
 #include "hts/sampling/random.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::bench {
 namespace {

@@ -89,7 +89,7 @@ struct Exact {
     std::vector<double> lobe, scale, floor;
 };
 
-Exact exact_values(const tables::SpectralBrdf& exact, std::size_t pairs, std::uint64_t seed) {
+Exact exact_values(const spectral::Reflectance& exact, std::size_t pairs, std::uint64_t seed) {
     const std::size_t width = exact.wavelengths().size();
     Exact result{tables::RandomPairs{seed}.next(pairs), {}, {}, {}, {}};
     constexpr std::size_t most = 5;
@@ -115,7 +115,7 @@ Direction above_horizon(Vector3 v) {
 }
 
 /// Values at the nodes of an n^3 grid, where a pair lies below the horizon those of the nearest on it.
-std::vector<double> node_values(const tables::SpectralBrdf& exact, const Exact& probes, const Chart& chart,
+std::vector<double> node_values(const spectral::Reflectance& exact, const Exact& probes, const Chart& chart,
                                 std::size_t n, bool logarithm) {
     const std::size_t width = probes.wavelengths.size(), padded = n + tables::spline_ghosts;
     std::vector<double> block(padded * padded * padded * width);
@@ -158,7 +158,7 @@ void to_spline(std::vector<double>& block, std::size_t n, std::size_t width) {
 }
 
 /// The largest error of an n^3 grid: linear in f, or cubic in its logarithm.
-double grid_error(const tables::SpectralBrdf& exact, const Exact& probes, const Chart& chart, std::size_t n,
+double grid_error(const spectral::Reflectance& exact, const Exact& probes, const Chart& chart, std::size_t n,
                   bool cubic) {
     const std::size_t width = probes.wavelengths.size(), padded = n + tables::spline_ghosts;
     std::vector<double> block = node_values(exact, probes, chart, n, cubic);
@@ -191,7 +191,7 @@ double grid_error(const tables::SpectralBrdf& exact, const Exact& probes, const 
 
 }  // namespace
 
-std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_t pairs, std::uint64_t seed) {
+std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs, std::uint64_t seed) {
     const Exact probes = exact_values(exact, pairs, seed);
     const auto wavelengths = static_cast<double>(exact.wavelengths().size());
     struct Way {
@@ -214,7 +214,7 @@ std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_
     for (const double tolerance : {0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4}) {
         const tables::Table table =
             tables::build_table(exact, {exact.name(), "", ""}, {.tolerance = tolerance});
-        const auto error = tables::table_error(table, exact, pairs, seed);
+        const auto error = tables::table_error(table.reflectance(), exact, pairs, seed);
         sizes.push_back({"hts table build: the same, few spectra, nodes by need",
                          static_cast<double>(table.bytes()), error.largest});
     }

@@ -19,7 +19,7 @@ struct TableSize {
 /// Every way at several sizes: plain grids of angles, linear in f and cubic in ln f, the half-vector angles of MERL files, the
 /// coordinates of this library with all wavelengths, and the same with a basis of few spectra, which is what it writes.
 ///   pairs, seed   of the random directions, as in tables::table_error
-[[nodiscard]] std::vector<TableSize> table_sizes(const tables::SpectralBrdf& exact, std::size_t pairs,
+[[nodiscard]] std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs,
                                                  std::uint64_t seed);
 
 /// A gnuplot script that draws them.

@@ -4,6 +4,7 @@
 
 #include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 
 namespace hts::bench {
 namespace {
@@ -53,9 +54,13 @@ const std::vector<std::array<double, 3>>& bench_uniforms() {
     return numbers;
 }
 
-const spectral::Reflector& bench_reflector() {
-    static const spectral::Reflector aluminium{
-        "rough aluminium", {0.28, 1.77}, spectral::built_in_material("Al"), spectral::DiffuseAlbedo{0}};
+Surface bench_surface() {
+    return {0.28, 1.77};
+}
+
+const spectral::Material& bench_material() {
+    static const auto aluminium = spectral::he_torrance_material("rough aluminium", bench_surface(),
+                                                                 spectral::built_in_optical_constants("Al"));
     return aluminium;
 }
 
@@ -64,20 +69,24 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
-spectral::SpectralReflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
-    return {bench_reflector(), bench_wavelengths(wavelengths), spectral::OutsideRange::error, bench_tolerance,
-            lobe};
+spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
+    return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = bench_tolerance, .lobe = lobe});
 }
 
-OpticalConstants bench_constants(int wavelengths) {
-    const spectral::WavelengthGrid grid = bench_wavelengths(wavelengths);
-    OpticalConstants constants;
-    for (const double um : grid.micrometres()) {
-        const auto index = bench_reflector().material.index(Wavelength::from_micrometres(um));
-        constants.n.push_back(index.n());
-        constants.k.push_back(index.k());
+HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths) {
+    const auto reflectance = bench_he_torrance(wavelengths);
+    const auto samples = reflectance.samples();
+    return {bench_surface(), {samples.begin(), samples.end()}, bench_tolerance};
+}
+
+MetalIndices bench_indices(int wavelengths) {
+    const auto reflectance = bench_he_torrance(wavelengths);
+    MetalIndices indices;
+    for (const SpectralSample& sample : reflectance.samples()) {
+        indices.n.push_back(sample.index.n());
+        indices.k.push_back(sample.index.k());
     }
-    return constants;
+    return indices;
 }
 
 }  // namespace hts::bench

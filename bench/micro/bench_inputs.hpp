@@ -7,7 +7,8 @@
 
 #include "bench/phi/accuracy_sweep.hpp"
 #include "bench/rivals/ggx.hpp"
-#include "spectral/models/reflectance.hpp"
+#include "hts/he_torrance_spectrum.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::bench {
 
@@ -30,7 +31,8 @@ inline constexpr std::size_t bench_block = 1024;
 [[nodiscard]] const std::vector<std::array<double, 3>>& bench_uniforms();
 
 /// sigma_0 = 0.28 um, tau = 1.77 um: the aluminium of He et al.
-[[nodiscard]] const spectral::Reflector& bench_reflector();
+[[nodiscard]] Surface bench_surface();
+[[nodiscard]] const spectral::Material& bench_material();
 
 /// `count` wavelengths over 0.4 ... 0.7 um.
 [[nodiscard]] spectral::WavelengthGrid bench_wavelengths(int count);
@@ -38,21 +40,21 @@ inline constexpr std::size_t bench_block = 1024;
 /// The accuracy at which wave optics are compared with microfacets.
 inline constexpr Tolerance bench_tolerance{1e-6};
 
-/// That surface at those wavelengths.
-[[nodiscard]] spectral::SpectralReflectance bench_he_torrance(int wavelengths,
-                                                              DiffuseLobe lobe = DiffuseLobe::full);
+/// That material at those wavelengths, and the prepared spectrum beneath it.
+[[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full);
+[[nodiscard]] HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths);
 
-/// The metal's optical constants at those wavelengths.
-struct OpticalConstants {
+/// The metal's refractive indices at those wavelengths.
+struct MetalIndices {
     std::vector<double> n, k;
 };
-[[nodiscard]] OpticalConstants bench_constants(int wavelengths);
+[[nodiscard]] MetalIndices bench_indices(int wavelengths);
 
 /// GGX facets of the same metal, as wide as the He-Torrance lobe: alpha = 2 sigma_0/tau.
 template <class Conductor = RoughConductor>
 [[nodiscard]] Conductor bench_conductor(int wavelengths) {
-    const auto [n, k] = bench_constants(wavelengths);
-    return {bench_reflector().surface.slope_width(), n, k};
+    const auto [n, k] = bench_indices(wavelengths);
+    return {bench_surface().slope_width(), n, k};
 }
 
 }  // namespace hts::bench

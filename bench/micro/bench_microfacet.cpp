@@ -2,7 +2,9 @@
 // through the face that programs use.
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/micro/bench_inputs.hpp"
@@ -14,16 +16,16 @@
 #include "hts/microfacet/kurt.hpp"
 #include "hts/microfacet/walter.hpp"
 #include "hts/microfacet/ward.hpp"
-#include "spectral/models/any_model.hpp"
+#include "spectral/models/model_evaluator.hpp"
 
 namespace hts::bench {
 namespace {
 
-/// The models of a spectrum, one per wavelength.
-using MakeModels = std::function<std::vector<spectral::AnyModel>(int wavelengths)>;
+/// A model at a number of wavelengths.
+using MakeReflectance = std::function<spectral::Reflectance(int wavelengths)>;
 
-void evaluate(benchmark::State& state, const MakeModels& make, int wavelengths) {
-    const spectral::AnySpectrum model{make(wavelengths)};
+void evaluate(benchmark::State& state, const MakeReflectance& make, int wavelengths) {
+    const spectral::Reflectance model = make(wavelengths);
     const auto& pairs = bench_pairs();
     std::vector<double> result(model.size());
     Cycle cycle{pairs.size()};
@@ -36,8 +38,9 @@ void evaluate(benchmark::State& state, const MakeModels& make, int wavelengths) 
 }
 
 /// A direction of the first wavelength and the weights of all.
-void sample(benchmark::State& state, const MakeModels& make, int wavelengths) {
-    const spectral::AnySpectrum model{make(wavelengths)};
+void sample(benchmark::State& state, const MakeReflectance& make, int wavelengths) {
+    const spectral::Reflectance model = make(wavelengths);
+    const spectral::Sampler sampler = model.sampler(0);
     const auto& pairs = bench_pairs();
     const auto& uniforms = bench_uniforms();
     std::vector<double> weights(model.size());
@@ -45,7 +48,7 @@ void sample(benchmark::State& state, const MakeModels& make, int wavelengths) {
     for (auto _ : state) {
         const std::size_t i = cycle.next();
         const Direction& in = pairs[i].in;
-        const auto drawn = model.models().front().sample(in, uniforms[i]);
+        const auto drawn = sampler.sample(in, uniforms[i]);
         if (drawn.pdf > 0) {
             model.brdf({in, drawn.out}, weights);
             const double factor = drawn.out.cos_theta() / drawn.pdf;
@@ -57,7 +60,7 @@ void sample(benchmark::State& state, const MakeModels& make, int wavelengths) {
     report_items(state, 1);
 }
 
-void add(const std::string& name, const MakeModels& make) {
+void add(const std::string& name, const MakeReflectance& make) {
     for (const int n : {4, 31}) {
         benchmark::RegisterBenchmark(("eval/" + name + '/' + std::to_string(n)).c_str(),
                                      [make, n](benchmark::State& s) { evaluate(s, make, n); });
@@ -66,38 +69,43 @@ void add(const std::string& name, const MakeModels& make) {
                                  [make](benchmark::State& s) { sample(s, make, 4); });
 }
 
+/// One value of a model per wavelength.
+template <class Model>
+spectral::Reflectance reflectance_of(std::vector<Model> models) {
+    const auto wavelengths = bench_wavelengths(static_cast<int>(models.size()));
+    return spectral::Reflectance{std::make_shared<const spectral::ModelEvaluator<Model>>(
+        "", wavelengths, std::move(models), std::vector<double>(wavelengths.size()))};
+}
+
 /// make(k) for reflectivities k from 0.2 up.
 template <class Make>
-MakeModels by_reflectivity(const Make& make) {
+MakeReflectance by_reflectivity(const Make& make) {
     return [make](int wavelengths) {
-        std::vector<spectral::AnyModel> models;
-        for (int i = 0; i < wavelengths; ++i)
-            models.push_back(spectral::AnyModel{make(0.2 + 0.5 * i / wavelengths)});
-        return models;
+        std::vector<decltype(make(0.0))> models;
+        for (int i = 0; i < wavelengths; ++i) models.push_back(make(0.2 + 0.5 * i / wavelengths));
+        return reflectance_of(std::move(models));
     };
 }
 
 /// A diffuse term and a lobe, weighted alike.
 template <class Shape>
-MakeModels with(const Shape& lobe) {
+MakeReflectance with(const Shape& lobe) {
     return by_reflectivity([lobe](double k) { return DiffuseAndLobes<Shape>{k, {{k, lobe}}}; });
 }
 
-/// Facets of the metal and width of bench_reflector().
-MakeModels metal(FacetDistribution (*facets)(double alpha)) {
+/// Facets of the metal, as wide as the lobe of bench_surface().
+MakeReflectance metal(FacetDistribution (*facets)(double alpha)) {
     return [facets](int wavelengths) {
-        const auto [n, k] = bench_constants(wavelengths);
-        std::vector<spectral::AnyModel> models;
-        for (std::size_t i = 0; i < n.size(); ++i) {
-            models.push_back(spectral::AnyModel{
-                WalterBrdf{facets(bench_reflector().surface.slope_width()), {n[i], k[i]}}});
-        }
-        return models;
+        const auto [n, k] = bench_indices(wavelengths);
+        std::vector<WalterBrdf> models;
+        for (std::size_t i = 0; i < n.size(); ++i)
+            models.push_back(WalterBrdf{facets(bench_surface().slope_width()), {n[i], k[i]}});
+        return reflectance_of(std::move(models));
     };
 }
 
 /// Painted plastic of the paper's Fig 7; the wavelengths differ in the albedo of the paint. Its tables are made when first run.
-MakeModels painted() {
+MakeReflectance painted() {
     return by_reflectivity([](double albedo) {
         static const AshikhminFacets facets{NormalDensity::gaussian(0.1, 0.2)};
         return AshikhminBrdf{facets, FacetFresnel::schlick(0.05), albedo};

@@ -11,7 +11,8 @@ namespace hts::bench {
 /// phi_series_from_one/<g>, phi_series_fixed/<terms>.
 void register_phi();
 
-/// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n wavelengths.
+/// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n wavelengths;
+/// reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of HeTorranceSpectrum.
 void register_spectral();
 
 /// sample/<model>/4, draw/<model>, pdf/<model> of models he and ggx: a direction with its density and the weights at 4

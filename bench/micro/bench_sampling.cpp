@@ -6,20 +6,17 @@
 #include "bench/micro/bench_inputs.hpp"
 #include "bench/micro/bench_registrations.hpp"
 #include "bench/rivals/ggx_sampling.hpp"
-#include "hts/sampling.hpp"
+#include "hts/he_torrance.hpp"
 
 namespace hts::bench {
 namespace {
 
-DirectionSampler he_sampler() {
-    const auto wavelength = Wavelength::from_micrometres(0.55);
-    return {bench_reflector().surface,
-            {wavelength, bench_reflector().material.index(wavelength), 0},
-            bench_tolerance};
+HeTorrance he_sampler() {
+    return {bench_surface(), bench_he_torrance(1).samples().front(), bench_tolerance};
 }
 
 GgxSampler ggx_sampler() {
-    return GgxSampler{bench_reflector().surface.slope_width()};
+    return GgxSampler{bench_surface().slope_width()};
 }
 
 /// A direction, its density and the weights of n wavelengths.
@@ -73,11 +70,11 @@ void pdf(benchmark::State& state, const Sampler& sampler) {
 }  // namespace
 
 void register_sampling() {
-    static const auto he = [](const Direction& in, const DirectionSampler::Uniforms& u) {
-        static const DirectionSampler sampler = he_sampler();
+    static const auto he = [](const Direction& in, const Uniforms& u) {
+        static const HeTorrance sampler = he_sampler();
         return sampler.draw(in, u);
     };
-    static const auto ggx = [](const Direction& in, const DirectionSampler::Uniforms& u) {
+    static const auto ggx = [](const Direction& in, const Uniforms& u) {
         static const GgxSampler sampler = ggx_sampler();
         return sampler.draw(in, {u[1], u[2]});
     };

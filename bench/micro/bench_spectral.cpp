@@ -1,5 +1,6 @@
 // Benchmarks of whole BRDFs: this project's model and a GGX conductor of the same metal.
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 
@@ -10,11 +11,18 @@
 namespace hts::bench {
 namespace {
 
+/// Number of wavelengths.
+template <class Model>
+std::size_t wavelengths_of(const Model& model) {
+    if constexpr (std::same_as<Model, HeTorranceSpectrum>) return model.samples().size();
+    else return model.size();
+}
+
 /// One pair of directions per iteration.
 template <class Model>
 void evaluate(benchmark::State& state, const Model& model) {
     const auto& pairs = bench_pairs();
-    std::vector<double> result(model.size());
+    std::vector<double> result(wavelengths_of(model));
     Cycle cycle{pairs.size()};
     for (auto _ : state) {
         model.brdf(pairs[cycle.next()], std::span{result});
@@ -38,7 +46,7 @@ void evaluate_batch(benchmark::State& state, const Model& model) {
     report_items(state, bench_block);
 }
 
-void specular(benchmark::State& state, const spectral::SpectralReflectance& model) {
+void specular(benchmark::State& state, const spectral::Reflectance& model) {
     const auto& pairs = bench_pairs();
     std::vector<double> result(model.size());
     Cycle cycle{pairs.size()};
@@ -50,7 +58,7 @@ void specular(benchmark::State& state, const spectral::SpectralReflectance& mode
     report_items(state, 1);
 }
 
-void mueller(benchmark::State& state, const spectral::SpectralReflectance& model) {
+void mueller(benchmark::State& state, const spectral::Reflectance& model) {
     const auto& pairs = bench_pairs();
     std::vector<Mueller> result(model.size());
     Cycle cycle{pairs.size()};
@@ -80,6 +88,10 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor<LaneConductor>(w)); });
         add("specular/he", n, [](benchmark::State& s, int w) { specular(s, bench_he_torrance(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
+    }
+    for (const int n : {4, 31}) {
+        add("reflectance/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
+        add("spectrum/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance_spectrum(w)); });
     }
     add("eval/he_first_order", 4,
         [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::first_order)); });

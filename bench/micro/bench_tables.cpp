@@ -16,11 +16,9 @@ const tables::Table& bench_table(int wavelengths) {
     static std::map<int, std::unique_ptr<const tables::Table>> built;
     auto& table = built[wavelengths];
     if (!table) {
-        const auto model =
-            tables::model_brdf(spectral::AnyReflector{bench_reflector()}, bench_wavelengths(wavelengths),
-                               spectral::OutsideRange::error, bench_tolerance);
+        const auto model = bench_he_torrance(wavelengths);
         table = std::make_unique<const tables::Table>(
-            tables::build_table(*model, {model->name(), "", ""}, {.tolerance = 1e-3}));
+            tables::build_table(model, {model.name(), "", ""}, {.tolerance = 1e-3}));
     }
     return *table;
 }

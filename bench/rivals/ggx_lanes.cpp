@@ -9,8 +9,8 @@
 #define HWY_TARGET_INCLUDE "bench/rivals/ggx_lanes.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
-#include "hts/lanes/kernel-inl.hpp"
-#include "hts/lanes/pairs-inl.hpp"
+#include "hts/evaluation/kernel-inl.hpp"
+#include "hts/evaluation/pairs-inl.hpp"
 #include "hwy/highway.h"
 
 #ifndef HTS_BENCH_GGX_LANES

@@ -8,7 +8,7 @@
 #include "bench/stability/stability_model.hpp"
 #include "bench/stability/stability_rows.hpp"
 #include "hts/error.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::bench {

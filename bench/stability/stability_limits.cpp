@@ -5,7 +5,7 @@
 
 #include "bench/stability/stability_model.hpp"
 #include "bench/stability/stability_rows.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::bench {
 namespace {

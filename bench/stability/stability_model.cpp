@@ -1,6 +1,6 @@
 #include "bench/stability/stability_model.hpp"
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "hts/tests/reference/reference_model.hpp"
 
 namespace hts::bench {

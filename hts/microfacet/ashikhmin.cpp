@@ -285,21 +285,20 @@ double AshikhminBrdf::pdf(const Direction& in, const Direction& out) const noexc
     return probability * mirrored + (1 - probability) * out.cos_theta() / pi;
 }
 
-DrawnDirection AshikhminBrdf::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
-    const DrawnDirection none{in.mirror(), 0, 0};
+Draw AshikhminBrdf::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
     const double probability = facets_probability(in);
     Direction out = in;
     if (uniforms[0] < probability) {
         const Vector3 h = facets_.density().sample({uniforms[0] / probability, uniforms[1], uniforms[2]});
         const double cosine = dot(in.vector(), h);
         const Vector3 mirrored = 2 * cosine * h - in.vector();
-        if (!(cosine > 0 && mirrored.z > 0)) return none;
+        if (!(cosine > 0 && mirrored.z > 0)) return Draw::none(in);
         out = Direction::from_vector(mirrored);
     } else {
         out = Direction::from_vector(cosine_vector(uniforms[1], uniforms[2]));
     }
     const double density = pdf(in, out);
-    if (!(density > 0)) return none;
+    if (!(density > 0)) return Draw::none(in);
     return {out, brdf(in, out) * out.cos_theta() / density, density};
 }
 
@@ -382,10 +381,10 @@ double LambertianFacets::pdf(const Direction& in, const Direction& out) const no
     return in.cos_theta() > 0 ? out.cos_theta() / pi : 0;
 }
 
-DrawnDirection LambertianFacets::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
+Draw LambertianFacets::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
     const auto out = Direction::from_vector(cosine_vector(uniforms[1], uniforms[2]));
     const double density = pdf(in, out);
-    if (!(density > 0)) return {in.mirror(), 0, 0};
+    if (!(density > 0)) return Draw::none(in);
     return {out, brdf(in, out) * pi, density};
 }
 

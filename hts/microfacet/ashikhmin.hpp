@@ -124,7 +124,7 @@ class AshikhminBrdf {
     }
     /// Density in solid angle of `sample` [1/sr].
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
     /// Directional-hemispherical reflectance, facets and diffuse light, from the tables.
     [[nodiscard]] double albedo(const Direction& in) const noexcept;
 
@@ -157,7 +157,7 @@ class LambertianFacets {
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
 
   private:
     double albedo_;

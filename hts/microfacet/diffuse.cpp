@@ -33,7 +33,7 @@ double LambertianModel::pdf(const Direction& in, const Direction& out) const noe
     return cosine_pdf(in, out);
 }
 
-DrawnDirection LambertianModel::sample(const Direction& in, const Uniforms& u) const noexcept {
+Draw LambertianModel::sample(const Direction& in, const Uniforms& u) const noexcept {
     return weighted(*this, in, cosine_vector(u[1], u[2]));
 }
 
@@ -58,7 +58,7 @@ double OrenNayar::pdf(const Direction& in, const Direction& out) const noexcept 
     return cosine_pdf(in, out);
 }
 
-DrawnDirection OrenNayar::sample(const Direction& in, const Uniforms& u) const noexcept {
+Draw OrenNayar::sample(const Direction& in, const Uniforms& u) const noexcept {
     return weighted(*this, in, cosine_vector(u[1], u[2]));
 }
 

@@ -21,7 +21,7 @@ class LambertianModel {
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept;
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     /// Weight: the albedo, always.
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept;
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept;
 
   private:
     double albedo_;
@@ -50,7 +50,7 @@ class OrenNayar {
         return slope_angle_ == other.slope_angle_;
     }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept;
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept;
 
   private:
     double albedo_, slope_angle_;

@@ -73,7 +73,7 @@ class Kurt {
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         return parts_.pdf(in, out);
     }
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept {
         return weighted(*this, in, parts_.draw(in, u));
     }
 

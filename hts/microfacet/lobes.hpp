@@ -61,12 +61,11 @@ struct HalfDirection {
 
 /// A direction that a model drew, with the model's own weight and density; nothing drawn if it lies below the horizon.
 template <ReflectanceModel Model>
-[[nodiscard]] DrawnDirection weighted(const Model& model, const Direction& in, Vector3 drawn) noexcept {
-    const DrawnDirection nothing{in.mirror(), 0, 0};
-    if (!(drawn.z > 0)) return nothing;
+[[nodiscard]] Draw weighted(const Model& model, const Direction& in, Vector3 drawn) noexcept {
+    if (!(drawn.z > 0)) return Draw::none(in);
     const Direction out = Direction::from_vector(drawn);
     const double pdf = model.pdf(in, out);
-    if (!(pdf > 0)) return nothing;
+    if (!(pdf > 0)) return Draw::none(in);
     return {out, model.brdf(in, out) * out.cos_theta() / pdf, pdf};
 }
 
@@ -175,7 +174,7 @@ class DiffuseAndLobes {
     }
 
     /// A lobe is chosen in proportion to its strength, then a direction from it.
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept {
         return weighted(*this, in, draw(in, u));
     }
 

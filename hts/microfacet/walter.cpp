@@ -146,8 +146,8 @@ double WalterBrdf::pdf(const Direction& in, const Direction& out) const noexcept
     return facets_.normal_pdf(in, facet.normal, normals_) * facet.jacobian;
 }
 
-DrawnDirection WalterBrdf::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
-    const DrawnDirection none{in.mirror(), 0, 0};
+Draw WalterBrdf::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
+    const Draw none = Draw::none(in);
     if (!(in.cos_theta() > 0)) return none;
     const Vector3 normal = facets_.normal(in, uniforms[0], uniforms[1], normals_);
     const double cos_in = dot(in.vector(), normal);

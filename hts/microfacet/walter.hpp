@@ -82,7 +82,7 @@ class WalterBrdf {
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
     /// Mirrors `in` at a normal drawn with uniforms 0 and 1 (39). Weight F G |i.m| D/((i.n) p_m), which is (41) times F for
     /// NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction falls below the horizon.
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& uniforms) const noexcept;
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
 
     [[nodiscard]] const RefractiveIndex& index() const noexcept { return index_; }
     /// Of the facets alone.

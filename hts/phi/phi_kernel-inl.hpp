@@ -7,7 +7,7 @@
 #endif
 
 #include "hts/lanes/lanes-inl.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::phi_detail::HWY_NAMESPACE {

@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "hts/phi/phi_far.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hts/phi/phi_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
 #include "hts/phi/phi_block-inl.hpp"
+#include "hts/phi/phi_gradient-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,7 +33,7 @@ void phi_many(const double* g, const double* t, double* result, std::size_t coun
 }
 
 PhiForms forms() {
-    return {{phi_one, phi_one, phi_one}, {phi_many, phi_many, phi_many}, far_phi};
+    return {{phi_one, phi_one, phi_one}, {phi_many, phi_many, phi_many}, far_phi, phi_gradient};
 }
 
 #else
@@ -118,7 +119,8 @@ HWY_ATTR void phi_many(const double* g, const double* t, double* out, std::size_
 PhiForms forms() {
     return {{phi_one<Low>, phi_one<Medium>, phi_one<High>},
             {phi_many<Low>, phi_many<Medium>, phi_many<High>},
-            phi_with_log};
+            phi_with_log,
+            tabled_gradient};
 }
 
 #endif

@@ -15,7 +15,8 @@ using PhiMany = void (*)(const double* g, const double* t, double* result, std::
 struct PhiForms {
     std::array<PhiOne, 3> one;
     std::array<PhiMany, 3> many;
-    Phi (*with_log)(double g, double t);  ///< High
+    Phi (*with_log)(double g, double t);          ///< High
+    PhiGradient (*gradient)(double g, double t);  ///< of the polynomials of High; summed where it has no cell
 };
 
 /// Those of the best instruction set that this processor has, or of the one a test has set.

@@ -12,7 +12,7 @@
 
 #include "hts/lanes/polynomials-inl.hpp"
 #include "hts/phi/phi_far.hpp"
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 #include "hts/phi/tables/terms.hpp"
 
 HWY_BEFORE_NAMESPACE();

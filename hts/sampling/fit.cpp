@@ -106,7 +106,7 @@ struct Trials {
 
 /// The same number of draws from each component.
 ///   lobe   the directional-diffuse term alone
-Trials tried(const PreparedReflectance& lobe, const Direction& in, const Mixture& scales) {
+Trials tried(const HeTorranceSpectrum& lobe, const Direction& in, const Mixture& scales) {
     const Light light{in.cos_theta(), in.sin_theta()};
     const std::array<Mixture, components> each = alone(scales);
     Trials result{{}, 0};
@@ -165,7 +165,7 @@ void set_shares(Mixture& mixture, const std::array<double, parts>& shares) {
 /// The mixture at one angle; all shares 0 where nothing is reflected.
 ///   lobe     the directional-diffuse term alone
 ///   of_lobe  shares of its components, in place of those of an angle near by
-Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, double cosine_in,
+Mixture fitted(const HeTorranceSpectrum& lobe, double uniform_diffuse_albedo, double cosine_in,
                Components& of_lobe) {
     const SpectralSample& sample = lobe.samples().front();
     const Direction in = Direction::from_vector({std::sqrt((1 - cosine_in) * (1 + cosine_in)), 0, cosine_in});
@@ -191,7 +191,7 @@ Mixture fitted(const PreparedReflectance& lobe, double uniform_diffuse_albedo, d
 
 std::vector<Mixture> fitted_mixtures(const Surface& surface, const SpectralSample& sample) {
     const SpectralSample without_uniform{sample.wavelength, sample.index, 0};
-    const PreparedReflectance lobe{surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
+    const HeTorranceSpectrum lobe{surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
     std::vector<Mixture> result;
     result.reserve(mixture_count);
     Components shares{};

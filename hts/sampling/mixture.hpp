@@ -1,4 +1,4 @@
-// What a direction is drawn from: the shares and scales of sampling.hpp's mixture at one angle of incidence.
+// What a direction is drawn from: the shares and scales of he_torrance.hpp's mixture at one angle of incidence.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hts::sampling_detail {
 
-/// The densities of sampling.hpp, each facet lobe once per width, then the other lobes.
+/// The densities of he_torrance.hpp, each facet lobe once per width, then the other lobes.
 enum Part : std::size_t {
     lowered_half,
     lowered_1,

@@ -15,7 +15,7 @@ using hts::testing::WorstCase;
 using Complex = std::complex<double>;
 
 TEST_CASE("Fresnel amplitudes agree with 50 digits") {
-    const ReferenceTable table{"fresnel.csv"};
+    const ReferenceTable table{"tests/reference/fresnel.csv"};
     WorstCase absolute{"Fresnel amplitude, absolute", hts::accuracy::fresnel};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto computed = fresnel(table(row, "cos_theta"), {table(row, "n"), table(row, "k")});
@@ -24,6 +24,46 @@ TEST_CASE("Fresnel amplitudes agree with 50 digits") {
         absolute.note(std::abs(computed.p - Complex{table(row, "Fp_re"), table(row, "Fp_im")}), where);
     }
     absolute.check();
+}
+
+TEST_CASE("derivatives of Fresnel amplitudes agree with differences at 80 digits") {
+    const ReferenceTable table{"tests/reference/fresnel_gradient.csv"};
+    WorstCase worst{"derivatives of Fresnel amplitudes", hts::accuracy::fresnel_gradient};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const double c = table(row, "cos_theta"), n = table(row, "n"), k = table(row, "k");
+        const auto computed = hts::fresnel_gradient(c, {n, k});
+        const double r = std::abs(std::sqrt(Complex{(n - 1) * (n + 1) - k * k + c * c, 2 * n * k}));
+        const auto note = [&](Complex value, const std::string& re, const std::string& im) {
+            const Complex expected{table(row, re), table(row, im)};
+            worst.note(std::abs(value - expected) / (1 + std::abs(expected)) * std::fmin(1, r * r), [&] {
+                return re + ", " + table.describe(row, {"cos_theta", "n", "k"});
+            });
+        };
+        note(computed.by_cos_theta.s, "Fs_re_by_cos", "Fs_im_by_cos");
+        note(computed.by_cos_theta.p, "Fp_re_by_cos", "Fp_im_by_cos");
+        note(computed.by_n.s, "Fs_re_by_n", "Fs_im_by_n");
+        note(computed.by_n.p, "Fp_re_by_n", "Fp_im_by_n");
+        note(computed.sum_over_sine_squared, "sum_re", "sum_im");
+    }
+    worst.check();
+}
+
+TEST_CASE("derivatives of Fresnel amplitudes: normal incidence, grazing, the critical angle") {
+    const RefractiveIndex glass{1.5, 0};
+    const auto normal = hts::fresnel_gradient(1, glass);
+    CHECK(normal.unpolarised_reflectance(normal.by_n) ==
+          Approx(4 * 0.5 / std::pow(2.5, 3)));  // ((n-1)/(n+1))^2
+    CHECK(normal.unpolarised_reflectance(normal.by_k()) == 0);
+    const auto grazing = hts::fresnel_gradient(0, glass);
+    CHECK(grazing.by_n.s == 0.0);
+    CHECK(grazing.by_cos_theta.s.real() == Approx(2 / std::sqrt(1.25)));
+    const auto critical = hts::fresnel_gradient(0.6, {0.8, 0});
+    CHECK(std::isfinite(critical.unpolarised_reflectance(critical.by_n)));
+    const auto nothing = hts::fresnel_gradient(0.3, {1, 0});
+    CHECK(nothing.unpolarised_reflectance(nothing.by_n) == 0);
+    CHECK(nothing.by_n.s.real() == Approx(-1 / (2 * 0.09)));
+    for (const double c : {0.0, 1e-300, 1e-100})
+        CHECK(std::isfinite(hts::fresnel_gradient(c, {1, 0}).by_n.s.real()));
 }
 
 TEST_CASE("Fresnel amplitudes do not cancel as the index nears 1") {

@@ -31,7 +31,7 @@ std::string at(double g, double t) {
 }  // namespace
 
 TEST_CASE("phi and its logarithm agree with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase value{"phi", hts::accuracy::phi};
     WorstCase log{"log phi", hts::accuracy::log_phi};
     for (std::size_t row = 0; row < table.size(); ++row) {
@@ -117,7 +117,7 @@ TEST_CASE("the two ways of summing phi meet") {
 }
 
 TEST_CASE("phi by summation agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase log{"log of the sum", 1e-14};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const double expected = table(row, "log_phi");
@@ -131,7 +131,7 @@ TEST_CASE("phi by summation agrees with 50 digits") {
 }
 
 TEST_CASE("the gradient of phi agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     WorstCase value{"phi with its gradient", hts::accuracy::phi_gradient};
     WorstCase d_g{"d phi / dg", hts::accuracy::phi_gradient};
     for (std::size_t row = 0; row < table.size(); ++row) {
@@ -146,6 +146,35 @@ TEST_CASE("the gradient of phi agrees with 50 digits") {
     }
     value.check();
     d_g.check();
+}
+
+TEST_CASE("the gradient of phi from its table agrees with the sums") {
+    const hts::Tolerance tolerance{hts::accuracy::tabled_phi_gradient};
+    WorstCase worst{"gradient of phi, table against sums", hts::accuracy::tabled_phi_gradient};
+    Random random{6};
+    for (int i = 0; i < 300000; ++i) {
+        const double g = random.logarithmic(1e-4, 1e8);  // the sums of g d ln Phi/dg lose 1e-16 sqrt(g)
+        const double end_of_octave = std::exp2(std::floor(random.uniform(1, 40))) * (1 - 0x1p-52);
+        const double t = i % 4 == 0   ? g * random.uniform(0, 300)
+                         : i % 4 == 1 ? std::fmax(g, 1) * random.logarithmic(1e-8, 100)
+                         : i % 4 == 2 ? random.logarithmic(1e-6, 1e4)
+                                      : end_of_octave - 1;
+        const auto summed = phi_gradient(g, t), tabled = phi_gradient(g, t, tolerance);
+        if (!(summed.value > representable)) continue;
+        const auto where = [&] { return at(g, t); };
+        worst.note(relative_error(tabled.value, summed.value), where);
+        worst.note(relative_error(tabled.d_t, summed.d_t), where);
+        worst.note(std::abs(tabled.d_g - summed.d_g) / (summed.d_g + 2 * summed.value), where);
+        // g d ln Phi/dg = Psi/Phi - g keeps its digits where both terms are large
+        worst.note(g * std::abs(tabled.log_d_g - summed.log_d_g) / (1 + g * std::abs(summed.log_d_g)), where);
+        CHECK(std::abs(tabled.log - summed.log) <=
+              hts::accuracy::log_phi * std::fmax(1, std::abs(summed.log)));
+    }
+    worst.check();
+    for (const double g : {0.0, 1e-300, 1e300})
+        for (const double t : {0.0, 1e4, 1e300})
+            CHECK(phi_gradient(g, t, tolerance).d_t == Approx(phi_gradient(g, t).d_t).epsilon(1e-10));
+    CHECK(phi_gradient(3, 4, hts::Tolerance{1e-12}).d_t == phi_gradient(3, 4).d_t);
 }
 
 TEST_CASE("the gradient of phi at the edges of its domain") {

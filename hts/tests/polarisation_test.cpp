@@ -7,7 +7,7 @@
 
 #include "comparison.hpp"
 #include "hts/error.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 using hts::cross;
 using hts::Direction;

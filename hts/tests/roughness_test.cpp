@@ -14,7 +14,7 @@ using hts::testing::relative_error;
 using hts::testing::WorstCase;
 
 TEST_CASE("effective roughness agrees with the root of the paper's equation at 50 digits") {
-    const ReferenceTable table{"effective_roughness.csv"};
+    const ReferenceTable table{"tests/reference/effective_roughness.csv"};
     WorstCase worst{"sigma / sigma_0", hts::accuracy::effective_roughness};
     for (std::size_t row = 0; row < table.size(); ++row) {
         worst.note(
@@ -30,6 +30,21 @@ TEST_CASE("effective roughness solves (80) and (81)") {
         const double z = std::sqrt(1 / (ratio * ratio) - 1);  // z_0 / sigma_0
         CHECK(z * std::sqrt(std::numbers::pi / 2) == Approx(K / 4 * std::exp(-z * z / 2)).epsilon(1e-7));
     }
+}
+
+TEST_CASE("the slope of the effective roughness is that of its logarithm") {
+    WorstCase worst{"d ln(sigma/sigma_0) / d ln K", 1e-9};
+    for (double K = 1e-6; K < 1e40; K *= 1.7) {
+        const double step = 1e-4;
+        const double above = effective_roughness_ratio(K * std::exp(step));
+        const double below = effective_roughness_ratio(K * std::exp(-step));
+        worst.note(std::abs(hts::effective_roughness_log_slope(effective_roughness_ratio(K)) -
+                            std::log(above / below) / (2 * step)),
+                   [&] { return "K = " + std::to_string(K); });
+    }
+    worst.check();
+    CHECK(hts::effective_roughness_log_slope(1) == 0);
+    CHECK(hts::effective_roughness_log_slope(0) == 0);
 }
 
 TEST_CASE("effective roughness has both limits and falls in between") {

@@ -15,7 +15,7 @@ using hts::testing::relative_error;
 using hts::testing::WorstCase;
 
 TEST_CASE("shadowing and obstruction agree with 50 digits") {
-    const ReferenceTable table{"shadowing.csv"};
+    const ReferenceTable table{"tests/reference/shadowing.csv"};
     WorstCase shadowing{"S_1", hts::accuracy::shadowing};
     WorstCase quotient{"S_1 / cos theta", hts::accuracy::shadowing};
     WorstCase obstruction{"K, absolute below 1", hts::accuracy::obstruction};
@@ -31,6 +31,47 @@ TEST_CASE("shadowing and obstruction agree with 50 digits") {
     shadowing.check();
     quotient.check();
     obstruction.check();
+}
+
+TEST_CASE("derivatives of shadowing and obstruction agree with differences at 80 digits") {
+    const ReferenceTable table{"tests/reference/visibility_gradient.csv"};
+    WorstCase obstruction{"derivatives of ln K", hts::accuracy::obstruction_gradient};
+    WorstCase shadowing{"derivatives of ln S_1", hts::accuracy::shadowing_gradient};
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const Surface surface{table(row, "sigma_over_tau"), 1};
+        const auto seen =
+            hts::visibility_gradient(surface, Direction::from_degrees(table(row, "theta_deg"), 0));
+        const auto where = [&] { return table.describe(row, {"theta_deg", "sigma_over_tau"}); };
+        const auto beside = [&](double computed, const char* column) {
+            const double expected = table(row, column);
+            return std::abs(computed - expected) / (1 + std::abs(expected));
+        };
+        obstruction.note(relative_error(seen.log_obstruction_by_theta, table(row, "log_K_by_theta")), where);
+        obstruction.note(relative_error(seen.log_obstruction_by_log_slope, table(row, "log_K_by_log_slope")),
+                         where);
+        shadowing.note(beside(seen.log_shadowing_by_theta, "log_S1_by_theta"), where);
+        shadowing.note(beside(seen.log_shadowing_by_log_slope, "log_S1_by_log_slope"), where);
+        shadowing.note(beside(seen.log_shadowing_by_log_slope, "log_S1_over_cos_by_log_slope"), where);
+        shadowing.note(beside(seen.log_quotient_by_theta, "log_S1_over_cos_by_theta"), where);
+        CHECK(seen.value.shadowing ==
+              visibility(surface, Direction::from_degrees(table(row, "theta_deg"), 0)).shadowing);
+    }
+    obstruction.check();
+    shadowing.check();
+}
+
+TEST_CASE("derivatives of shadowing where there is none") {
+    for (const auto& [slope, theta] : {std::pair{0.3, 0.0}, {0.0, 50.0}, {1e-3, 50.0}}) {
+        const auto seen = hts::visibility_gradient(Surface{slope, 1}, Direction::from_degrees(theta, 0));
+        CHECK(seen.log_obstruction_by_theta == 0);
+        CHECK(seen.log_obstruction_by_log_slope == 0);
+        CHECK(seen.log_shadowing_by_theta == 0);
+        CHECK(seen.log_shadowing_by_log_slope == 0);
+        CHECK(seen.log_quotient_by_theta == Approx(std::tan(theta * std::numbers::pi / 180)));
+    }
+    const auto horizon = hts::visibility_gradient(Surface{0.3, 1}, Direction::from_degrees(90, 0));
+    CHECK(horizon.log_quotient_by_theta ==
+          Approx(std::sqrt(std::numbers::pi) / 0.6 - 2 / (0.6 * std::sqrt(std::numbers::pi))));
 }
 
 TEST_CASE("shadowing at the normal and at the horizon") {

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 using hts::Direction;
 using hts::Surface;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/energy/lobe_integral.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/plans/spectrum_interpolation.hpp"
 
 namespace hts::spectral {
 namespace {

@@ -18,7 +18,7 @@
 ///   * The uniform-diffuse term stays as it is, so rho_dh <= 1 needs the same care with a(lambda).
 ///   * s grows towards the horizon. Beyond 89.9 degrees it is kept, and energy is lost again.
 ///
-/// `compensated_brdf` of spectral/models/spectral_brdf.hpp evaluates f'; Mueller matrices are scaled like their element 00.
+/// Material::at evaluates f' where its options say so; Mueller matrices are scaled like their element 00.
 #pragma once
 
 #include <array>

@@ -32,25 +32,6 @@ double directional_diffuse_part(const Surface& surface, const Facets& facets, co
         Tolerance{accuracy::hemispherical_reflectance});
 }
 
-/// What the specular and the directional-diffuse term of a reflector reflect together.
-class Lobes {
-  public:
-    Lobes(const Reflector& reflector, const Wavelength& wavelength, OutsideRange policy)
-        : surface_{reflector.surface},
-          wavelength_{wavelength},
-          facets_{reflector.material.index(wavelength, policy)} {}
-
-    [[nodiscard]] double at(const Direction& in) const {
-        return directional_hemispherical_reflectance(surface_, facets_, wavelength_, in).total();
-    }
-    [[nodiscard]] double at(double theta) const { return at(Direction::from_angles(theta, 0)); }
-
-  private:
-    Surface surface_;
-    Wavelength wavelength_;
-    Facets facets_;
-};
-
 /// Where in from ... to a function is largest: the best of equally spaced points, refined between its neighbours.
 struct Maximum {
     double place, value;
@@ -90,47 +71,38 @@ HemisphericalReflectance directional_hemispherical_reflectance(const Surface& su
             directional_diffuse_part(surface, facets, wavelength, seen), 0};
 }
 
-HemisphericalReflectance directional_hemispherical_reflectance(const Reflector& reflector,
-                                                               const Wavelength& wavelength,
-                                                               const Direction& in, OutsideRange policy) {
-    const double albedo = reflector.albedo(wavelength, policy);
-    auto result = directional_hemispherical_reflectance(
-        reflector.surface, reflector.material.index(wavelength, policy), wavelength, in);
-    result.uniform_diffuse = albedo;
-    return result;
-}
-
-HemisphericalReflectance bihemispherical_reflectance(const Reflector& reflector, const Wavelength& wavelength,
-                                                     OutsideRange policy) {
-    const double albedo = reflector.albedo(wavelength, policy);
-    const Facets facets = reflector.material.index(wavelength, policy);
+HemisphericalReflectance bihemispherical_reflectance(const Surface& surface, const Facets& facets,
+                                                     const Wavelength& wavelength) {
     const auto mean = [&](auto&& part) {
         constexpr unsigned levels = 8;
         return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
             [&](double cosine) {
-                const View in = view(reflector.surface, Direction::from_angles(std::acos(cosine), 0));
-                return 2 * cosine * part(reflector.surface, facets, wavelength, in);
+                const View in = view(surface, Direction::from_angles(std::acos(cosine), 0));
+                return 2 * cosine * part(surface, facets, wavelength, in);
             },
             0.0, 1.0, levels, accuracy::bihemispherical_reflectance);
     };
-    return {mean(specular_part), mean(directional_diffuse_part), albedo};
+    return {mean(specular_part), mean(directional_diffuse_part), 0};
 }
 
-DiffuseAlbedoLimit largest_diffuse_albedo(const Reflector& reflector, const Wavelength& wavelength,
-                                          double steepest_theta, OutsideRange policy) {
+DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& facets,
+                                          const Wavelength& wavelength, double steepest_theta) {
     if (!(steepest_theta >= 0 && steepest_theta <= right_angle)) {
         throw out_of_range("steepest angle of incidence", steepest_theta, "rad", "from 0 to pi/2 rad");
     }
-    const Lobes lobes{reflector, wavelength, policy};
     constexpr double step = right_angle / 30;
     const int intervals = std::max(1, static_cast<int>(std::ceil(steepest_theta / step - 1e-9)));
-    const Maximum most = maximum(0, steepest_theta, intervals, [&](double theta) { return lobes.at(theta); });
+    const Maximum most = maximum(0, steepest_theta, intervals, [&](double theta) {
+        return directional_hemispherical_reflectance(surface, facets, wavelength,
+                                                     Direction::from_angles(theta, 0))
+            .total();
+    });
     return {std::max(0.0, 1 - most.value), most.value, most.place};
 }
 
-double diffuse_albedo_from(double measured, const Reflector& reflector, const Wavelength& wavelength,
-                           const Direction& in, OutsideRange policy) {
-    const double lobes = Lobes{reflector, wavelength, policy}.at(in);
+double diffuse_albedo_from(double measured, const Surface& surface, const Facets& facets,
+                           const Wavelength& wavelength, const Direction& in) {
+    const double lobes = directional_hemispherical_reflectance(surface, facets, wavelength, in).total();
     if (!(measured >= lobes && measured <= 1)) {
         throw out_of_range("measured reflectance", measured, "",
                            std::string{"from "}

@@ -12,8 +12,8 @@
 
 #include <variant>
 
-#include "hts/he_torrance.hpp"
-#include "spectral/models/reflector.hpp"
+#include "hts/surface.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::spectral {
 
@@ -49,16 +49,12 @@ struct HemisphericalReflectance {
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in) noexcept;
 
-/// rho_dh of a reflector; outside its range of wavelengths as `policy` says.
-[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(
-    const Reflector& reflector, const Wavelength& wavelength, const Direction& in,
-    OutsideRange policy = OutsideRange::error);
-
-/// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta).
+/// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta), of a surface
+/// without uniform diffuse term.
 ///   error   accuracy::bihemispherical_reflectance      cost   some 30 of the above
-[[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const Reflector& reflector,
-                                                                   const Wavelength& wavelength,
-                                                                   OutsideRange policy = OutsideRange::error);
+[[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const Surface& surface,
+                                                                   const Facets& facets,
+                                                                   const Wavelength& wavelength);
 
 /// The largest diffuse albedo with which rho_dh <= 1, and what limits it.
 struct DiffuseAlbedoLimit {
@@ -67,20 +63,18 @@ struct DiffuseAlbedoLimit {
     double theta;        ///< [rad] where they do
 };
 
-/// The constraint on a(lambda), for incidence up to an angle. The albedo that the reflector itself has plays no
-/// part. Up to 90 deg no smooth surface leaves room for any: |F|^2 -> 1 there.
+/// The constraint on a(lambda), for incidence up to an angle. Up to 90 deg no smooth surface leaves room for any: |F|^2 -> 1
+/// there.
 ///   steepest_theta   [rad]  0 ... pi/2, else hts::Error
 ///   error            1e-6 absolute where rho_dh has one maximum between neighbours 3 degrees apart
-[[nodiscard]] DiffuseAlbedoLimit largest_diffuse_albedo(const Reflector& reflector,
-                                                        const Wavelength& wavelength, double steepest_theta,
-                                                        OutsideRange policy = OutsideRange::error);
+[[nodiscard]] DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& facets,
+                                                        const Wavelength& wavelength, double steepest_theta);
 
 /// The diffuse albedo with which rho_dh at an angle is a measured one, as [He91, section 4.5] finds 0.15 for a
 /// plastic from 0.195 at the normal: a = measured - specular - directional diffuse.
 ///   measured   what an integrating sphere sees, mirror direction included; at least what the two terms reflect
 ///              and at most 1, else hts::Error
-[[nodiscard]] double diffuse_albedo_from(double measured, const Reflector& reflector,
-                                         const Wavelength& wavelength, const Direction& in,
-                                         OutsideRange policy = OutsideRange::error);
+[[nodiscard]] double diffuse_albedo_from(double measured, const Surface& surface, const Facets& facets,
+                                         const Wavelength& wavelength, const Direction& in);
 
 }  // namespace hts::spectral

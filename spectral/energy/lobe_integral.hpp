@@ -12,7 +12,7 @@
 
 #include <functional>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::spectral {
 

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "spectral/models/reflectance.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -165,13 +164,13 @@ Validity validity(const Surface& surface, const View& in, const View& out,
     return result;
 }
 
-MaterialValidity::MaterialValidity(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                   std::span<const Direction> incidence, OutsideRange policy) {
+MaterialValidity::MaterialValidity(const Surface& surface, std::span<const SpectralSample> samples,
+                                   std::span<const Direction> incidence) {
     if (incidence.empty()) throw Error{"angles of incidence: none given: must be at least one"};
-    points_.reserve(wavelengths.size() * incidence.size());
-    for (const SpectralSample& sample : spectral_samples(reflector, wavelengths, policy)) {
+    points_.reserve(samples.size() * incidence.size());
+    for (const SpectralSample& sample : samples) {
         for (const Direction& in : incidence) {
-            points_.push_back({sample, in, validity(reflector.surface, {in, in.mirror()}, sample)});
+            points_.push_back({sample, in, validity(surface, {in, in.mirror()}, sample)});
         }
     }
 }

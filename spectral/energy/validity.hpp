@@ -17,8 +17,6 @@
 #include <vector>
 
 #include "hts/he_torrance_spectrum.hpp"
-#include "spectral/models/reflector.hpp"
-#include "spectral/wavelength_grid.hpp"
 
 namespace hts::spectral {
 
@@ -167,7 +165,7 @@ struct Validity {
 [[nodiscard]] Validity validity(const Surface& surface, const View& in, const View& out,
                                 const SpectralSample& sample) noexcept;
 
-/// Verdicts on a reflector over wavelengths and angles of incidence, each in its mirror direction, which among all
+/// Verdicts on a surface over wavelengths and angles of incidence, each in its mirror direction, which among all
 /// pairs of directions that reach up to an angle is the worst: theta_d <= (theta_i + theta_r)/2, and S_1 falls.
 class MaterialValidity {
   public:
@@ -177,10 +175,10 @@ class MaterialValidity {
         Validity validity;
     };
 
+    ///   samples     what the surface is at each wavelength, Reflectance::samples
     ///   incidence   at least one direction, else hts::Error
-    /// Throws hts::Error if the grid leaves the range of the optical constants or albedo and `policy` is error.
-    MaterialValidity(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                     std::span<const Direction> incidence, OutsideRange policy = OutsideRange::error);
+    MaterialValidity(const Surface& surface, std::span<const SpectralSample> samples,
+                     std::span<const Direction> incidence);
 
     /// All angles of the first wavelength, then of the next.
     [[nodiscard]] std::span<const Point> points() const noexcept { return points_; }

@@ -17,23 +17,23 @@ const BuiltInFile& built_in_file(std::string_view name) {
         std::find_if(files.begin(), files.end(), [name](const auto& f) { return f.name == name; });
     if (found == files.end()) {
         throw Error{"no built-in material " + in_quotes(name) + ": must be one of " +
-                    joined(built_in_material_names())};
+                    joined(optical_constants_names())};
     }
     return *found;
 }
 
 }  // namespace
 
-std::vector<std::string> built_in_material_names() {
+std::vector<std::string> optical_constants_names() {
     std::vector<std::string> names;
     for (const auto& file : built_in_files()) names.emplace_back(file.name);
     std::sort(names.begin(), names.end());
     return names;
 }
 
-Material built_in_material(std::string_view name) {
+OpticalConstants built_in_optical_constants(std::string_view name) {
     static std::mutex mutex;
-    static std::map<std::string_view, Material> parsed;
+    static std::map<std::string_view, OpticalConstants> parsed;
     const BuiltInFile& file = built_in_file(name);
     const std::lock_guard lock{mutex};
     auto found = parsed.find(file.name);

@@ -27,12 +27,13 @@ RefractiveIndex checked_index(double n, double k, double um, const std::string& 
 
 }  // namespace
 
-Material Material::constant(const RefractiveIndex& index) {
+OpticalConstants OpticalConstants::constant(const RefractiveIndex& index) {
     const std::string name = "n = " + shortest(index.n()) + ", k = " + shortest(index.k());
     return {name, "given", ConstantValue{index.n()}, ConstantValue{index.k()}};
 }
 
-Material::Material(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k)
+OpticalConstants::OpticalConstants(std::string name, std::string source, Dispersion n,
+                                   std::optional<Dispersion> k)
     : name_{std::move(name)}, source_{std::move(source)}, n_{std::move(n)}, k_{std::move(k)} {
     if (range().shortest > range().longest) {
         throw Error{"n is known " + in_words(range_of(n_)) + ", k " + in_words(range_of(*k_)) +
@@ -40,11 +41,11 @@ Material::Material(std::string name, std::string source, Dispersion n, std::opti
     }
 }
 
-WavelengthRange Material::range() const noexcept {
+WavelengthRange OpticalConstants::range() const noexcept {
     return k_ ? common_part(range_of(n_), range_of(*k_)) : range_of(n_);
 }
 
-RefractiveIndex Material::index(const Wavelength& wavelength, OutsideRange policy) const {
+RefractiveIndex OpticalConstants::index(const Wavelength& wavelength, OutsideRange policy) const {
     const double um = range().admit(wavelength, policy, name_);
     return checked_index(value_at(n_, um), k_ ? value_at(*k_, um) : 0, um, name_);
 }

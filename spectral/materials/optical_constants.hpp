@@ -14,17 +14,17 @@
 
 namespace hts::spectral {
 
-class Material {
+class OpticalConstants {
   public:
     /// The same index at every wavelength.
-    [[nodiscard]] static Material constant(const RefractiveIndex& index);
+    [[nodiscard]] static OpticalConstants constant(const RefractiveIndex& index);
 
     ///   name      for messages and lists, "Al" or a path
     ///   source    where the numbers come from, with licence
     ///   n         real part
     ///   k         imaginary part; none means 0
     /// hts::Error if there is no wavelength at which both are known.
-    Material(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k);
+    OpticalConstants(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k);
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] const std::string& source() const noexcept { return source_; }

@@ -42,7 +42,7 @@ void add_row(IndexRows& rows, const CsvTable& table, std::size_t row, const Colu
     });
 }
 
-Material material_from_csv(const CsvTable& table) {
+OpticalConstants material_from_csv(const CsvTable& table) {
     const Columns columns = columns_of(table);
     if (table.row_count() == 0) throw Error{table.name() + ": table without a row: must have at least one"};
     IndexRows rows;
@@ -59,13 +59,13 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-Material read_material(const std::filesystem::path& path) {
+OpticalConstants read_optical_constants(const std::filesystem::path& path) {
     const std::string file = path.string();
     const std::string text = read_text_file(path);
     const std::string ending = lower_case(path.extension().string());
     if (ending == ".yml" || ending == ".yaml") return material_from_yaml(text, file, file);
     if (ending == ".csv") return material_from_csv(CsvTable::parse(text, file));
-    if (ending == ".json") return material_from_json(JsonValue::parse(text, file), file);
+    if (ending == ".json") return optical_constants_from_json(JsonValue::parse(text, file), file);
     throw Error{file + ": ending " + in_quotes(ending) + ": must be .yml, .yaml, .csv or .json"};
 }
 

@@ -10,7 +10,7 @@
 
 namespace hts::spectral {
 
-/// Material from a file, by its ending:
+/// OpticalConstants from a file, by its ending:
 ///   .yml .yaml   refractiveindex.info database: formulas 1 to 9, tabulated nk, n, k; n from the first item
 ///                of DATA that gives n, k from the first that gives k; other items are passed over
 ///   .csv         header `wavelength_um,n,k` or `wavelength_nm,n,k` (k may be left out), `#` comment lines
@@ -18,12 +18,12 @@ namespace hts::spectral {
 /// Rows may be unsorted; rows with the same wavelength are averaged. The name is the path, the source what
 /// the file says of it, else the path. Throws hts::Error "path: …" or "path:line: …", for rows with n <= 0
 /// or k < 0 too.
-[[nodiscard]] Material read_material(const std::filesystem::path& path);
+[[nodiscard]] OpticalConstants read_optical_constants(const std::filesystem::path& path);
 
 /// Names of the materials that come with the library, sorted: "Ag", "Al", …
-[[nodiscard]] std::vector<std::string> built_in_material_names();
+[[nodiscard]] std::vector<std::string> optical_constants_names();
 
 /// One of them; hts::Error that lists the names otherwise.
-[[nodiscard]] Material built_in_material(std::string_view name);
+[[nodiscard]] OpticalConstants built_in_optical_constants(std::string_view name);
 
 }  // namespace hts::spectral

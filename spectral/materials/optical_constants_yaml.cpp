@@ -190,14 +190,15 @@ std::string plain_line(std::string_view html) {
     return line;
 }
 
-Material material_from_yaml(const std::string& text, std::string name, const std::string& file) {
+OpticalConstants material_from_yaml(const std::string& text, std::string name, const std::string& file) {
     const Source source{text, file};
     const YAML::Node root = parsed(source);
     Curves curves = all_curves(source, data_of(source, root));
     if (!curves.n)
         throw Error{file + ": key \"DATA\": no refractive index n: must have a formula or a table"};
     return located(file, [&] {
-        return Material{std::move(name), references(source, root), std::move(*curves.n), std::move(curves.k)};
+        return OpticalConstants{std::move(name), references(source, root), std::move(*curves.n),
+                                std::move(curves.k)};
     });
 }
 

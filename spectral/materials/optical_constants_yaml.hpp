@@ -9,7 +9,8 @@
 namespace hts::spectral {
 
 ///   text    the file        name    of the material        file    path for messages, "path:line: …"
-[[nodiscard]] Material material_from_yaml(const std::string& text, std::string name, const std::string& file);
+[[nodiscard]] OpticalConstants material_from_yaml(const std::string& text, std::string name,
+                                                  const std::string& file);
 
 /// A text with HTML tags, HTML entities and line breaks, as one plain line.
 [[nodiscard]] std::string plain_line(std::string_view html);

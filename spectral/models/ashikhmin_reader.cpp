@@ -123,7 +123,8 @@ double checked_f0(double f0) {
 }
 
 /// Facets of the reflectance "f0", by Schlick, or of the index "index", exactly.
-AnyReflector::AtWavelength model_from(const MaterialFile& file, const AshikhminFacets& facets) {
+Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
+                       std::vector<std::string> warnings) {
     const bool metal = truth_or(file.json, "metal", false);
     const SpectralNumber albedo{file.json, "diffuse_albedo", 0, [&](double a) {
                                     static_cast<void>(AshikhminBrdf{facets, FacetFresnel::schlick(0), a});
@@ -134,24 +135,27 @@ AnyReflector::AtWavelength model_from(const MaterialFile& file, const AshikhminF
     }
     if (const auto index = file.json.find("index")) {
         if (metal || file.json.find("f0")) throw index->error("must not come with f0 or metal");
-        const Material material = material_from(*index, file.folder);
-        return [=](const Wavelength& wavelength, OutsideRange policy) {
-            return AnyModel{AshikhminBrdf{facets, FacetFresnel::exact(material.index(wavelength, policy)),
-                                          albedo(wavelength, policy)}};
-        };
+        const OpticalConstants constants = optical_constants_from(*index, file.folder);
+        return material_of(
+            [=](const Wavelength& wavelength, OutsideRange policy) {
+                return AshikhminBrdf{facets, FacetFresnel::exact(constants.index(wavelength, policy)),
+                                     albedo(wavelength, policy)};
+            },
+            std::move(warnings));
     }
     const SpectralNumber f0{file.json["f0"], checked_f0};
-    return [=](const Wavelength& wavelength, OutsideRange policy) {
-        const double reflectance = f0(wavelength, policy);
-        if (metal) return AnyModel{AshikhminBrdf::metal(facets, reflectance)};
-        return AnyModel{
-            AshikhminBrdf{facets, FacetFresnel::schlick(reflectance), albedo(wavelength, policy)}};
-    };
+    return material_of(
+        [=](const Wavelength& wavelength, OutsideRange policy) {
+            const double reflectance = f0(wavelength, policy);
+            if (metal) return AshikhminBrdf::metal(facets, reflectance);
+            return AshikhminBrdf{facets, FacetFresnel::schlick(reflectance), albedo(wavelength, policy)};
+        },
+        std::move(warnings));
 }
 
 }  // namespace
 
-AnyReflector read_ashikhmin(const MaterialFile& file) {
+Material read_ashikhmin(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "normals", "f0", "index", "metal", "diffuse_albedo", "correlated_shadowing"});
     const NormalDensity density = normals_from(file.json["normals"], file.folder);
@@ -160,7 +164,7 @@ AnyReflector read_ashikhmin(const MaterialFile& file) {
                                  correlated ? FacetShadowing::correlated : FacetShadowing::uncorrelated};
     std::vector<std::string> warnings;
     if (const auto tilted = density.tilted_mean()) warnings.push_back(tilted->text());
-    return AnyReflector{model_from(file, facets), warnings};
+    return material_from(file, facets, std::move(warnings));
 }
 
 }  // namespace hts::spectral

@@ -9,6 +9,8 @@
 #include "hts/microfacet/kurt.hpp"
 #include "hts/microfacet/walter.hpp"
 #include "hts/microfacet/ward.hpp"
+#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -42,21 +44,20 @@ FacetDistribution facets_from(const JsonValue& file) {
 
 }  // namespace
 
-AnyReflector read_walter(const MaterialFile& file) {
+Material read_walter(const MaterialFile& file) {
     file.json.require_keys_among(
         {"name", "model", "distribution", "alpha", "exponent", "index", "exterior_index"});
     const FacetDistribution facets = facets_from(file.json);
-    const Material material = material_from(file.json["index"], file.folder);
+    const OpticalConstants constants = optical_constants_from(file.json["index"], file.folder);
     const SpectralNumber exterior{file.json, "exterior_index", 1, [](double n) {
                                       return RefractiveIndex{n, 0}.n();
                                   }};
-    return AnyReflector{[=](const Wavelength& wavelength, OutsideRange policy) {
-        return AnyModel{
-            WalterInterface{facets, material.index(wavelength, policy), exterior(wavelength, policy)}};
-    }};
+    return material_of([=](const Wavelength& wavelength, OutsideRange policy) {
+        return WalterInterface{facets, constants.index(wavelength, policy), exterior(wavelength, policy)};
+    });
 }
 
-AnyReflector read_kurt(const MaterialFile& file) {
+Material read_kurt(const MaterialFile& file) {
     file.json.require_keys_among({"name", "model", "kd", "lobes", "coupled"});
     const LobesOfNumbers<KurtLobe, 4> parts{
         file.json, std::array<NumberKey, 4>{{{"f0", 1}, {"mx", 1}, {"my", 1}, {"alpha", 0}}}};
@@ -64,20 +65,17 @@ AnyReflector read_kurt(const MaterialFile& file) {
     if (coupled && file.json["lobes"].items().size() != 1) {
         throw file.json["coupled"].error("true: must come with one lobe");
     }
-    return AnyReflector{[=](const Wavelength& wavelength, OutsideRange policy) {
+    return material_of([=](const Wavelength& wavelength, OutsideRange policy) {
         const double kd = parts.kd(wavelength, policy);
         auto lobes = parts.lobes(wavelength, policy);
-        if (coupled) return AnyModel{Kurt::coupled(kd, lobes.front())};
-        return AnyModel{Kurt{kd, std::move(lobes)}, kd * std::numbers::inv_pi};
-    }};
+        if (coupled) return ModelAtWavelength{Kurt::coupled(kd, lobes.front())};
+        return ModelAtWavelength{Kurt{kd, std::move(lobes)}, kd * std::numbers::inv_pi};
+    });
 }
 
 const std::vector<ModelEntry>& built_in_models() {
     static const std::vector<ModelEntry> models{
-        {"he", "He, Torrance, Sillion, Greenberg 1991",
-         [](const MaterialFile& file) {
-             return AnyReflector{reflector_from_json(file.json, file.folder, file.default_name)};
-         }},
+        {"he", "He, Torrance, Sillion, Greenberg 1991", read_he_torrance},
         {"walter", "Walter, Marschner, Li, Torrance 2007", read_walter},
         {"ashikhmin", "Ashikhmin, Premoze, Shirley 2000", read_ashikhmin},
         {"kurt", "Kurt, Szirmay-Kalos, Krivanek 2010", read_kurt},

@@ -1,4 +1,4 @@
-/// How material files become models: what a line of the registry is made of. Not installed.
+/// How material files become models: what a line of the registry is made of.
 ///
 /// A model that is made from numbers needs no reader of its own: a line names its keys in the order of its constructor's
 /// arguments, model_of_numbers<OrenNayar>("oren_nayar", "Oren, Nayar 1994", {{"diffuse_albedo", 0}, …}).
@@ -12,21 +12,10 @@
 
 #include "hts/microfacet/diffuse.hpp"
 #include "hts/microfacet/lobes.hpp"
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/model_evaluator.hpp"
 #include "spectral/models/spectral_number.hpp"
 
 namespace hts::spectral {
-
-/// A material file.
-struct MaterialFile {
-    JsonValue json;
-    std::filesystem::path folder;  ///< where relative paths begin
-    std::string default_name;      ///< where there is no "name"
-};
-
-/// What read_any_reflector reads, of a file or of a part of one.
-[[nodiscard]] AnyReflector any_reflector_from_json(const MaterialFile& file,
-                                                   const std::vector<ModelEntry>& models);
 
 /// A key whose value is a number or {"table": [[um, value], …]}.
 struct NumberKey {
@@ -98,11 +87,11 @@ template <class Make, std::size_t N>
                                        const std::array<NumberKey, N>& keys) {
     return {std::move(name), std::move(source), [keys](const MaterialFile& file) {
                 file.json.require_keys_among(known_keys(keys));
-                return AnyReflector{[value = ValueOfNumbers<Make, N>{file.json, keys}](
-                                        const Wavelength& wavelength, OutsideRange policy) {
+                return material_of([value = ValueOfNumbers<Make, N>{file.json, keys}](
+                                       const Wavelength& wavelength, OutsideRange policy) {
                     const auto model = value.at(wavelength, policy);
-                    return AnyModel{model, uniform_part(model)};
-                }};
+                    return ModelAtWavelength{model, uniform_part(model)};
+                });
             }};
 }
 
@@ -166,18 +155,18 @@ template <LobeShape Lobe, std::size_t N>
                                         const NumberKey (&list)[N]) {  // NOLINT(modernize-avoid-c-arrays)
     return {std::move(name), std::move(source), [keys = std::to_array(list)](const MaterialFile& file) {
                 file.json.require_keys_among({"name", "model", "kd", "lobes"});
-                return AnyReflector{[parts = LobesOfNumbers<Lobe, N>{file.json, keys}](
-                                        const Wavelength& wavelength, OutsideRange policy) {
+                return material_of([parts = LobesOfNumbers<Lobe, N>{file.json, keys}](
+                                       const Wavelength& wavelength, OutsideRange policy) {
                     const double kd = parts.kd(wavelength, policy);
-                    return AnyModel{DiffuseAndLobes<Lobe>{kd, parts.lobes(wavelength, policy)},
-                                    kd * std::numbers::inv_pi};
-                }};
+                    return ModelAtWavelength{DiffuseAndLobes<Lobe>{kd, parts.lobes(wavelength, policy)},
+                                             kd * std::numbers::inv_pi};
+                });
             }};
 }
 
 // Models with more than numbers, a file each.
-[[nodiscard]] AnyReflector read_ashikhmin(const MaterialFile& file);
-[[nodiscard]] AnyReflector read_kurt(const MaterialFile& file);
-[[nodiscard]] AnyReflector read_walter(const MaterialFile& file);
+[[nodiscard]] Material read_ashikhmin(const MaterialFile& file);
+[[nodiscard]] Material read_kurt(const MaterialFile& file);
+[[nodiscard]] Material read_walter(const MaterialFile& file);
 
 }  // namespace hts::spectral

@@ -1,107 +1,147 @@
 #include "spectral/models/reflectance.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
+#include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/models/symmetry.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::spectral {
 namespace {
 
-void require_size(const char* call, std::size_t size, const char* rule, std::size_t expected) {
-    if (size == expected) return;
-    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " + rule +
-                " = " + std::to_string(expected)};
+constexpr std::size_t block = 512;  // pairs that a thread takes at a time
+
+Properties known_properties(const Evaluator& evaluator) {
+    Properties result = evaluator.properties();
+    if (!result.isotropic) result.isotropic = anisotropy(evaluator, 64) < accuracy::isotropy;
+    return result;
 }
 
 }  // namespace
 
-std::vector<SpectralSample> spectral_samples(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                             OutsideRange policy) {
-    std::vector<SpectralSample> samples;
-    samples.reserve(wavelengths.size());
-    for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-        samples.push_back({wavelengths[i], reflector.material.index(wavelengths[i], policy),
-                           hts::uniform_diffuse(reflector.albedo(wavelengths[i], policy))});
-    }
-    return samples;
-}
+Reflectance::Reflectance(std::shared_ptr<const Evaluator> evaluator)
+    : evaluator_{std::move(evaluator)},
+      size_{evaluator_->wavelengths().size()},
+      properties_{known_properties(*evaluator_)} {}
 
-SpectralReflectance::SpectralReflectance(const Reflector& reflector, const WavelengthGrid& wavelengths,
-                                         OutsideRange policy, Tolerance tolerance, DiffuseLobe lobe)
-    : prepared_{reflector.surface, spectral_samples(reflector, wavelengths, policy), tolerance, lobe} {}
-
-std::vector<double> SpectralReflectance::brdf(const DirectionPair& pair) const {
-    std::vector<double> result(size());
-    prepared_.brdf(pair, result);
+std::vector<double> Reflectance::brdf(const DirectionPair& pair) const {
+    std::vector<double> result(size_);
+    evaluator_->brdf(pair, result);
     return result;
 }
 
-void SpectralReflectance::brdf(const DirectionPair& pair, std::span<double> result) const {
-    require_size("brdf", result.size(), "wavelengths", size());
-    prepared_.brdf(pair, result);
+void Reflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
+    require_size("brdf", result.size(), pairs.size());
+    parallel_blocks(pairs.size(), block, [&](std::size_t first, std::size_t count) {
+        evaluator_->brdf_batch(pairs.subspan(first, count), result.subspan(first * size_, count * size_));
+    });
 }
 
-void SpectralReflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
-    require_size("brdf", result.size(), "pairs x wavelengths", pairs.size() * size());
-    constexpr std::size_t chunk = 256;
-    const auto chunks = static_cast<std::ptrdiff_t>((pairs.size() + chunk - 1) / chunk);
-#pragma omp parallel for schedule(dynamic, 4)
-    for (std::ptrdiff_t j = 0; j < chunks; ++j) {
-        const std::size_t first = static_cast<std::size_t>(j) * chunk;
-        const std::size_t count = std::min(chunk, pairs.size() - first);
-        prepared_.brdf(pairs.subspan(first, count), result.subspan(first * size(), count * size()));
-    }
-}
-
-std::vector<DirectionalDiffuse> SpectralReflectance::directional_diffuse(const DirectionPair& pair) const {
-    const PairFactors shared{prepared_.surface(), pair.in, pair.out};
-    std::vector<DirectionalDiffuse> result;
-    result.reserve(size());
-    for (const SpectralSample& sample : prepared_.samples()) {
-        result.push_back(hts::directional_diffuse(shared, sample.wavelength, sample.index, prepared_.lobe()));
-    }
+std::vector<double> Reflectance::uniform_diffuse() const {
+    std::vector<double> result(size_);
+    evaluator_->uniform_diffuse(result);
     return result;
 }
 
-std::vector<double> SpectralReflectance::uniform_diffuse() const {
-    std::vector<double> result;
-    result.reserve(size());
-    for (const SpectralSample& sample : prepared_.samples()) result.push_back(sample.uniform_diffuse);
+void Reflectance::uniform_diffuse(std::span<double> result) const {
+    require_size("uniform_diffuse", result.size(), 1);
+    evaluator_->uniform_diffuse(result);
+}
+
+std::vector<double> Reflectance::directional_diffuse(const DirectionPair& pair) const {
+    std::vector<double> result(size_);
+    evaluator_->directional_diffuse(pair, result);
     return result;
 }
 
-std::vector<SpecularReflectance> SpectralReflectance::specular_reflectance(const Direction& in) const {
-    std::vector<double> values(size());
-    prepared_.specular_reflectance(in, values);
+void Reflectance::directional_diffuse(const DirectionPair& pair, std::span<double> result) const {
+    require_size("directional_diffuse", result.size(), 1);
+    evaluator_->directional_diffuse(pair, result);
+}
+
+std::vector<SpecularReflectance> Reflectance::specular_reflectance(const Direction& in) const {
+    std::vector<double> values(size_);
+    evaluator_->specular_reflectance(in, values);
     return {values.begin(), values.end()};
 }
 
-void SpectralReflectance::specular_reflectance(const Direction& in, std::span<double> result) const {
-    require_size("specular_reflectance", result.size(), "wavelengths", size());
-    prepared_.specular_reflectance(in, result);
+void Reflectance::specular_reflectance(const Direction& in, std::span<double> result) const {
+    require_size("specular_reflectance", result.size(), 1);
+    evaluator_->specular_reflectance(in, result);
 }
 
-std::vector<Mueller> SpectralReflectance::mueller(const DirectionPair& pair) const {
-    std::vector<Mueller> result(size());
-    prepared_.mueller(pair, result);
+std::vector<Mueller> Reflectance::mueller(const DirectionPair& pair) const {
+    std::vector<Mueller> result(size_);
+    mueller(pair, result);
     return result;
 }
 
-void SpectralReflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
-    require_size("mueller", result.size(), "wavelengths", size());
-    prepared_.mueller(pair, result);
+void Reflectance::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_polarised();
+    require_size("mueller", result.size(), 1);
+    evaluator_->mueller(pair, result);
 }
 
-std::vector<Mueller> SpectralReflectance::specular_mueller(const Direction& in) const {
-    const View seen = view(prepared_.surface(), in);
-    std::vector<Mueller> result;
-    result.reserve(size());
-    for (const SpectralSample& sample : prepared_.samples()) {
-        result.push_back(hts::specular_mueller(prepared_.surface(), seen, sample.wavelength, sample.index));
+std::vector<Mueller> Reflectance::directional_diffuse_mueller(const DirectionPair& pair) const {
+    std::vector<Mueller> result(size_);
+    directional_diffuse_mueller(pair, result);
+    return result;
+}
+
+void Reflectance::directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_polarised();
+    require_size("directional_diffuse_mueller", result.size(), 1);
+    evaluator_->directional_diffuse_mueller(pair, result);
+}
+
+std::vector<Mueller> Reflectance::specular_mueller(const Direction& in) const {
+    std::vector<Mueller> result(size_);
+    specular_mueller(in, result);
+    return result;
+}
+
+void Reflectance::specular_mueller(const Direction& in, std::span<Mueller> result) const {
+    require_polarised();
+    require_size("specular_mueller", result.size(), 1);
+    evaluator_->specular_mueller(in, result);
+}
+
+bool Reflectance::transmits(std::size_t wavelength) const {
+    require_wavelength(wavelength);
+    return evaluator_->transmits(wavelength);
+}
+
+std::vector<double> Reflectance::btdf(const DirectionPair& pair) const {
+    std::vector<double> result(size_);
+    evaluator_->btdf(pair, result);
+    return result;
+}
+
+HemisphericalReflectance Reflectance::albedo(const Direction& in, std::size_t wavelength) const {
+    require_wavelength(wavelength);
+    return evaluator_->albedo(in, wavelength);
+}
+
+Sampler Reflectance::sampler(std::size_t wavelength) const {
+    require_wavelength(wavelength);
+    return Sampler{evaluator_->sampler(wavelength)};
+}
+
+void Reflectance::refuse_size(const char* call, std::size_t size, std::size_t pairs) const {
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
+                (pairs == 1 ? "" : "pairs x ") + "wavelengths = " + std::to_string(pairs * size_)};
+}
+
+void Reflectance::require_polarised() const {
+    if (!properties_.polarised) throw Error{name() + ": has no Mueller matrices"};
+}
+
+void Reflectance::require_wavelength(std::size_t wavelength) const {
+    if (wavelength >= size_) {
+        throw out_of_range("wavelength's place", static_cast<double>(wavelength), "",
+                           "less than " + std::to_string(size_));
     }
-    return result;
 }
 
 }  // namespace hts::spectral

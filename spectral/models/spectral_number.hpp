@@ -1,10 +1,10 @@
-/// Numbers of a material file that may depend on wavelength. Not installed.
+/// Numbers of a material file that may depend on wavelength.
 #pragma once
 
 #include <string>
 
 #include "spectral/materials/dispersion.hpp"
-#include "spectral/models/reflector_json.hpp"
+#include "spectral/materials/optical_constants_json.hpp"
 
 namespace hts::spectral {
 

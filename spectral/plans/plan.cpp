@@ -50,8 +50,8 @@ std::vector<WavelengthGrid> grids(const Scene& scene) {
     std::vector<WavelengthGrid> grids;
     if (!scene.polarised && um.size() > 1)
         grids.push_back(WavelengthGrid::from_micrometres({um[um.size() / 2]}));
-    for (std::size_t count = 2;
-         !scene.polarised && count < um.size() && count <= PlannedReflectance::most_nodes; ++count) {
+    for (std::size_t count = 2; !scene.polarised && count < um.size() && count <= PlannedForm::most_nodes;
+         ++count) {
         grids.push_back(equally_spaced_in_inverse_square(first, last, count));
         if (count > 2) grids.push_back(WavelengthGrid::linear(first, last, static_cast<int>(count)));
     }
@@ -63,17 +63,17 @@ constexpr std::array whole_or_uniform{LobeForm{DiffuseLobe::none, 1e-12, 1},
                                       LobeForm{DiffuseLobe::full, 1e-12, 9}};
 
 /// All evaluators of a material, cheapest first.
-///   he         whether it is of that model
+///   rough      whether it is a rough surface, whose lobe has limits and tolerances
 ///   coarsest   tolerance of its full lobe that may be used
-std::vector<LadderStep> ladder(const Scene& scene, bool he, double coarsest) {
+std::vector<LadderStep> ladder(const Scene& scene, bool rough, double coarsest) {
     std::vector<LadderStep> steps;
     const std::span<const LobeForm> forms =
-        he ? std::span<const LobeForm>{lobe_forms} : std::span<const LobeForm>{whole_or_uniform};
+        rough ? std::span<const LobeForm>{lobe_forms} : std::span<const LobeForm>{whole_or_uniform};
     for (const WavelengthGrid& grid : grids(scene)) {
         for (const LobeForm& form : forms) {
             if (form.lobe == DiffuseLobe::full && form.tolerance > coarsest) continue;
             for (const bool specular : {false, true}) {
-                if (specular && !he) continue;
+                if (specular && !rough) continue;
                 const double each = form.cost + (specular ? specular_cost : 0);
                 steps.push_back({{form.lobe, Tolerance{form.tolerance}, specular, grid},
                                  each * static_cast<double>(grid.size())});
@@ -109,14 +109,14 @@ std::vector<MeasuredRung> measured(const MaterialForms& forms, const ErrorMeter&
     return result;
 }
 
-PlannedMaterial planned(const Scene& scene, const AnyReflector& material, const PlanSampling& sampling,
+PlannedMaterial planned(const Scene& scene, const Material& material, const PlanSampling& sampling,
                         double tolerance, double coarsest) {
     const MaterialForms forms{scene, material};
     const ErrorMeter meter{scene, material, forms, sampling};
     const double enough = plan_headroom * tolerance;
     std::vector<Rung> failed;
-    for (const LadderStep& step : ladder(scene, material.he_torrance() != nullptr, coarsest)) {
-        const PlannedReflectance candidate = forms.at(step.rung);
+    for (const LadderStep& step : ladder(scene, material.properties().surface.has_value(), coarsest)) {
+        const PlannedForm candidate = forms.at(step.rung);
         if (!meter.fails_early(candidate, enough)) {
             const MeasuredError error = meter.error(candidate);
             if (error.worst <= enough) {
@@ -131,7 +131,7 @@ PlannedMaterial planned(const Scene& scene, const AnyReflector& material, const 
 
 Plan planned(const Scene& scene, const PlanSampling& sampling, double tolerance, double coarsest) {
     Plan plan{scene, tolerance, sampling, {}};
-    for (const AnyReflector& material : scene.materials) {
+    for (const Material& material : scene.materials) {
         plan.materials.push_back(planned(scene, material, sampling, tolerance, coarsest));
     }
     return plan;
@@ -143,7 +143,7 @@ std::set<double> tables(const Plan& plan) {
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         const Rung& rung = plan.materials[i].choice.rung;
         if (rung.lobe == DiffuseLobe::full && rung.table.empty() &&
-            plan.scene.materials[i].he_torrance() != nullptr)
+            plan.scene.materials[i].properties().surface)
             tolerances.insert(rung.lobe_tolerance.relative_error());
     }
     return tolerances;
@@ -155,21 +155,21 @@ bool fits(const Plan& plan) {
 
 }  // namespace
 
-std::vector<PlannedReflectance> Plan::evaluators() const {
-    std::vector<PlannedReflectance> result;
+std::vector<Reflectance> Plan::reflectances() const {
+    std::vector<Reflectance> result;
     result.reserve(materials.size());
-    for (const PlannedMaterial& material : materials) result.push_back(material.evaluator);
+    for (const PlannedMaterial& material : materials) result.push_back(material.form.reflectance());
     return result;
 }
 
 std::size_t Plan::bytes() const {
     std::size_t sum = 0;
-    for (const PlannedMaterial& material : materials) sum += material.evaluator.bytes();
+    for (const PlannedMaterial& material : materials) sum += material.form.bytes();
     for (const double table : tables(*this)) sum += phi_table_bytes(Tolerance{table});
     return sum;
 }
 
-PlannedReflectance full_model(const Scene& scene, const AnyReflector& material) {
+PlannedForm full_model(const Scene& scene, const Material& material) {
     return MaterialForms{scene, material}.full_model();
 }
 
@@ -188,16 +188,16 @@ Plan make_plan(const Scene& scene, const PlanSampling& sampling, double toleranc
                 ", what the smallest plan within the tolerance takes"};
 }
 
-MeasuredError measured_error(const Scene& scene, const AnyReflector& material,
-                             const PlannedReflectance& evaluator, const PlanSampling& sampling) {
-    return ErrorMeter{scene, material, {scene, material}, sampling}.error(evaluator);
+MeasuredError measured_error(const Scene& scene, const Material& material, const PlannedForm& form,
+                             const PlanSampling& sampling) {
+    return ErrorMeter{scene, material, {scene, material}, sampling}.error(form);
 }
 
 std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling) {
     std::vector<MeasuredError> errors;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         errors.push_back(
-            measured_error(plan.scene, plan.scene.materials[i], plan.materials[i].evaluator, sampling));
+            measured_error(plan.scene, plan.scene.materials[i], plan.materials[i].form, sampling));
     }
     return errors;
 }

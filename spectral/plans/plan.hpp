@@ -71,7 +71,7 @@ struct PlannedMaterial {
     /// What failed before: of each lobe form, with and without mirror term, the rung of the most wavelengths that was
     /// still cheaper than the choice.
     std::vector<MeasuredRung> rejected;
-    PlannedReflectance evaluator;  ///< of the choice
+    PlannedForm form;  ///< of the choice
 };
 
 struct Plan {
@@ -80,14 +80,14 @@ struct Plan {
     PlanSampling sampling;
     std::vector<PlannedMaterial> materials;  ///< in the scene's order
 
-    /// One evaluator per material; copies share what they hold.
-    [[nodiscard]] std::vector<PlannedReflectance> evaluators() const;
+    /// One per material, on the scene's wavelengths.
+    [[nodiscard]] std::vector<Reflectance> reflectances() const;
     /// Memory of the evaluators together with the tables of Phi that they share.
     [[nodiscard]] std::size_t bytes() const;
 };
 
 /// The full model of a material in a scene: what plans are measured against.
-[[nodiscard]] PlannedReflectance full_model(const Scene& scene, const AnyReflector& material);
+[[nodiscard]] PlannedForm full_model(const Scene& scene, const Material& material);
 
 /// Plans a scene.
 ///   tolerance   instead of the scene's, in its measure
@@ -95,16 +95,15 @@ struct Plan {
 [[nodiscard]] Plan make_plan(const Scene& scene, const PlanSampling& sampling, double tolerance);
 
 /// Measures an evaluator as the planner does.
-[[nodiscard]] MeasuredError measured_error(const Scene& scene, const AnyReflector& material,
-                                           const PlannedReflectance& evaluator, const PlanSampling& sampling);
+[[nodiscard]] MeasuredError measured_error(const Scene& scene, const Material& material,
+                                           const PlannedForm& form, const PlanSampling& sampling);
 
 /// Measures the evaluators of a plan again, on other directions.
 [[nodiscard]] std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling);
 
 /// Opens a file that holds a reflectance: tables, which this module knows nothing of, come in this way. hts::Error names the
 /// file and both checksums where the file's is not `checksum`, that of Rung::table.
-using OpenTable = std::function<std::shared_ptr<const SpectralBrdf>(const std::filesystem::path& file,
-                                                                    const std::string& checksum)>;
+using OpenTable = std::function<Reflectance(const std::filesystem::path& file, const std::string& checksum)>;
 
 /// A plan as JSON, for a file in `folder`, from which the scene's path is relative. The same plan gives the same bytes.
 [[nodiscard]] std::string plan_text(const Plan& plan, const std::filesystem::path& folder);

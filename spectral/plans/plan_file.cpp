@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "hts/version.hpp"
 #include "spectral/plans/plan.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/text.hpp"
@@ -126,29 +127,29 @@ struct PlanPlace {
     const OpenTable& open_table;
 };
 
-PlannedReflectance evaluator_from(const JsonValue& choice, const Scene& scene, const AnyReflector& reflector,
-                                  const Rung& rung, const PlanPlace& place) {
+PlannedForm form_from(const JsonValue& choice, const Scene& scene, const Material& material, const Rung& rung,
+                      const PlanPlace& place) {
     if (rung.table.empty())
-        return located(choice.place(), [&] { return PlannedReflectance{scene, reflector, rung}; });
+        return located(choice.place(), [&] { return MaterialForms{scene, material}.at(rung); });
     const JsonValue table = choice["table"];
     if (!place.open_table) throw table.error("must be read by a program that has tables");
     return located(table.place(), [&] {
         const fs::path file = place.folder / rung.table.file;
         auto opened = place.open_table(file, rung.table.checksum);
-        if (opened->name() != reflector.name()) {
-            throw Error{file.string() + ": table of " + in_quotes(opened->name()) + ": must be of " +
-                        in_quotes(reflector.name())};
+        if (opened.name() != material.name()) {
+            throw Error{file.string() + ": table of " + in_quotes(opened.name()) + ": must be of " +
+                        in_quotes(material.name())};
         }
-        return PlannedReflectance{scene, rung, std::move(opened)};
+        return PlannedForm{scene, rung, std::move(opened)};
     });
 }
 
-PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const AnyReflector& reflector,
-                              const PlanPlace& place) {
+PlannedMaterial planned_from(const JsonValue& value, const Scene& scene, const Material& material,
+                             const PlanPlace& place) {
     value.require_keys_among({"name", "choice", "rejected"});
     const JsonValue name = value["name"];
-    if (name.text() != reflector.name()) {
-        throw name.error(in_quotes(name.text()) + ": must be " + in_quotes(reflector.name()) +
+    if (name.text() != material.name()) {
+        throw name.error(in_quotes(name.text()) + ": must be " + in_quotes(material.name()) +
                          ", as in the scene");
     }
     std::vector<MeasuredRung> rejected;
@@ -156,8 +157,8 @@ PlannedMaterial material_from(const JsonValue& value, const Scene& scene, const 
     const JsonValue choice = value["choice"];
     MeasuredRung chosen = rung_from(choice);
     require_wavelengths(choice["wavelengths_um"], chosen.rung, scene);
-    PlannedReflectance evaluator = evaluator_from(choice, scene, reflector, chosen.rung, place);
-    return {reflector.name(), std::move(chosen), std::move(rejected), std::move(evaluator)};
+    PlannedForm form = form_from(choice, scene, material, chosen.rung, place);
+    return {material.name(), std::move(chosen), std::move(rejected), std::move(form)};
 }
 
 std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& scene,
@@ -169,7 +170,7 @@ std::vector<PlannedMaterial> materials_from(const JsonValue& list, const Scene& 
     }
     std::vector<PlannedMaterial> materials;
     for (std::size_t i = 0; i < items.size(); ++i)
-        materials.push_back(material_from(items[i], scene, scene.materials[i], place));
+        materials.push_back(planned_from(items[i], scene, scene.materials[i], place));
     return materials;
 }
 

@@ -8,6 +8,8 @@
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/colour/colour_difference.hpp"
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -25,13 +27,15 @@ double square(double x) {
 /// Draws pairs in a scene's domain.
 class PairSource {
   public:
-    PairSource(const Scene& scene, const AnyReflector& material, std::uint64_t seed)
+    PairSource(const Scene& scene, const Material& material, std::uint64_t seed)
         : scene_{scene},
-          he_{material.he_torrance()},
+          surface_{material.properties().surface},
           lowest_cosine_i_{std::max(0., std::cos(scene.largest_theta_i))},
           lowest_cosine_r_{std::max(0., std::cos(scene.largest_theta_r))},
           random_{seed} {
-        if (he_ == nullptr) models_ = material.spectrum(scene.wavelengths, scene.outside_range).models();
+        if (surface_) return;
+        const Reflectance model = material.at(scene.wavelengths, {.outside = scene.outside_range});
+        for (std::size_t i = 0; i < model.size(); ++i) samplers_.push_back(model.sampler(i));
     }
 
     DirectionPair anywhere() {
@@ -45,9 +49,9 @@ class PairSource {
         const DirectionPair pair = anywhere();
         const auto count = static_cast<double>(scene_.wavelengths.size());
         const auto wavelength = static_cast<std::size_t>(count * random_.uniform());
-        const double width = he_ != nullptr ? lobe_width(pair.in, scene_.wavelengths[wavelength]) : 0;
+        const double width = surface_ ? lobe_width(pair.in, scene_.wavelengths[wavelength]) : 0;
         for (int i = 0; i < most_tries; ++i) {
-            const auto out = he_ != nullptr ? about_mirror(pair.in, width) : drawn(pair.in, wavelength);
+            const auto out = surface_ ? about_mirror(pair.in, width) : drawn(pair.in, wavelength);
             if (out) return {pair.in, *out};
         }
         return pair;
@@ -56,14 +60,14 @@ class PairSource {
   private:
     /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more.
     [[nodiscard]] double lobe_width(const Direction& in, const Wavelength& wavelength) const {
-        const Surface& surface = he_->surface;
+        const Surface& surface = *surface_;
         const View light = view(surface, in);
         const PairFactors mirrored{surface, light, view(surface, in.mirror())};
         return 2 / surface.correlation_length() / wavelength.wave_number() *
                std::sqrt(std::max(1., mirrored.phase_variance(wavelength)));
     }
 
-    /// About as far from the mirror direction as a He-Torrance lobe is wide.
+    /// About as far from the mirror direction as the lobe of a rough surface is wide.
     std::optional<Direction> about_mirror(const Direction& in, double width) {
         const double away = width * std::sqrt(-2 * std::log1p(-random_.uniform()));
         const double azimuth = 2 * std::numbers::pi * random_.uniform();
@@ -74,17 +78,17 @@ class PairSource {
         return Direction::from_vector({x, y, std::sqrt(std::max(0., 1 - sine_squared))});
     }
 
-    /// As another model draws.
+    /// As the model draws.
     std::optional<Direction> drawn(const Direction& in, std::size_t wavelength) {
         const Uniforms uniforms = random_.uniforms();
-        const WeightedDirection draw = models_[wavelength].sample(in, uniforms);
+        const Draw draw = samplers_[wavelength].draw(in, uniforms);
         if (draw.lobe == Lobe::none || draw.out.cos_theta() < lowest_cosine_r_) return std::nullopt;
         return draw.out;
     }
 
     const Scene& scene_;
-    const Reflector* he_;
-    std::vector<AnyModel> models_;  // of a model other than He-Torrance, at the scene's wavelengths
+    std::optional<Surface> surface_;
+    std::vector<Sampler> samplers_;  // of what is no rough surface, at the scene's wavelengths
     double lowest_cosine_i_, lowest_cosine_r_;
     Random random_;
 };
@@ -109,7 +113,7 @@ std::vector<DirectionPair> pairs_at_edges(const Scene& scene) {
 /// The lobe's largest values in the plane of incidence, one per wavelength, from coarse values.
 class Peaks {
   public:
-    Peaks(const Scene& scene, const SpectralBrdf& coarse)
+    Peaks(const Scene& scene, const Reflectance& coarse)
         : scene_{scene}, coarse_{coarse}, uniform_(scene.wavelengths.size()) {
         coarse_.uniform_diffuse(uniform_);
     }
@@ -136,7 +140,7 @@ class Peaks {
 
   private:
     const Scene& scene_;
-    const SpectralBrdf& coarse_;
+    const Reflectance& coarse_;
     std::vector<double> uniform_;
 };
 
@@ -159,21 +163,13 @@ double ratio(double difference, double scale) {
 }
 
 MeasuredError summary(std::vector<double> errors) {
-    const auto at_99 = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() - 1) * 99 / 100);
-    std::nth_element(errors.begin(), at_99, errors.end());
-    return {*std::max_element(at_99, errors.end()), *at_99};
-}
-
-/// f(0) ... f(count - 1) on all cores.
-template <class Function>
-void for_each_index(std::size_t count, const Function& f) {
-#pragma omp parallel for schedule(dynamic, 32)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) f(static_cast<std::size_t>(i));
+    const double at_99 = in_order(errors, (errors.size() - 1) * 99 / 100);
+    return {*std::ranges::max_element(errors), at_99};
 }
 
 }  // namespace
 
-std::vector<DirectionPair> planning_pairs(const Scene& scene, const AnyReflector& material,
+std::vector<DirectionPair> planning_pairs(const Scene& scene, const Material& material,
                                           const PlanSampling& sampling) {
     if (sampling.pairs < 1 || sampling.pairs > most_pairs) {
         throw out_of_range("number of pairs", static_cast<double>(sampling.pairs), "",
@@ -183,8 +179,8 @@ std::vector<DirectionPair> planning_pairs(const Scene& scene, const AnyReflector
         throw Error{"seed " + std::to_string(sampling.seed) + ": must be from 0 to 2^53"};
     }
     PairSource source{scene, material, sampling.seed};
-    const Reflector* he = material.he_torrance();
-    const bool has_lobe = he == nullptr || he->surface.rms_roughness() > 0;
+    const auto& surface = material.properties().surface;
+    const bool has_lobe = !surface || surface->rms_roughness() > 0;
     std::vector<DirectionPair> pairs = pairs_at_edges(scene);
     for (std::size_t i = 0; i < sampling.pairs; ++i) {
         pairs.push_back(i % 2 == 1 && has_lobe ? source.in_lobe() : source.anywhere());
@@ -192,23 +188,20 @@ std::vector<DirectionPair> planning_pairs(const Scene& scene, const AnyReflector
     return pairs;
 }
 
-ErrorMeter::ErrorMeter(const Scene& scene, const AnyReflector& material, const MaterialForms& forms,
+ErrorMeter::ErrorMeter(const Scene& scene, const Material& material, const MaterialForms& forms,
                        const PlanSampling& sampling)
-    : scene_{scene},
-      material_{material},
-      full_{forms.full_model()},
-      pairs_{planning_pairs(scene, material, sampling)} {
+    : scene_{scene}, full_{forms.full_model()}, pairs_{planning_pairs(scene, material, sampling)} {
     scene.measure == ErrorMeasure::delta_e_2000 ? remember_colours()
                                                 : remember_spectra(forms.full_model(Tolerance{1e-3}));
 }
 
-void ErrorMeter::remember_spectra(const PlannedReflectance& coarse) {
+void ErrorMeter::remember_spectra(const PlannedForm& coarse) {
     const Peaks peaks{scene_, coarse.at_nodes()};
-    const std::size_t count = full_.size();
+    const std::size_t count = full_.reflectance().size();
     spectra_.resize(pairs_.size() * count);
     scales_.resize(pairs_.size() * count);
-    full_.brdf(pairs_, spectra_);
-    for_each_index(pairs_.size(), [&](std::size_t i) {
+    full_.reflectance().brdf(pairs_, spectra_);
+    parallel_for(pairs_.size(), [&](std::size_t i) {
         const auto scales = std::span{scales_}.subspan(i * count, count);
         peaks.find(pairs_[i], scales);
         for (std::size_t j = 0; j < count; ++j)
@@ -220,43 +213,43 @@ void ErrorMeter::remember_colours() {
     white_ = white_point(*scene_.illuminant);
     colours_.resize(pairs_.size());
     specular_colours_.resize(pairs_.size());
-    for_each_index(pairs_.size(), [&](std::size_t i) {
-        std::vector<double> scratch(full_.nodes());
+    parallel_for(pairs_.size(), [&](std::size_t i) {
+        std::vector<double> scratch(full_.at_nodes().size());
         colours_[i] = full_.colour(pairs_[i], scratch);
         specular_colours_[i] = full_.specular_colour(pairs_[i].in);
     });
 }
 
-bool ErrorMeter::fails_early(const PlannedReflectance& candidate, double enough) const {
+bool ErrorMeter::fails_early(const PlannedForm& candidate, double enough) const {
     for (std::size_t i = 0; i < std::min(early_pairs, pairs_.size()); ++i) {
         if (diffuse_error(candidate, i) > enough || specular_error(candidate, i) > enough) return true;
     }
     return false;
 }
 
-MeasuredError ErrorMeter::error(const PlannedReflectance& candidate) const {
+MeasuredError ErrorMeter::error(const PlannedForm& candidate) const {
     std::vector<double> errors(pairs_.size());
-    for_each_index(pairs_.size(), [&](std::size_t i) {
+    parallel_for(pairs_.size(), [&](std::size_t i) {
         errors[i] = std::max(diffuse_error(candidate, i), specular_error(candidate, i));
     });
     return summary(std::move(errors));
 }
 
-double ErrorMeter::diffuse_error(const PlannedReflectance& candidate, std::size_t pair) const {
+double ErrorMeter::diffuse_error(const PlannedForm& candidate, std::size_t pair) const {
     if (scene_.measure == ErrorMeasure::delta_e_2000) {
-        std::vector<double> scratch(candidate.nodes());
+        std::vector<double> scratch(candidate.at_nodes().size());
         return exposed_difference(colours_[pair], candidate.colour(pairs_[pair], scratch), white_);
     }
-    const std::size_t first = pair * full_.size();
+    const std::size_t first = pair * full_.reflectance().size();
     double worst = 0;
     if (scene_.polarised) {
-        const auto full = full_.mueller(pairs_[pair]);
-        const auto value = candidate.mueller(pairs_[pair]);
+        const auto full = full_.reflectance().mueller(pairs_[pair]);
+        const auto value = candidate.reflectance().mueller(pairs_[pair]);
         for (std::size_t i = 0; i < full.size(); ++i) {
             worst = std::max(worst, ratio(largest_difference(value[i], full[i]), scales_[first + i]));
         }
     } else {
-        const auto value = candidate.brdf(pairs_[pair]);
+        const auto value = candidate.reflectance().brdf(pairs_[pair]);
         for (std::size_t i = 0; i < value.size(); ++i) {
             worst = std::max(worst, ratio(std::abs(value[i] - spectra_[first + i]), scales_[first + i]));
         }
@@ -264,22 +257,21 @@ double ErrorMeter::diffuse_error(const PlannedReflectance& candidate, std::size_
     return worst;
 }
 
-double ErrorMeter::specular_error(const PlannedReflectance& candidate, std::size_t pair) const {
+double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair) const {
     const Direction& in = pairs_[pair].in;
     if (scene_.measure == ErrorMeasure::delta_e_2000) {
         return exposed_difference(specular_colours_[pair], candidate.specular_colour(in), white_);
     }
-    const Reflector* he = material_.he_torrance();
-    if (he == nullptr) return 0;  // other models have no mirror term
-    const double shadowing = square(view(he->surface, in).visibility.shadowing);
-    const auto full = full_.specular_reflectance(in);
-    const auto value = candidate.specular_reflectance(in);
+    const auto samples = full_.at_nodes().samples();
+    if (samples.empty()) return 0;  // nor has it a specular term
+    const double shadowing = square(view(*full_.at_nodes().properties().surface, in).visibility.shadowing);
+    const auto full = full_.reflectance().specular_reflectance(in);
+    const auto value = candidate.reflectance().specular_reflectance(in);
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
-        const Wavelength wavelength = scene_.wavelengths[i];
-        const auto index = he->material.index(wavelength, scene_.outside_range);
-        const double reflected = fresnel(in.cos_theta(), index).unpolarised_reflectance() * shadowing +
-                                 he->albedo(wavelength, scene_.outside_range);
+        const double reflected =
+            fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
+            samples[i].uniform_diffuse * std::numbers::pi;
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }
     return worst;

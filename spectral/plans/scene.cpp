@@ -27,17 +27,17 @@ constexpr double largest_budget = 0x1p53;  // whole numbers up to here are exact
 
 // ---- reading
 
-AnyReflector reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number,
-                            const std::vector<ModelEntry>& models) {
+Material reflector_from(const JsonValue& item, const fs::path& folder, std::size_t number,
+                        const std::vector<ModelEntry>& models) {
     if (item.is_object())
-        return any_reflector_from_json({item, folder, "material " + std::to_string(number)}, models);
+        return material_from_json({item, folder, "material " + std::to_string(number)}, models);
     if (!item.is_text()) throw item.error("must be the path of a material file or a material");
-    return located(item.place(), [&] { return read_any_reflector(folder / item.text(), models); });
+    return located(item.place(), [&] { return read_material(folder / item.text(), models); });
 }
 
-std::vector<AnyReflector> materials_from(const JsonValue& list, const fs::path& folder,
-                                         const std::vector<ModelEntry>& models) {
-    std::vector<AnyReflector> materials;
+std::vector<Material> materials_from(const JsonValue& list, const fs::path& folder,
+                                     const std::vector<ModelEntry>& models) {
+    std::vector<Material> materials;
     std::set<std::string> names;
     for (const JsonValue& item : list.items()) {
         materials.push_back(reflector_from(item, folder, materials.size() + 1, models));
@@ -111,11 +111,12 @@ std::optional<std::size_t> budget_from(const JsonValue& file) {
     throw budget->error(shortest(bytes) + ": must be a whole number of bytes, > 0");
 }
 
-/// What only the He-Torrance model has.
-void require_he_torrance(const JsonValue& file, const char* key, const Scene& scene) {
+/// What not every model has.
+template <class Has>
+void require_of_all(const JsonValue& file, const char* key, const Scene& scene, const Has& has) {
     if (!flag_from(file, key)) return;
-    for (const AnyReflector& material : scene.materials) {
-        if (material.he_torrance() != nullptr) continue;
+    for (const Material& material : scene.materials) {
+        if (has(material.properties())) continue;
         throw file[key].error("true: materials must be of model he; " + in_quotes(material.name()) +
                               " has model " + material.model_name());
     }
@@ -125,9 +126,9 @@ void require_wavelengths(const JsonValue& key, const Scene& scene) {
     located(key.place(), [&] {
         if (scene.illuminant)
             static_cast<void>(tristimulus_weights(scene.wavelengths.micrometres(), *scene.illuminant));
-        for (const AnyReflector& material : scene.materials) {
+        for (const Material& material : scene.materials) {
             located(in_quotes(material.name()),
-                    [&] { return material.spectrum(scene.wavelengths, scene.outside_range); });
+                    [&] { return material.at(scene.wavelengths, {.outside = scene.outside_range}); });
         }
     });
 }
@@ -161,26 +162,29 @@ class Checksum {
     std::uint64_t state_ = 0xcbf29ce484222325;
 };
 
-void add_spectra(Checksum& checksum, const Reflector& material, const WavelengthGrid& wavelengths,
-                 OutsideRange policy) {
-    for (const SpectralSample& sample : spectral_samples(material, wavelengths, policy)) {
+void add_samples(Checksum& checksum, const Reflectance& reflectance) {
+    for (const SpectralSample& sample : reflectance.samples()) {
         checksum.add(sample.index.n());
         checksum.add(sample.index.k());
         checksum.add(sample.uniform_diffuse);
     }
 }
 
-/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface singles out.
-void add_probes(Checksum& checksum, const AnyModel& model) {
+/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface singles out, one
+/// wavelength after the other.
+void add_probes(Checksum& checksum, const Reflectance& reflectance) {
     constexpr int digits = 9;
+    std::vector<std::vector<double>> probes;
     for (const double theta_i : {5., 50.}) {
         const Direction in = Direction::from_degrees(theta_i, 17 + theta_i);
-        checksum.add(model.brdf(in, in.mirror()), digits);
+        probes.push_back(reflectance.brdf({in, in.mirror()}));
         for (const double away : {1., 7., 25.}) {
-            const Direction out = Direction::from_degrees(theta_i + away, 197 + theta_i + 3 * away);
-            checksum.add(model.brdf(in, out), digits);
+            probes.push_back(
+                reflectance.brdf({in, Direction::from_degrees(theta_i + away, 197 + theta_i + 3 * away)}));
         }
     }
+    for (std::size_t i = 0; i < reflectance.size(); ++i)
+        for (const auto& probe : probes) checksum.add(probe[i], digits);
 }
 
 /// Equally spaced over the range of a grid, for what a material does between its wavelengths.
@@ -189,19 +193,19 @@ WavelengthGrid between(const WavelengthGrid& wavelengths) {
     return WavelengthGrid::linear(wavelengths.micrometres().front(), wavelengths.micrometres().back(), 257);
 }
 
-void add_material(Checksum& checksum, const AnyReflector& material, const Scene& scene) {
+void add_material(Checksum& checksum, const Material& material, const Scene& scene) {
     checksum.add(material.name());
     checksum.add(material.model_name());
-    if (const Reflector* he = material.he_torrance()) {
-        checksum.add(he->surface.rms_roughness());
-        checksum.add(he->surface.correlation_length());
-        add_spectra(checksum, *he, scene.wavelengths, scene.outside_range);
-        add_spectra(checksum, *he, between(scene.wavelengths), scene.outside_range);
-        return;
+    if (const auto& surface = material.properties().surface) {
+        checksum.add(surface->rms_roughness());
+        checksum.add(surface->correlation_length());
     }
     for (const WavelengthGrid& grid : {scene.wavelengths, between(scene.wavelengths)}) {
-        for (std::size_t i = 0; i < grid.size(); ++i)
-            add_probes(checksum, material.at(grid[i], scene.outside_range));
+        const Reflectance reflectance = material.at(grid, {.outside = scene.outside_range});
+        if (material.properties().surface)
+            add_samples(checksum, reflectance);
+        else
+            add_probes(checksum, reflectance);
     }
 }
 
@@ -240,8 +244,9 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
                 tolerance.number(),
                 budget_from(file),
                 flag_from(file, "compensate_energy")};
-    require_he_torrance(file, "polarised", scene);
-    require_he_torrance(file, "compensate_energy", scene);
+    require_of_all(file, "polarised", scene, [](const Properties& has) { return has.polarised; });
+    require_of_all(file, "compensate_energy", scene,
+                   [](const Properties& has) { return has.surface.has_value(); });
     if (colour) require_colour(tolerance, scene.illuminant.has_value(), scene.polarised);
     located(tolerance.place(), [&] { require_tolerance(scene.measure, scene.tolerance); });
     require_wavelengths(wavelengths, scene);
@@ -260,7 +265,7 @@ std::string fingerprint(const Scene& scene) {
     checksum.add(scene.tolerance);
     checksum.add(static_cast<double>(scene.memory_budget.value_or(0)));
     checksum.add(std::string_view{scene.compensate_energy ? "compensated" : "as published"});
-    for (const AnyReflector& material : scene.materials) add_material(checksum, material, scene);
+    for (const Material& material : scene.materials) add_material(checksum, material, scene);
     return checksum.text();
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "spectral/colour/colour.hpp"
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::spectral {
@@ -26,8 +26,8 @@ enum class ErrorMeasure {
 /// A scene as read by `read_scene`, which guarantees what the members say.
 struct Scene {
     std::filesystem::path path;
-    std::vector<AnyReflector> materials;  ///< at least one, names differ
-    WavelengthGrid wavelengths;           ///< within the range of every material unless clamped
+    std::vector<Material> materials;  ///< at least one, names differ
+    WavelengthGrid wavelengths;       ///< within the range of every material unless clamped
     OutsideRange outside_range;
     double largest_theta_i, largest_theta_r;  ///< [rad] polar angles of lights and views, 0 ... pi/2, > 0
     bool polarised;                           ///< Mueller matrices are needed; all materials are of model he

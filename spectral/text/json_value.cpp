@@ -61,9 +61,13 @@ JsonValue::Row row_of(const json& value, const std::vector<std::string>& columns
     return {value.get<std::vector<double>>(), place};
 }
 
+const json& value_of(const std::shared_ptr<const void>& value) {
+    return *static_cast<const json*>(value.get());
+}
+
 }  // namespace
 
-JsonValue::JsonValue(std::shared_ptr<const json> value, std::string file, std::string key)
+JsonValue::JsonValue(std::shared_ptr<const void> value, std::string file, std::string key)
     : value_{std::move(value)}, file_{std::move(file)}, key_{std::move(key)} {}
 
 JsonValue JsonValue::read(const std::filesystem::path& path) {
@@ -82,36 +86,37 @@ JsonValue JsonValue::parse(const std::string& text, std::string file) {
 }
 
 bool JsonValue::is_object() const noexcept {
-    return value_->is_object();
+    return value_of(value_).is_object();
 }
 
 bool JsonValue::is_text() const noexcept {
-    return value_->is_string();
+    return value_of(value_).is_string();
 }
 
 bool JsonValue::is_list() const noexcept {
-    return value_->is_array();
+    return value_of(value_).is_array();
 }
 
 double JsonValue::number() const {
-    if (!value_->is_number()) throw error("must be a number, not " + with_article(*value_));
-    return value_->get<double>();
+    if (!value_of(value_).is_number()) throw error("must be a number, not " + with_article(value_of(value_)));
+    return value_of(value_).get<double>();
 }
 
 std::string JsonValue::text() const {
-    if (!is_text()) throw error("must be a string, not " + with_article(*value_));
-    return value_->get<std::string>();
+    if (!is_text()) throw error("must be a string, not " + with_article(value_of(value_)));
+    return value_of(value_).get<std::string>();
 }
 
 bool JsonValue::boolean() const {
-    if (!value_->is_boolean()) throw error("must be true or false, not " + with_article(*value_));
-    return value_->get<bool>();
+    if (!value_of(value_).is_boolean())
+        throw error("must be true or false, not " + with_article(value_of(value_)));
+    return value_of(value_).get<bool>();
 }
 
 std::vector<JsonValue> JsonValue::items() const {
-    if (!is_list()) throw error("must be an array, not " + with_article(*value_));
+    if (!is_list()) throw error("must be an array, not " + with_article(value_of(value_)));
     std::vector<JsonValue> result;
-    for (const json& item : *value_) {
+    for (const json& item : value_of(value_)) {
         result.push_back({{value_, &item}, file_, key_ + "[" + std::to_string(result.size() + 1) + "]"});
     }
     return result;
@@ -119,11 +124,12 @@ std::vector<JsonValue> JsonValue::items() const {
 
 std::vector<JsonValue::Row> JsonValue::rows(const std::vector<std::string>& columns) const {
     if (!is_list()) {
-        throw error("must be an array of rows [" + joined(columns) + "], not " + with_article(*value_));
+        throw error("must be an array of rows [" + joined(columns) + "], not " +
+                    with_article(value_of(value_)));
     }
-    if (value_->empty()) throw error("must have at least one row [" + joined(columns) + "]");
+    if (value_of(value_).empty()) throw error("must have at least one row [" + joined(columns) + "]");
     std::vector<Row> result;
-    for (const json& row : *value_) {
+    for (const json& row : value_of(value_)) {
         result.push_back(row_of(row, columns, place() + ": row " + std::to_string(result.size() + 1)));
     }
     return result;
@@ -131,22 +137,22 @@ std::vector<JsonValue::Row> JsonValue::rows(const std::vector<std::string>& colu
 
 void JsonValue::require_keys_among(const std::vector<std::string>& known) const {
     require_object();
-    for (const auto& item : value_->items()) {
+    for (const auto& item : value_of(value_).items()) {
         if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-        throw member(item.key(), item.value()).error("not known; must be one of " + joined(known));
+        throw member(item.key(), &item.value()).error("not known; must be one of " + joined(known));
     }
 }
 
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
     require_object();
-    const auto found = value_->find(std::string{key});
-    if (found == value_->end()) return std::nullopt;
-    return member(key, *found);
+    const auto found = value_of(value_).find(std::string{key});
+    if (found == value_of(value_).end()) return std::nullopt;
+    return member(key, &*found);
 }
 
 JsonValue JsonValue::operator[](std::string_view key) const {
     auto found = find(key);
-    if (!found) throw member(key, *value_).error("missing");
+    if (!found) throw member(key, value_.get()).error("missing");
     return std::move(*found);
 }
 
@@ -159,11 +165,11 @@ Error JsonValue::error(std::string_view message) const {
 }
 
 void JsonValue::require_object() const {
-    if (!is_object()) throw error("must be an object, not " + with_article(*value_));
+    if (!is_object()) throw error("must be an object, not " + with_article(value_of(value_)));
 }
 
-JsonValue JsonValue::member(std::string_view key, const json& value) const {
-    return {{value_, &value}, file_, (key_.empty() ? "" : key_ + ".") + std::string{key}};
+JsonValue JsonValue::member(std::string_view key, const void* value) const {
+    return {{value_, value}, file_, (key_.empty() ? "" : key_ + ".") + std::string{key}};
 }
 
 }  // namespace hts::spectral

@@ -1,4 +1,4 @@
-/// JSON that knows where it stands, so that every error names file and key. Private to the readers.
+/// JSON that knows where it stands, so that every error names file and key.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include "hts/error.hpp"
 
@@ -53,11 +51,11 @@ class JsonValue {
     [[nodiscard]] Error error(std::string_view message) const;
 
   private:
-    JsonValue(std::shared_ptr<const nlohmann::json> value, std::string file, std::string key);
+    JsonValue(std::shared_ptr<const void> value, std::string file, std::string key);
     void require_object() const;
-    [[nodiscard]] JsonValue member(std::string_view key, const nlohmann::json& value) const;
+    [[nodiscard]] JsonValue member(std::string_view key, const void* value) const;
 
-    std::shared_ptr<const nlohmann::json> value_;  // shares ownership of the whole document
+    std::shared_ptr<const void> value_;  // a JSON value, which shares ownership of the whole document
     std::string file_;
     std::string key_;
 };

@@ -86,7 +86,7 @@ const std::vector<BrdfFormat>& readable_formats() {
          },
          [](const Path& path, const Wavelengths& wavelengths) {
              if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
-             return BrdfFile{read_rgl(path), "rgl", {}};
+             return BrdfFile{spectral::Reflectance{read_rgl(path)}, "rgl", {}};
          }},
         {"radiance", "Radiance and LBNL WINDOW XML, tensor tree or Klems' patches",
          [](std::string_view head, const Path&) { return spectral::trimmed(head).starts_with('<'); },

@@ -15,13 +15,13 @@
 #include <string_view>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
 /// What a reader made of a file.
 struct BrdfFile {
-    std::shared_ptr<const SpectralBrdf> brdf;
+    spectral::Reflectance brdf;
     std::string format;              ///< "merl", …
     std::vector<std::string> notes;  ///< what a user should know of it, a line each
 };

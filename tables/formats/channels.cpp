@@ -12,57 +12,60 @@ namespace {
 
 // What a source's spectra become: a value per channel.
 template <class Combine>
-class Channels final : public SpectralBrdf {
+class Channels final : public spectral::Evaluator {
   public:
-    Channels(std::shared_ptr<const SpectralBrdf> source, const spectral::WavelengthGrid& channels,
-             Combine combine)
-        : SpectralBrdf{source->name(), channels}, source_{std::move(source)}, combine_{std::move(combine)} {
-        if (source_->wavelengths().size() > most_channels) {
-            throw out_of_range("number of wavelengths", static_cast<double>(source_->wavelengths().size()),
-                               "", "at most " + std::to_string(most_channels));
+    Channels(spectral::Reflectance source, const spectral::WavelengthGrid& channels, Combine combine)
+        : spectral::Evaluator{source.name(), channels},
+          source_{std::move(source)},
+          combine_{std::move(combine)} {
+        if (source_.wavelengths().size() > most_channels) {
+            throw out_of_range("number of wavelengths", static_cast<double>(source_.wavelengths().size()), "",
+                               "at most " + std::to_string(most_channels));
         }
     }
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         std::array<double, most_channels> spectrum;
-        const auto all = std::span{spectrum}.first(source_->wavelengths().size());
-        source_->brdf(pair, all);
+        const auto all = std::span{spectrum}.first(source_.wavelengths().size());
+        source_.evaluator().brdf(pair, all);
         combine_(all, values);
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
         std::array<double, most_channels> spectrum;
-        const auto all = std::span{spectrum}.first(source_->wavelengths().size());
-        source_->specular_reflectance(in, all);
+        const auto all = std::span{spectrum}.first(source_.wavelengths().size());
+        source_.evaluator().specular_reflectance(in, all);
         combine_(all, values);
     }
 
   private:
-    std::shared_ptr<const SpectralBrdf> source_;
+    spectral::Reflectance source_;
     Combine combine_;
 };
 
 // One part per wavelength.
-class Joined final : public SpectralBrdf {
+class Joined final : public spectral::Evaluator {
   public:
     Joined(const std::string& name, const spectral::WavelengthGrid& wavelengths,
-           std::vector<std::shared_ptr<const SpectralBrdf>> parts)
-        : SpectralBrdf{name, wavelengths}, parts_{std::move(parts)} {}
+           std::vector<spectral::Reflectance> parts)
+        : spectral::Evaluator{name, wavelengths}, parts_{std::move(parts)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i]->brdf(pair, values.subspan(i, 1));
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            parts_[i].evaluator().brdf(pair, values.subspan(i, 1));
     }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
         for (std::size_t i = 0; i < parts_.size(); ++i)
-            parts_[i]->specular_reflectance(in, values.subspan(i, 1));
+            parts_[i].evaluator().specular_reflectance(in, values.subspan(i, 1));
     }
 
   private:
-    std::vector<std::shared_ptr<const SpectralBrdf>> parts_;
+    std::vector<spectral::Reflectance> parts_;
 };
 
 template <class Combine>
-std::unique_ptr<SpectralBrdf> channels_of(std::shared_ptr<const SpectralBrdf> source,
-                                          const spectral::WavelengthGrid& channels, Combine combine) {
-    return std::make_unique<Channels<Combine>>(source, channels, std::move(combine));
+spectral::Reflectance channels_of(spectral::Reflectance source, const spectral::WavelengthGrid& channels,
+                                  Combine combine) {
+    return spectral::Reflectance{
+        std::make_shared<const Channels<Combine>>(source, channels, std::move(combine))};
 }
 
 }  // namespace
@@ -77,9 +80,8 @@ const spectral::WavelengthGrid& luminance_wavelength() {
     return grid;
 }
 
-std::unique_ptr<SpectralBrdf> linear_srgb_brdf(std::shared_ptr<const SpectralBrdf> source,
-                                               spectral::Illuminant illuminant) {
-    const auto weights = spectral::tristimulus_weights(source->wavelengths().micrometres(), illuminant);
+spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source, spectral::Illuminant illuminant) {
+    const auto weights = spectral::tristimulus_weights(source.wavelengths().micrometres(), illuminant);
     return channels_of(std::move(source), rgb_wavelengths(),
                        [weights](std::span<const double> spectrum, std::span<double> values) {
                            const auto rgb = spectral::linear_srgb(weights(spectrum), weights.illuminant());
@@ -89,17 +91,16 @@ std::unique_ptr<SpectralBrdf> linear_srgb_brdf(std::shared_ptr<const SpectralBrd
                        });
 }
 
-std::unique_ptr<SpectralBrdf> luminance_brdf(std::shared_ptr<const SpectralBrdf> source,
-                                             spectral::Illuminant illuminant) {
-    const auto weights = spectral::tristimulus_weights(source->wavelengths().micrometres(), illuminant);
+spectral::Reflectance luminance_brdf(spectral::Reflectance source, spectral::Illuminant illuminant) {
+    const auto weights = spectral::tristimulus_weights(source.wavelengths().micrometres(), illuminant);
     return channels_of(std::move(source), luminance_wavelength(),
                        [weights](std::span<const double> spectrum, std::span<double> values) {
                            values[0] = weights(spectrum).Y;
                        });
 }
 
-std::unique_ptr<SpectralBrdf> brdf_at(std::shared_ptr<const SpectralBrdf> source, std::size_t index) {
-    const auto all = source->wavelengths().micrometres();
+spectral::Reflectance brdf_at(spectral::Reflectance source, std::size_t index) {
+    const auto all = source.wavelengths().micrometres();
     if (index >= all.size()) {
         throw out_of_range("index of a wavelength", static_cast<double>(index), "",
                            "below " + std::to_string(all.size()));
@@ -110,11 +111,11 @@ std::unique_ptr<SpectralBrdf> brdf_at(std::shared_ptr<const SpectralBrdf> source
         [index](std::span<const double> spectrum, std::span<double> values) { values[0] = spectrum[index]; });
 }
 
-std::unique_ptr<SpectralBrdf> with_channels_named(std::shared_ptr<const SpectralBrdf> source,
-                                                  const spectral::WavelengthGrid& names) {
-    if (names.size() != source->wavelengths().size()) {
+spectral::Reflectance with_channels_named(spectral::Reflectance source,
+                                          const spectral::WavelengthGrid& names) {
+    if (names.size() != source.wavelengths().size()) {
         throw out_of_range("number of channels", static_cast<double>(names.size()), "",
-                           std::to_string(source->wavelengths().size()));
+                           std::to_string(source.wavelengths().size()));
     }
     return channels_of(std::move(source), names,
                        [](std::span<const double> spectrum, std::span<double> values) {
@@ -122,17 +123,16 @@ std::unique_ptr<SpectralBrdf> with_channels_named(std::shared_ptr<const Spectral
                        });
 }
 
-std::unique_ptr<SpectralBrdf> joined(const std::string& name,
-                                     std::vector<std::shared_ptr<const SpectralBrdf>> parts) {
+spectral::Reflectance joined(const std::string& name, std::vector<spectral::Reflectance> parts) {
     std::vector<double> micrometres;
     for (const auto& part : parts) {
-        if (part->wavelengths().size() != 1)
-            throw Error{name + ": a part with " + std::to_string(part->wavelengths().size()) +
+        if (part.wavelengths().size() != 1)
+            throw Error{name + ": a part with " + std::to_string(part.wavelengths().size()) +
                         " wavelengths: must have 1"};
-        micrometres.push_back(part->wavelengths().micrometres()[0]);
+        micrometres.push_back(part.wavelengths().micrometres()[0]);
     }
     auto all = spectral::WavelengthGrid::from_micrometres(std::move(micrometres));
-    return std::make_unique<Joined>(name, all, std::move(parts));
+    return spectral::Reflectance{std::make_shared<const Joined>(name, all, std::move(parts))};
 }
 
 }  // namespace hts::tables

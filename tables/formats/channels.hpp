@@ -1,6 +1,6 @@
 /// Few channels in place of a spectrum, for file formats that hold no more: linear sRGB, or luminance alone.
 ///
-/// Such a channel is no wavelength, but SpectralBrdf needs one to name it by: 0.46, 0.55 and 0.62 um stand for blue, green
+/// Such a channel is no wavelength, but spectral::Reflectance needs one to name it by: 0.46, 0.55 and 0.62 um stand for blue, green
 /// and red, 0.55 um for luminance, as everywhere in this project.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "spectral/colour/colour.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -24,27 +24,25 @@ inline constexpr std::size_t most_channels = 1024;
 /// Linear sRGB of a BRDF [1/sr] and of its specular reflectance [1], blue first; a perfect white has 1/pi and 1 in all three.
 ///   formula   colour.hpp and display_colour.hpp; components below 0 (out of gamut) become 0
 ///   source    must cover the visible (else hts::Error, see tristimulus_weights)
-[[nodiscard]] std::unique_ptr<SpectralBrdf> linear_srgb_brdf(std::shared_ptr<const SpectralBrdf> source,
-                                                             spectral::Illuminant illuminant);
+[[nodiscard]] spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source,
+                                                     spectral::Illuminant illuminant);
 
 /// BRDF as the eye weighs it, luminance factor over pi [1/sr], and the Y of the specular reflectance [1].
 ///   source    as above
-[[nodiscard]] std::unique_ptr<SpectralBrdf> luminance_brdf(std::shared_ptr<const SpectralBrdf> source,
-                                                           spectral::Illuminant illuminant);
+[[nodiscard]] spectral::Reflectance luminance_brdf(spectral::Reflectance source,
+                                                   spectral::Illuminant illuminant);
 
 /// One wavelength of a BRDF.
 ///   index   < source.wavelengths().size(), else hts::Error
-[[nodiscard]] std::unique_ptr<SpectralBrdf> brdf_at(std::shared_ptr<const SpectralBrdf> source,
-                                                    std::size_t index);
+[[nodiscard]] spectral::Reflectance brdf_at(spectral::Reflectance source, std::size_t index);
 
 /// The same values under other names.
 ///   names   as many as the source has wavelengths, else hts::Error
-[[nodiscard]] std::unique_ptr<SpectralBrdf> with_channels_named(std::shared_ptr<const SpectralBrdf> source,
-                                                                const spectral::WavelengthGrid& names);
+[[nodiscard]] spectral::Reflectance with_channels_named(spectral::Reflectance source,
+                                                        const spectral::WavelengthGrid& names);
 
 /// BRDFs of one wavelength each as one of them all.
 ///   parts   in the order of increasing wavelength, at most most_channels, else hts::Error
-[[nodiscard]] std::unique_ptr<SpectralBrdf> joined(const std::string& name,
-                                                   std::vector<std::shared_ptr<const SpectralBrdf>> parts);
+[[nodiscard]] spectral::Reflectance joined(const std::string& name, std::vector<spectral::Reflectance> parts);
 
 }  // namespace hts::tables

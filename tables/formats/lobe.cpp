@@ -25,7 +25,7 @@ double half_width(const std::vector<double>& values) {
     return 1;
 }
 
-double lobe_slope_along(const SpectralBrdf& brdf, double azimuth) {
+double lobe_slope_along(const spectral::Reflectance& brdf, double azimuth) {
     const std::size_t count = brdf.wavelengths().size();
     const Direction in = Direction::from_angles(0, azimuth);
     std::vector<std::vector<double>> falls(count);
@@ -50,7 +50,7 @@ Direction in_plane(const Direction& in, double theta) {
 
 }  // namespace
 
-double lobe_slope(const SpectralBrdf& brdf) {
+double lobe_slope(const spectral::Reflectance& brdf) {
     return std::min(lobe_slope_along(brdf, 0), lobe_slope_along(brdf, std::numbers::pi / 2));
 }
 
@@ -84,7 +84,7 @@ std::vector<Direction> views_of_the_plane_of_incidence(const Direction& in, doub
     return views;
 }
 
-std::vector<double> lobe_peaks(const SpectralBrdf& brdf, const Direction& in, double slope,
+std::vector<double> lobe_peaks(const spectral::Reflectance& brdf, const Direction& in, double slope,
                                double largest_theta) {
     std::vector<double> peaks(brdf.wavelengths().size()), values(peaks.size());
     for (const Direction& out : views_of_the_plane_of_incidence(in, slope, largest_theta)) {

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
 /// Slope, along the radius, at which the lobe of light along the normal has fallen to half between its value at the
 /// mirror direction and the least value; the narrowest over all wavelengths and two azimuths.
 ///   range   1e-5 ... 1, 1 where there is no lobe
-[[nodiscard]] double lobe_slope(const SpectralBrdf& brdf);
+[[nodiscard]] double lobe_slope(const spectral::Reflectance& brdf);
 
 /// The normal of a facet of given slopes.
 [[nodiscard]] Vector3 facet_normal(double slope_x, double slope_y) noexcept;
@@ -32,7 +32,7 @@ namespace hts::tables {
                                                                      double largest_theta);
 
 /// Per wavelength the largest BRDF [1/sr] over those views.
-[[nodiscard]] std::vector<double> lobe_peaks(const SpectralBrdf& brdf, const Direction& in, double slope,
-                                             double largest_theta);
+[[nodiscard]] std::vector<double> lobe_peaks(const spectral::Reflectance& brdf, const Direction& in,
+                                             double slope, double largest_theta);
 
 }  // namespace hts::tables

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -24,8 +23,8 @@ constexpr double pi = std::numbers::pi;
 // A spectral BRDF at one wavelength, between two of its own.
 class OneWavelength {
   public:
-    OneWavelength(std::shared_ptr<const SpectralBrdf> brdf, double wavelength_um) : brdf_{std::move(brdf)} {
-        const auto nodes = brdf_->wavelengths().micrometres();
+    OneWavelength(spectral::Reflectance brdf, double wavelength_um) : brdf_{std::move(brdf)} {
+        const auto nodes = brdf_.wavelengths().micrometres();
         const auto above = std::upper_bound(nodes.begin(), nodes.end(), wavelength_um);
         const auto index = static_cast<std::size_t>(above - nodes.begin());
         low_ = index == 0 ? 0 : index - 1;
@@ -35,10 +34,9 @@ class OneWavelength {
 
     using Spectrum = std::array<double, most_channels>;
 
-    [[nodiscard]] bool same_file(const OneWavelength& other) const noexcept { return brdf_ == other.brdf_; }
     /// At the wavelengths of the file.
     void spectrum(const Direction& in, const Direction& out, Spectrum& result) const noexcept {
-        brdf_->brdf({in, out}, std::span{result}.first(brdf_->wavelengths().size()));
+        brdf_.evaluator().brdf({in, out}, std::span{result}.first(brdf_.wavelengths().size()));
     }
     [[nodiscard]] double operator()(const Spectrum& spectrum) const noexcept {
         return std::lerp(spectrum[low_], spectrum[high_], share_);
@@ -50,7 +48,7 @@ class OneWavelength {
     }
 
   private:
-    std::shared_ptr<const SpectralBrdf> brdf_;
+    spectral::Reflectance brdf_;
     std::size_t low_, high_;
     double share_ = 0;
 };
@@ -139,50 +137,53 @@ class CellDraws {
 // A hts::ReflectanceModel.
 class MeasuredModel {
   public:
-    explicit MeasuredModel(OneWavelength brdf) : prepared_{std::make_shared<Prepared>(std::move(brdf))} {}
+    explicit MeasuredModel(const OneWavelength& brdf)
+        : brdf_{brdf}, draws_{std::make_shared<const CellDraws>(brdf)} {}
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
-        return spectral_brdf(*this, in, out);
-    }
-    // Reads the file's spectrum once.
-    static void brdf(std::span<const MeasuredModel> alike, const Direction& in, const Direction& out,
-                     std::span<double> result) noexcept {
-        if (!above_horizon(in, out)) return std::fill(result.begin(), result.end(), 0.0);
-        OneWavelength::Spectrum spectrum;
-        alike.front().prepared_->brdf.spectrum(in, out, spectrum);
-        for (std::size_t i = 0; i < alike.size(); ++i) result[i] = alike[i].prepared_->brdf(spectrum);
-    }
-    [[nodiscard]] bool shares_geometry(const MeasuredModel& other) const noexcept {
-        return prepared_->brdf.same_file(other.prepared_->brdf);
+        return above_horizon(in, out) ? brdf_(in, out) : 0;
     }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         if (!above_horizon(in, out)) return 0;
-        return diffuse_share * out.cos_theta() / pi + (1 - diffuse_share) * prepared_->draws().pdf(in, out);
+        return diffuse_share * out.cos_theta() / pi + (1 - diffuse_share) * draws_->pdf(in, out);
     }
-    [[nodiscard]] DrawnDirection sample(const Direction& in, const Uniforms& u) const noexcept {
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept {
         if (u[0] < diffuse_share) return weighted(*this, in, cosine_vector(u[1], u[2]));
-        return weighted(
-            *this, in, prepared_->draws().draw(in, (u[0] - diffuse_share) / (1 - diffuse_share), u[1], u[2]));
+        return weighted(*this, in,
+                        draws_->draw(in, (u[0] - diffuse_share) / (1 - diffuse_share), u[1], u[2]));
     }
 
   private:
     static constexpr double diffuse_share = 0.1;
 
-    // The table of draws is made when it is first asked for.
-    struct Prepared {
-        explicit Prepared(OneWavelength one) : brdf{std::move(one)} {}
-        [[nodiscard]] const CellDraws& draws() const noexcept {
-            std::call_once(once, [this] { made = std::make_unique<const CellDraws>(brdf); });
-            return *made;
-        }
-        OneWavelength brdf;
-        mutable std::once_flag once;
-        mutable std::unique_ptr<const CellDraws> made;
-    };
-    std::shared_ptr<const Prepared> prepared_;
+    OneWavelength brdf_;
+    std::shared_ptr<const CellDraws> draws_;
 };
 
-double admitted(const SpectralBrdf& brdf, const Wavelength& wavelength, OutsideRange policy) {
+// Reads the file's spectrum once for all wavelengths.
+class MeasuredEvaluator final : public spectral::Evaluator {
+  public:
+    MeasuredEvaluator(const std::string& name, const spectral::WavelengthGrid& wavelengths,
+                      const spectral::Reflectance& brdf, std::vector<OneWavelength> each)
+        : spectral::Evaluator{name, wavelengths}, brdf_{brdf}, each_{std::move(each)} {}
+
+    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
+        if (!above_horizon(pair.in, pair.out)) return std::fill(values.begin(), values.end(), 0.0);
+        OneWavelength::Spectrum spectrum;
+        brdf_.evaluator().brdf(pair, std::span{spectrum}.first(brdf_.size()));
+        for (std::size_t i = 0; i < each_.size(); ++i) values[i] = each_[i](spectrum);
+    }
+    [[nodiscard]] std::shared_ptr<const spectral::DirectionSampler> sampler(
+        std::size_t wavelength) const override {
+        return spectral::sampler_of(MeasuredModel{each_[wavelength]});
+    }
+
+  private:
+    spectral::Reflectance brdf_;
+    std::vector<OneWavelength> each_;
+};
+
+double admitted(const spectral::Reflectance& brdf, const Wavelength& wavelength, OutsideRange policy) {
     const auto nodes = brdf.wavelengths().micrometres();
     const double um = wavelength.micrometres();
     if (policy == OutsideRange::clamp ||
@@ -194,7 +195,7 @@ double admitted(const SpectralBrdf& brdf, const Wavelength& wavelength, OutsideR
                            : "from " + shortest(nodes.front()) + " to " + shortest(nodes.back()) + " um");
 }
 
-spectral::AnyReflector read_measured(const spectral::MaterialFile& file) {
+spectral::Material read_measured(const spectral::MaterialFile& file) {
     file.json.require_keys_among({"name", "model", "file", "format", "wavelengths_um"});
     const std::string format = file.json.find("format") ? file.json["format"].text() : "";
     std::optional<spectral::WavelengthGrid> wavelengths;
@@ -208,22 +209,26 @@ spectral::AnyReflector read_measured(const spectral::MaterialFile& file) {
     const auto key = file.json["file"];
     BrdfFile found = spectral::located(
         key.place(), [&] { return read_brdf(file.folder / key.text(), wavelengths, format); });
-    return reflector_of(std::move(found.brdf), std::move(found.notes));
+    return material_of_file(found.brdf, std::move(found.notes));
 }
 
 }  // namespace
 
-spectral::AnyReflector reflector_of(std::shared_ptr<const SpectralBrdf> brdf,
-                                    std::vector<std::string> notes) {
-    if (brdf->wavelengths().size() > most_channels) {
-        throw out_of_range("number of wavelengths", static_cast<double>(brdf->wavelengths().size()), "",
+spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vector<std::string> notes) {
+    if (brdf.wavelengths().size() > most_channels) {
+        throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "at most " + std::to_string(most_channels));
     }
-    return spectral::AnyReflector{
-        [brdf = std::move(brdf)](const Wavelength& wavelength, OutsideRange policy) {
-            return spectral::AnyModel{MeasuredModel{{brdf, admitted(*brdf, wavelength, policy)}}};
-        },
-        std::move(notes)};
+    const auto prepare = [brdf](const std::string& name, const spectral::WavelengthGrid& wavelengths,
+                                const spectral::EvaluationOptions& options) {
+        std::vector<OneWavelength> each;
+        for (std::size_t i = 0; i < wavelengths.size(); ++i)
+            each.emplace_back(brdf, admitted(brdf, wavelengths[i], options.outside));
+        const spectral::Reflectance whole{
+            std::make_shared<const MeasuredEvaluator>(name, wavelengths, brdf, std::move(each))};
+        return options.lobe == DiffuseLobe::none ? spectral::uniform_part_of(whole) : whole;
+    };
+    return spectral::Material{prepare, {}, std::move(notes)};
 }
 
 const std::vector<spectral::ModelEntry>& models_with_files() {

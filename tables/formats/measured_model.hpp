@@ -10,14 +10,14 @@
 #include <memory>
 #include <vector>
 
-#include "spectral/models/any_reflector.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/material.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
 /// A tabulated BRDF as a surface at any wavelength within those of the table.
 ///   brdf   at most most_channels wavelengths, else hts::Error; its specular delta is left out
-[[nodiscard]] spectral::AnyReflector reflector_of(std::shared_ptr<const SpectralBrdf> brdf,
+[[nodiscard]] spectral::Material material_of_file(const spectral::Reflectance& brdf,
                                                   std::vector<std::string> notes = {});
 
 /// The models of the library, and "measured": keys "file" (relative to the material file), "format" (see read_brdf) and

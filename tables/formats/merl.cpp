@@ -91,11 +91,11 @@ constexpr std::size_t position(std::size_t h, std::size_t d, std::size_t p) {
     return p + bins[2] * (d + bins[1] * h);
 }
 
-class MerlBrdf final : public SpectralBrdf {
+class MerlBrdf final : public spectral::Evaluator {
   public:
     MerlBrdf(const std::string& name, const spectral::WavelengthGrid& wavelengths, std::vector<double> values,
              MerlLookup lookup)
-        : SpectralBrdf{name, wavelengths}, values_{std::move(values)}, lookup_{lookup} {}
+        : spectral::Evaluator{name, wavelengths}, values_{std::move(values)}, lookup_{lookup} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         for (double& value : values) value = 0;
@@ -188,9 +188,9 @@ void require_three(const spectral::WavelengthGrid& wavelengths) {
 
 }  // namespace
 
-std::string merl_bytes(const SpectralBrdf& brdf) {
+std::string merl_bytes(const spectral::Reflectance& brdf) {
     require_three(brdf.wavelengths());
-    if (!is_isotropic(brdf)) {
+    if (!brdf.properties().isotropic) {
         throw Error{brdf.name() + ": depends on the azimuth of the light, which a MERL file does not hold"};
     }
     std::vector<double> planes(3 * plane, -1);
@@ -213,8 +213,8 @@ std::string merl_bytes(const SpectralBrdf& brdf) {
     return bytes;
 }
 
-std::unique_ptr<SpectralBrdf> merl_brdf(std::string_view bytes, const std::string& name,
-                                        const spectral::WavelengthGrid& wavelengths, MerlLookup lookup) {
+spectral::Reflectance merl_brdf(std::string_view bytes, const std::string& name,
+                                const spectral::WavelengthGrid& wavelengths, MerlLookup lookup) {
     require_three(wavelengths);
     if (bytes.size() != merl_size) {
         throw Error{name + ": " + std::to_string(bytes.size()) + " bytes: a MERL file has " +
@@ -237,7 +237,8 @@ std::unique_ptr<SpectralBrdf> merl_brdf(std::string_view bytes, const std::strin
         throw Error{name + ": offset " + std::to_string(offset) + ": BRDF " + shortest(values[i]) +
                     " 1/sr: must be from -1e100 to 1e100"};
     }
-    return std::make_unique<MerlBrdf>(name, wavelengths, std::move(values), lookup);
+    return spectral::Reflectance{
+        std::make_shared<const MerlBrdf>(name, wavelengths, std::move(values), lookup)};
 }
 
 }  // namespace hts::tables

@@ -29,15 +29,14 @@ enum class MerlLookup {
 /// the centre that is not.
 ///   brdf   isotropic, three wavelengths, of which the longest becomes red (linear_srgb_brdf makes them of a spectrum); else
 ///          hts::Error
-[[nodiscard]] std::string merl_bytes(const SpectralBrdf& brdf);
+[[nodiscard]] std::string merl_bytes(const spectral::Reflectance& brdf);
 
 /// The BRDF of a file.
 ///   bytes         the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelengths   what blue, green and red are called, three
 /// hts::Error "path: …" where size or dimensions differ or a value is not finite, with its offset.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> merl_brdf(
-    std::string_view bytes, const std::string& name,
-    const spectral::WavelengthGrid& wavelengths = rgb_wavelengths(),
-    MerlLookup lookup = MerlLookup::interpolated);
+[[nodiscard]] spectral::Reflectance merl_brdf(std::string_view bytes, const std::string& name,
+                                              const spectral::WavelengthGrid& wavelengths = rgb_wavelengths(),
+                                              MerlLookup lookup = MerlLookup::interpolated);
 
 }  // namespace hts::tables

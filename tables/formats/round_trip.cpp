@@ -31,7 +31,7 @@ double azimuth_between(const DirectionPair& pair) {
                                in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi()));
 }
 
-void require_same_wavelengths(const SpectralBrdf& a, const SpectralBrdf& b) {
+void require_same_wavelengths(const spectral::Reflectance& a, const spectral::Reflectance& b) {
     if (a.wavelengths().size() != b.wavelengths().size()) {
         throw out_of_range("number of wavelengths read back", static_cast<double>(b.wavelengths().size()), "",
                            "that of the original, " + std::to_string(a.wavelengths().size()));
@@ -46,7 +46,8 @@ void require_same_wavelengths(const SpectralBrdf& a, const SpectralBrdf& b) {
 /// The original's largest BRDF for any light, from every degree of its polar angle.
 class Peaks {
   public:
-    Peaks(const SpectralBrdf& brdf, double slope) : azimuths_{is_isotropic(brdf) ? 1U : 24U} {
+    Peaks(const spectral::Reflectance& brdf, double slope)
+        : azimuths_{brdf.properties().isotropic ? 1U : 24U} {
         for (std::size_t a = 0; a < azimuths_; ++a)
             for (std::size_t t = 0; t < angles; ++t)
                 rows_.push_back(lobe_peaks(brdf, light(t, a), slope, largest_theta));
@@ -105,8 +106,8 @@ class PairDraws {
     bool around_lobe_ = false;
 };
 
-PeakError peak_error(const SpectralBrdf& original, const DirectionPair& pair, std::size_t k, double expected,
-                     double read, double peak) {
+PeakError peak_error(const spectral::Reflectance& original, const DirectionPair& pair, std::size_t k,
+                     double expected, double read, double peak) {
     const double error = peak > 0 ? std::abs(read - expected) / peak : (read == expected ? 0.0 : 1.0);
     return {std::isfinite(error) ? error : std::numeric_limits<double>::infinity(),
             polar_angle(pair.in),
@@ -124,7 +125,7 @@ void keep_worse(PeakError& worst, const PeakError& error) {
 /// Compares pair by pair; buffers are made once.
 class Comparison {
   public:
-    Comparison(const SpectralBrdf& original, const SpectralBrdf& read)
+    Comparison(const spectral::Reflectance& original, const spectral::Reflectance& read)
         : original_{original},
           read_{read},
           slope_{lobe_slope(original)},
@@ -167,14 +168,14 @@ class Comparison {
   private:
     [[nodiscard]] std::size_t count() const { return original_.wavelengths().size(); }
 
-    const SpectralBrdf &original_, &read_;
+    const spectral::Reflectance &original_, &read_;
     double slope_;
     Peaks peaks_of_;
     std::vector<double> peaks_, expected_, values_;
     std::vector<Mueller> expected_matrices_, matrices_;
 };
 
-std::vector<double> albedos(const SpectralBrdf& brdf, const Direction& in,
+std::vector<double> albedos(const spectral::Reflectance& brdf, const Direction& in,
                             const std::vector<WeightedView>& views) {
     std::vector<double> sums(brdf.wavelengths().size()), values(sums.size());
     for (const WeightedView& view : views) {
@@ -185,8 +186,8 @@ std::vector<double> albedos(const SpectralBrdf& brdf, const Direction& in,
     return sums;
 }
 
-AlbedoError albedo_error(const SpectralBrdf& original, const SpectralBrdf& read, const Direction& in,
-                         const std::vector<WeightedView>& views) {
+AlbedoError albedo_error(const spectral::Reflectance& original, const spectral::Reflectance& read,
+                         const Direction& in, const std::vector<WeightedView>& views) {
     const auto expected = albedos(original, in, views), values = albedos(read, in, views);
     std::size_t worst = 0;
     const auto error = [&](std::size_t k) { return std::abs(values[k] - expected[k]); };
@@ -201,9 +202,10 @@ double density_integral(const HasDensity& read, const Direction& in, const std::
     return sum;
 }
 
-void add_integrals(RoundTrip& result, const SpectralBrdf& original, const SpectralBrdf& read, double slope) {
+void add_integrals(RoundTrip& result, const spectral::Reflectance& original,
+                   const spectral::Reflectance& read, double slope) {
     constexpr int points = 4096;
-    const auto* density = dynamic_cast<const HasDensity*>(&read);
+    const auto* density = dynamic_cast<const HasDensity*>(&read.evaluator());
     for (const double degrees : {0., 15., 30., 45., 60., 75., 85.}) {
         const Direction in = Direction::from_degrees(degrees, 0);
         const auto views = lobe_quadrature(in, slope, points);
@@ -228,7 +230,7 @@ nlohmann::json as_json(const PeakError& error) {
 
 }  // namespace
 
-RoundTrip round_trip(const SpectralBrdf& original, const SpectralBrdf& read_back,
+RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Reflectance& read_back,
                      const RoundTripOptions& options) {
     require_same_wavelengths(original, read_back);
     Comparison comparison{original, read_back};
@@ -236,7 +238,8 @@ RoundTrip round_trip(const SpectralBrdf& original, const SpectralBrdf& read_back
     RoundTrip result;
     result.pairs = options.pairs;
     result.wavelengths = original.wavelengths().size();
-    if (original.polarised() && read_back.polarised()) result.worst_mueller = PeakError{};
+    if (original.properties().polarised && read_back.properties().polarised)
+        result.worst_mueller = PeakError{};
     std::vector<double> errors;
     for (std::size_t i = 0; i < options.pairs; ++i) {
         const DirectionPair pair = draw();

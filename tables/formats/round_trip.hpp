@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -74,7 +74,8 @@ struct RoundTripOptions {
 
 /// Compares the two at the wavelengths they share.
 /// hts::Error where these differ in number or by more than 1e-6 of their value.
-[[nodiscard]] RoundTrip round_trip(const SpectralBrdf& original, const SpectralBrdf& read_back,
+[[nodiscard]] RoundTrip round_trip(const spectral::Reflectance& original,
+                                   const spectral::Reflectance& read_back,
                                    const RoundTripOptions& options = {});
 
 }  // namespace hts::tables

@@ -5,7 +5,7 @@
 namespace hts::tables {
 namespace {
 
-nlohmann::ordered_json specular_table(const SpectralBrdf& brdf) {
+nlohmann::ordered_json specular_table(const spectral::Reflectance& brdf) {
     constexpr int angles = 37;  // every 2.5 degrees
     nlohmann::ordered_json thetas = nlohmann::json::array(), rows = nlohmann::json::array();
     std::vector<double> values(brdf.wavelengths().size());
@@ -20,7 +20,7 @@ nlohmann::ordered_json specular_table(const SpectralBrdf& brdf) {
 
 }  // namespace
 
-std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& brdf,
+std::string sidecar_json(const std::filesystem::path& file, const spectral::Reflectance& brdf,
                          const Sidecar& sidecar) {
     const auto um = brdf.wavelengths().micrometres();
     nlohmann::ordered_json json{{"file", file.filename().string()},
@@ -37,7 +37,8 @@ std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& 
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void write_with_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, Exported exported) {
+void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf,
+                        Exported exported) {
     exported.files.push_back({file.string() + ".json", sidecar_json(file, brdf, exported.sidecar)});
     spectral::write_files(exported.files);
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "spectral/models/reflectance.hpp"
 #include "spectral/text/output.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::tables {
 
@@ -31,12 +31,13 @@ struct Exported {
 };
 
 /// As JSON, with the specular reflectance of `brdf` [1] at every 2.5 degrees of its own wavelengths.
-[[nodiscard]] std::string sidecar_json(const std::filesystem::path& file, const SpectralBrdf& brdf,
+[[nodiscard]] std::string sidecar_json(const std::filesystem::path& file, const spectral::Reflectance& brdf,
                                        const Sidecar& sidecar);
 
 /// Writes the files and beside them FILE.json, all of them or none (spectral::write_files); hts::Error where one cannot be written.
 ///   file   the exported file, whose whole name gets ".json" appended
 ///   brdf   whose specular reflectance the sidecar tells
-void write_with_sidecar(const std::filesystem::path& file, const SpectralBrdf& brdf, Exported exported);
+void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf,
+                        Exported exported);
 
 }  // namespace hts::tables

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -13,9 +13,8 @@ namespace hts::tables {
 ///
 /// pi sin^2 delta cos theta_i is the cone's projected solid angle, so that no energy is lost while the whole cone is above
 /// the horizon; for small cones it is solid_angle cos theta_i, as in [He91 (70)]. The delta that remains is 0.
-///   brdf          not polarised afterwards, since a SpectralBrdf knows of its delta the unpolarised reflectance alone
+///   brdf          not polarised afterwards, since a spectral::Reflectance knows of its delta the unpolarised reflectance alone
 ///   solid_angle   [sr] 1e-9 ... 1, else hts::Error
-[[nodiscard]] std::unique_ptr<SpectralBrdf> with_specular_box(std::shared_ptr<const SpectralBrdf> brdf,
-                                                              double solid_angle);
+[[nodiscard]] spectral::Reflectance with_specular_box(spectral::Reflectance brdf, double solid_angle);
 
 }  // namespace hts::tables

@@ -53,7 +53,7 @@ FineGrid fine(const AngularGrid& coarse) {
 }
 
 // Reflectance per angle of incidence and wavelength.
-std::vector<double> reflectances(const AngularGrid& coarse, const SpectralBrdf& brdf) {
+std::vector<double> reflectances(const AngularGrid& coarse, const spectral::Reflectance& brdf) {
     const FineGrid cells = fine(coarse);
     const std::size_t wavelengths = brdf.wavelengths().size();
     const std::vector<double> values = values_on(cells.grid, brdf);
@@ -192,8 +192,8 @@ AngularGrid zemax_grid() {
     return grid;
 }
 
-std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid) {
-    if (!is_isotropic(brdf)) {
+std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularGrid grid) {
+    if (!brdf.properties().isotropic) {
         throw Error{brdf.name() +
                     ": depends on the azimuth of the light, which OpticStudio's BSDF does not know"};
     }
@@ -221,8 +221,8 @@ std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid)
     return texts;
 }
 
-std::unique_ptr<SpectralBrdf> zemax_brdf(std::string_view text, const std::string& name,
-                                         const std::optional<spectral::WavelengthGrid>& wavelengths) {
+spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
     Tokens tokens{text, name};
     const Header header = take_header(tokens);
     std::vector<double> values = header.tristimulus ? take_linear_srgb(tokens, header.grid)
@@ -238,7 +238,8 @@ std::unique_ptr<SpectralBrdf> zemax_brdf(std::string_view text, const std::strin
     return gridded_brdf(name, *channels, header.grid, std::move(values));
 }
 
-std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
+                                            const std::filesystem::path& path) {
     const auto wavelengths = brdf.wavelengths().micrometres();
     if (wavelengths.size() > 1 && path.extension() != ".json") {
         throw Error{path.string() + ": one file holds one wavelength; for " +
@@ -260,12 +261,12 @@ std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf, const std:
     return files;
 }
 
-void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+void write_zemax(const spectral::Reflectance& brdf, const std::filesystem::path& path) {
     spectral::write_files(zemax_files(brdf, path));
 }
 
-std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path,
-                                               const std::optional<spectral::WavelengthGrid>& wavelengths) {
+spectral::Reflectance read_zemax(const std::filesystem::path& path,
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
     const auto one = [](const std::filesystem::path& file,
                         const std::optional<spectral::WavelengthGrid>& channels) {
         return zemax_brdf(spectral::read_text_file(file), file.string(), channels);
@@ -273,7 +274,7 @@ std::shared_ptr<const SpectralBrdf> read_zemax(const std::filesystem::path& path
     if (path.extension() != ".json") return one(path, wavelengths);
     if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
     const auto index = spectral::JsonValue::read(path);
-    std::vector<std::shared_ptr<const SpectralBrdf>> parts;
+    std::vector<spectral::Reflectance> parts;
     for (const auto& item : index["zemax_files"].items()) {
         item.require_keys_among({"wavelength_um", "file"});
         const double micrometres = item["wavelength_um"].number();

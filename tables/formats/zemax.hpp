@@ -25,26 +25,27 @@ namespace hts::tables {
 /// A file's text for each wavelength, six digits.
 ///   brdf   isotropic, else hts::Error      grid   axis mirror, phi_i one value
 /// "TIS" is the reflectance of each angle of incidence, integrated on a grid four times finer along the polar angle, twice along the azimuth.
-[[nodiscard]] std::vector<std::string> zemax_texts(const SpectralBrdf& brdf, AngularGrid grid = zemax_grid());
+[[nodiscard]] std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf,
+                                                   AngularGrid grid = zemax_grid());
 
 /// The BRDF of a file; one with tristimulus values comes as linear sRGB (rgb_wavelengths).
 ///   text          the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelengths   what the channels are called: one, for tristimulus values three; if none is given the comment, 0.46,
 ///                 0.55 and 0.62 um for tristimulus values, else hts::Error
 /// hts::Error "path:line: …" for anything else than reflection of an isotropic surface.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> zemax_brdf(
+[[nodiscard]] spectral::Reflectance zemax_brdf(
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
 
 /// Writes files: at one wavelength `path` itself unless it ends in .json; at several `path` must end in .json and becomes an index,
 /// {"zemax_files": [{"wavelength_um": 0.633, "file": "NAME_633nm.bsdf"}, …]}, of files beside it. hts::Error if one cannot be written.
-void write_zemax(const SpectralBrdf& brdf, const std::filesystem::path& path);
+void write_zemax(const spectral::Reflectance& brdf, const std::filesystem::path& path);
 /// What that writes, the index last.
-[[nodiscard]] std::vector<spectral::TextFile> zemax_files(const SpectralBrdf& brdf,
+[[nodiscard]] std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
                                                           const std::filesystem::path& path);
 
 /// Reads either kind; errors as of zemax_brdf.
-[[nodiscard]] std::shared_ptr<const SpectralBrdf> read_zemax(
+[[nodiscard]] spectral::Reflectance read_zemax(
     const std::filesystem::path& path,
     const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
 

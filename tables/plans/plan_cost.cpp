@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "hts/sampling/random.hpp"
+#include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/processor_time.hpp"
 #include "spectral/statistics.hpp"
 
 namespace hts::tables {
 namespace {
 
-using spectral::PlannedReflectance;
+using spectral::PlannedForm;
 using spectral::Xyz;
 
 constexpr std::size_t pair_count = 256;
@@ -61,8 +62,9 @@ class Timing {
     explicit Timing(const spectral::Scene& scene) : scene_{scene}, pairs_{pairs_of(scene)} {}
 
     /// At the rung's own wavelengths.
-    [[nodiscard]] double diffuse(const spectral::SpectralBrdf& evaluator) const {
-        const std::size_t width = evaluator.wavelengths().size();
+    [[nodiscard]] double diffuse(const spectral::Reflectance& reflectance) const {
+        const std::size_t width = reflectance.size();
+        const spectral::Evaluator& evaluator = reflectance.evaluator();
         if (scene_.polarised) {
             std::vector<Mueller> result(width);
             return nanoseconds([&] {
@@ -73,16 +75,17 @@ class Timing {
         return nanoseconds([&] { evaluator.brdf_batch(pairs_, result); });
     }
 
-    [[nodiscard]] double mirror(const PlannedReflectance& evaluator) const {
-        if (!evaluator.rung().specular) return 0;
-        std::vector<double> spectrum(evaluator.size());
+    [[nodiscard]] double mirror(const PlannedForm& form) const {
+        if (!form.rung().specular) return 0;
+        const spectral::Reflectance& reflectance = form.reflectance();
+        std::vector<double> spectrum(reflectance.size());
         double sum = 0;  // so that nothing is optimised away
         return nanoseconds([&] {
                    for (const DirectionPair& pair : pairs_) {
                        if (scene_.polarised)
-                           spectrum[0] = evaluator.specular_mueller(pair.in)[0](0, 0);
+                           spectrum[0] = reflectance.specular_mueller(pair.in)[0](0, 0);
                        else
-                           evaluator.specular_reflectance(pair.in, spectrum);
+                           reflectance.specular_reflectance(pair.in, spectrum);
                        sum += spectrum[0];
                    }
                }) +
@@ -130,28 +133,23 @@ double fixed_part(double all, double one, std::size_t count) {
 }  // namespace
 
 PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
-                   const PlannedReflectance& evaluator) {
+                   const PlannedForm& form) {
     const OneThread one_thread;
     const Timing timing{scene};
-    const spectral::Rung& rung = evaluator.rung();
-    const double at_nodes = timing.diffuse(evaluator.at_nodes()), interpolation = timing.interpolation(rung);
-    PlanCost cost{at_nodes + interpolation,
-                  timing.mirror(evaluator),
-                  timing.colour(rung),
-                  0,
-                  0,
-                  at_nodes,
-                  interpolation};
-    if (rung.lobe == DiffuseLobe::none || !rung.table.empty() || forms.material().he_torrance() == nullptr)
+    const spectral::Rung& rung = form.rung();
+    const double at_nodes = timing.diffuse(form.at_nodes()), interpolation = timing.interpolation(rung);
+    PlanCost cost{
+        at_nodes + interpolation, timing.mirror(form), timing.colour(rung), 0, 0, at_nodes, interpolation};
+    if (rung.lobe == DiffuseLobe::none || !rung.table.empty() || !forms.material().properties().surface)
         return cost;
     spectral::Rung simple = rung;
     if (rung.lobe == DiffuseLobe::full) simple.lobe = DiffuseLobe::first_order;
     const double simple_time =
-        rung.lobe == DiffuseLobe::full ? timing.diffuse(*forms.at_nodes(simple)) : at_nodes;
+        rung.lobe == DiffuseLobe::full ? timing.diffuse(forms.at_nodes(simple)) : at_nodes;
     simple.wavelengths = spectral::WavelengthGrid::from_micrometres({rung.wavelengths.micrometres().front()});
     cost.phi = std::max(0., at_nodes - simple_time);
     cost.directions =
-        std::min(fixed_part(simple_time, timing.diffuse(*forms.at_nodes(simple)), rung.wavelengths.size()),
+        std::min(fixed_part(simple_time, timing.diffuse(forms.at_nodes(simple)), rung.wavelengths.size()),
                  at_nodes - cost.phi);
     cost.rest = at_nodes - cost.phi - cost.directions;
     return cost;

@@ -23,8 +23,8 @@ struct PlanCost {
 };
 
 /// Measures an evaluator on random pairs.
-///   forms   of its material, to tell where the time goes
+///   forms   of the material, to tell where the time goes
 [[nodiscard]] PlanCost plan_cost(const spectral::Scene& scene, const spectral::MaterialForms& forms,
-                                 const spectral::PlannedReflectance& evaluator);
+                                 const spectral::PlannedForm& form);
 
 }  // namespace hts::tables

@@ -16,8 +16,8 @@ namespace {
 using spectral::ErrorMeasure;
 using spectral::MaterialForms;
 using spectral::Plan;
+using spectral::PlannedForm;
 using spectral::PlannedMaterial;
-using spectral::PlannedReflectance;
 using spectral::Rung;
 using spectral::Scene;
 
@@ -59,8 +59,8 @@ std::string file_name(const std::filesystem::path& plan_file, std::size_t i, std
 }
 
 /// The bytes of a table of what an evaluator evaluates at its wavelengths.
-std::string built_table(const PlannedReflectance& exact, const tables::TableRequest& request) {
-    const spectral::SpectralBrdf& nodes = exact.at_nodes();
+std::string built_table(const PlannedForm& exact, const tables::TableRequest& request) {
+    const spectral::Reflectance& nodes = exact.at_nodes();
     tables::TableSource source;
     source.name = exact.name();
     try {
@@ -89,23 +89,23 @@ void try_table(Plan& plan, std::size_t i, const std::filesystem::path& plan_file
     rung.lobe = DiffuseLobe::full;
     rung.lobe_tolerance = Tolerance{std::clamp(0.01 * request.tolerance, hts::accuracy::finest_tolerance,
                                                hts::accuracy::finest_lane_tolerance)};
-    const PlannedReflectance exact = forms.at(rung);
+    const PlannedForm exact = forms.at(rung);
     std::string bytes = built_table(exact, request);
     const std::string file = file_name(plan_file, i, material.name);
-    auto table = std::make_shared<const tables::Table>(tables::Table::from_bytes(bytes, file));
-    rung.table = {file, table->checksum()};
-    PlannedReflectance evaluator{scene, rung, std::move(table)};
+    const Table table = Table::from_bytes(bytes, file);
+    rung.table = {file, table.checksum()};
+    const PlannedForm form{scene, rung, table.reflectance()};
 
-    const double now = plan_cost(scene, forms, material.evaluator).diffuse;
-    const double then = plan_cost(scene, forms, evaluator).diffuse;
+    const double now = plan_cost(scene, forms, material.form).diffuse;
+    const double then = plan_cost(scene, forms, form).diffuse;
     const std::string both = in_words(then) + " a pair of directions, against " + in_words(now);
     if (then >= now) throw NotTaken{both};
-    const auto error = measured_error(scene, scene.materials[i], evaluator, plan.sampling);
+    const auto error = measured_error(scene, scene.materials[i], form, plan.sampling);
     if (error.worst > spectral::plan_headroom * plan.tolerance)
         throw NotTaken{both + ", but an error of " + shortest(error.worst)};
     const PlannedMaterial analytic = material;
     material.choice = {rung, error};
-    material.evaluator = std::move(evaluator);
+    material.form = form;
     if (scene.memory_budget && plan.bytes() > *scene.memory_budget) {
         const std::size_t needed = plan.bytes();
         material = analytic;

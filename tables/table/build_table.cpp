@@ -49,12 +49,13 @@ TablePlan refined(TablePlan plan, const TableError& error, const std::string& na
 
 }  // namespace
 
-std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan, std::size_t slice) {
+std::vector<double> table_slice(const spectral::Reflectance& exact, const TablePlan& plan,
+                                std::size_t slice) {
     return slice_values(exact, plan.spacing, lobe_nodes(plan), slice, plan.floor, plan.basis);
 }
 
-MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& source, const TablePlan& plan,
-                             std::vector<std::vector<double>> slices) {
+MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSource& source,
+                             const TablePlan& plan, std::vector<std::vector<double>> slices) {
     const TableRequest& request = plan.request;
     const CoordinateMap map{plan.spacing};
     const std::size_t width = plan.floor.size();
@@ -82,11 +83,11 @@ MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& sourc
                    needs_double(request),
                    library_version()};
     const Table unmeasured = Table::from_bytes(table_bytes(info, numbers), source.name);
-    info.error = table_error(unmeasured, exact, measured_pairs, measured_seed(request.seed));
+    info.error = table_error(unmeasured.reflectance(), exact, measured_pairs, measured_seed(request.seed));
     return {table_bytes(info, numbers), info.error};
 }
 
-SliceSource computed_slices(const SpectralBrdf& exact) {
+SliceSource computed_slices(const spectral::Reflectance& exact) {
     return [&exact](const TablePlan& plan) {
         std::vector<std::vector<double>> slices(plan.slices());
         spectral::parallel_for(slices.size(), [&](std::size_t i) { slices[i] = table_slice(exact, plan, i); });
@@ -94,7 +95,7 @@ SliceSource computed_slices(const SpectralBrdf& exact) {
     };
 }
 
-std::string finished_table(const SpectralBrdf& exact, const TableSource& source, TablePlan plan,
+std::string finished_table(const spectral::Reflectance& exact, const TableSource& source, TablePlan plan,
                            const SliceSource& slices) {
     for (;;) {
         MeasuredTable table = measured_table(exact, source, plan, slices(plan));
@@ -103,7 +104,7 @@ std::string finished_table(const SpectralBrdf& exact, const TableSource& source,
     }
 }
 
-Table build_table(const SpectralBrdf& exact, const TableSource& source, const TableRequest& request,
+Table build_table(const spectral::Reflectance& exact, const TableSource& source, const TableRequest& request,
                   const TableProgress& progress) {
     return Table::from_bytes(
         finished_table(exact, source, plan_table(exact, request, progress), computed_slices(exact)),

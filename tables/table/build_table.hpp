@@ -1,6 +1,6 @@
 /// Makes tables with a promised error: see table.hpp for what is promised.
 ///
-///     const auto exact = model_brdf(reflector, wavelengths);
+///     const auto exact = material.at(wavelengths, {.tolerance = Tolerance{1e-9}});
 ///     const Table table = build_table(*exact, {reflector.name()}, {.tolerance = 1e-3});
 ///
 /// In three steps, each deterministic: the same bytes for any number of threads, shards or interruptions.
@@ -52,16 +52,16 @@ using TableProgress = std::function<void(const std::string& step, double share)>
 /// half vector's slope spread over every scale from 0.003 to 3, which no lobe escapes. Where the table is polarised the
 /// elements of the Mueller matrix count, each by the same measure.
 ///   table, exact   of the same wavelengths, else hts::Error
-[[nodiscard]] TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact,
+[[nodiscard]] TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact,
                                      std::uint64_t pairs, std::uint64_t seed);
 
 /// hts::Error where the surface is not isotropic or not reciprocal, has no polarisation that was asked for, or would take more than
 /// largest_bytes.
-[[nodiscard]] TablePlan plan_table(const SpectralBrdf& exact, const TableRequest& request,
+[[nodiscard]] TablePlan plan_table(const spectral::Reflectance& exact, const TableRequest& request,
                                    const TableProgress& progress = {});
 
 /// Values of one slice, the components of ln(f + floor) in the basis, in the order of the file.
-[[nodiscard]] std::vector<double> table_slice(const SpectralBrdf& exact, const TablePlan& plan,
+[[nodiscard]] std::vector<double> table_slice(const spectral::Reflectance& exact, const TablePlan& plan,
                                               std::size_t slice);
 
 /// The bytes of the file, from all slices in order, whatever its error.
@@ -69,22 +69,22 @@ struct MeasuredTable {
     std::string bytes;
     TableError error;
 };
-[[nodiscard]] MeasuredTable measured_table(const SpectralBrdf& exact, const TableSource& source,
+[[nodiscard]] MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSource& source,
                                            const TablePlan& plan, std::vector<std::vector<double>> slices);
 
 /// All slices of a plan, in order.
 using SliceSource = std::function<std::vector<std::vector<double>>(const TablePlan& plan)>;
 /// Computes them, on all cores.
-[[nodiscard]] SliceSource computed_slices(const SpectralBrdf& exact);
+[[nodiscard]] SliceSource computed_slices(const spectral::Reflectance& exact);
 
 /// The bytes of the file. Where the measured error is above the tolerance, slices of a plan with more nodes on every axis are
 /// asked for, by the same rule everywhere; hts::Error after three such rounds, or where the file would be larger than
 /// largest_bytes.
-[[nodiscard]] std::string finished_table(const SpectralBrdf& exact, const TableSource& source, TablePlan plan,
-                                         const SliceSource& slices);
+[[nodiscard]] std::string finished_table(const spectral::Reflectance& exact, const TableSource& source,
+                                         TablePlan plan, const SliceSource& slices);
 
 /// All of it.
-[[nodiscard]] Table build_table(const SpectralBrdf& exact, const TableSource& source,
+[[nodiscard]] Table build_table(const spectral::Reflectance& exact, const TableSource& source,
                                 const TableRequest& request, const TableProgress& progress = {});
 
 }  // namespace hts::tables

@@ -17,7 +17,7 @@ double place(std::size_t node, std::size_t nodes) {
 
 }  // namespace
 
-std::vector<double> slice_values(const SpectralBrdf& exact, const TableSpacing& spacing,
+std::vector<double> slice_values(const spectral::Reflectance& exact, const TableSpacing& spacing,
                                  const LobeNodes& nodes, std::size_t slice, std::span<const double> floor,
                                  std::span<const double> basis) {
     const CoordinateMap map{spacing};

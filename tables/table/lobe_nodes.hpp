@@ -20,9 +20,10 @@ using LobeNodes = std::array<std::size_t, 3>;
 }
 
 /// Components of ln(f + floor) in the basis, at the nodes of one grazing angle.
-[[nodiscard]] std::vector<double> slice_values(const SpectralBrdf& exact, const TableSpacing& spacing,
-                                               const LobeNodes& nodes, std::size_t slice,
-                                               std::span<const double> floor, std::span<const double> basis);
+[[nodiscard]] std::vector<double> slice_values(const spectral::Reflectance& exact,
+                                               const TableSpacing& spacing, const LobeNodes& nodes,
+                                               std::size_t slice, std::span<const double> floor,
+                                               std::span<const double> basis);
 
 /// The spline through all slices.
 ///   width   number of components

@@ -162,7 +162,8 @@ Table Table::from_bytes(std::string bytes, const std::string& name) {
 }
 
 Table::Table(std::shared_ptr<const TableContents> contents)
-    : SpectralBrdf{contents->info.source.name, contents->info.wavelengths}, contents_{std::move(contents)} {}
+    : spectral::Evaluator{contents->info.source.name, contents->info.wavelengths},
+      contents_{std::move(contents)} {}
 
 const TableInfo& Table::info() const noexcept {
     return contents_->info;
@@ -216,17 +217,23 @@ void Table::diffuse_albedo(const Direction& in, std::span<double> values) const 
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform[i] * std::numbers::pi;
 }
 
-bool Table::polarised() const noexcept {
-    return contents_->info.nodes.polarisation > 0;
+spectral::Properties Table::properties() const {
+    return {.polarised = contents_->info.nodes.polarisation > 0, .specular_term = true, .isotropic = true};
 }
 
 void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept {
-    if (!polarised()) return SpectralBrdf::mueller(pair, values);
+    directional_diffuse_mueller(pair, values);
+    if (contents_->info.nodes.polarisation == 0) return;
+    const auto uniform = contents_->numbers.uniform_diffuse;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] + Mueller::depolariser(uniform[i]);
+}
+
+void Table::directional_diffuse_mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept {
+    if (contents_->info.nodes.polarisation == 0) return spectral::Evaluator::mueller(pair, values);
     const std::size_t width = values.size();
     const SplinePlace place =
         spline_place(wave_vector_change(pair.in, pair.out).cos_theta_d(), contents_->info.nodes.polarisation);
     const double* const first = contents_->numbers.polarisation.data() + place.first * 2 * width;
-    const auto uniform = contents_->numbers.uniform_diffuse;
     const auto with_lobe = [&](const auto& spline, const auto& lobe_place) {
         spline.visit(lobe_place, [&](std::size_t from, const auto* logarithms, std::size_t count) {
             for (std::size_t i = from; i < from + count; ++i) {
@@ -237,12 +244,12 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
                 }
                 const Mueller facet = Mueller::from_jones(facet_jones(pair.in, pair.out, {1, ratio}));
                 const double lobe = lobe_value(logarithms[i - from], contents_->numbers.floor[i]);
-                values[i] = (lobe / facet(0, 0)) * facet + Mueller::depolariser(uniform[i]);
+                values[i] = (lobe / facet(0, 0)) * facet;
             }
         });
     };
     if (!above_horizon(pair)) {
-        std::ranges::transform(uniform, values.begin(), &Mueller::depolariser);
+        std::ranges::fill(values, Mueller{});
     } else if (contents_->info.double_precision) {
         with_lobe(lobe_spline(*contents_, contents_->numbers.fine_lobe), place_of<double>(*contents_, pair));
     } else {
@@ -250,11 +257,10 @@ void Table::mueller(const DirectionPair& pair, std::span<Mueller> values) const 
     }
 }
 
-std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path,
-                                                  const std::string& checksum) {
-    auto table = std::make_shared<const Table>(Table::open(path));
-    if (table->checksum() == checksum) return table;
-    throw Error{path.string() + ": checksum " + table->checksum() + ": must be " + checksum +
+spectral::Reflectance open_for_plan(const std::filesystem::path& path, const std::string& checksum) {
+    const Table table = Table::open(path);
+    if (table.checksum() == checksum) return table.reflectance();
+    throw Error{path.string() + ": checksum " + table.checksum() + ": must be " + checksum +
                 ", of the table that was planned; plan the scene again"};
 }
 

@@ -25,8 +25,8 @@
 #include <span>
 #include <string>
 
+#include "spectral/materials/piecewise_linear.hpp"
 #include "spectral/models/reflectance.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::tables {
 
@@ -86,7 +86,7 @@ struct TableInfo {
 struct TableContents;
 
 /// An immutable table; copies share it. Lookups are total, allocate nothing and may run on any thread.
-class Table final : public SpectralBrdf {
+class Table final : public spectral::Evaluator {
   public:
     /// Maps a file into memory and checks all of it. hts::Error "path: …" where it is no table, of another version or byte
     /// order, cut short, changed, or not what its header says.
@@ -97,6 +97,9 @@ class Table final : public SpectralBrdf {
     [[nodiscard]] static Table from_bytes(std::string bytes, const std::string& name);
 
     [[nodiscard]] const TableInfo& info() const noexcept;
+    [[nodiscard]] spectral::Reflectance reflectance() const {
+        return spectral::Reflectance{std::make_shared<const Table>(*this)};
+    }
     /// Bytes of the file.
     [[nodiscard]] std::size_t bytes() const noexcept override;
     /// CRC-64/XZ of the file but for the eight bytes that hold it, 16 hexadecimal digits.
@@ -113,8 +116,10 @@ class Table final : public SpectralBrdf {
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override;
     /// Directional-hemispherical reflectance of both diffuse terms [1], one value per wavelength.
     void diffuse_albedo(const Direction& in, std::span<double> values) const noexcept;
-    [[nodiscard]] bool polarised() const noexcept override;
+    [[nodiscard]] spectral::Properties properties() const override;
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override;
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override;
 
   private:
     explicit Table(std::shared_ptr<const TableContents> contents);
@@ -122,7 +127,7 @@ class Table final : public SpectralBrdf {
 };
 
 /// A table as spectral::read_plan wants it; hts::Error as of Table::open, or if its checksum is another.
-[[nodiscard]] std::shared_ptr<const SpectralBrdf> open_for_plan(const std::filesystem::path& path,
-                                                                const std::string& checksum);
+[[nodiscard]] spectral::Reflectance open_for_plan(const std::filesystem::path& path,
+                                                  const std::string& checksum);
 
 }  // namespace hts::tables

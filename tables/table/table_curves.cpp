@@ -108,7 +108,7 @@ std::vector<Node> azimuths(double density) {
 
 }  // namespace
 
-void lobe_albedo(const SpectralBrdf& exact, const Direction& in, std::span<double> values) {
+void lobe_albedo(const spectral::Reflectance& exact, const Direction& in, std::span<double> values) {
     std::ranges::fill(values, 0.0);
     Values lobe(values.size());
     for (const Node& polar : panels(polar_edges(std::atan2(in.sin_theta(), in.cos_theta())))) {
@@ -125,7 +125,7 @@ void lobe_albedo(const SpectralBrdf& exact, const Direction& in, std::span<doubl
     }
 }
 
-Curve specular_curve(const SpectralBrdf& exact, const CoordinateMap& map, double tolerance) {
+Curve specular_curve(const spectral::Reflectance& exact, const CoordinateMap& map, double tolerance) {
     return fitted(
         [&](double grazing) {
             Values values(exact.wavelengths().size());
@@ -135,7 +135,7 @@ Curve specular_curve(const SpectralBrdf& exact, const CoordinateMap& map, double
         SplineStart::even, share * tolerance, peak_share, exact.name() + ": specular reflectance");
 }
 
-Curve albedo_curve(const SpectralBrdf& exact, const CoordinateMap& map, double tolerance) {
+Curve albedo_curve(const spectral::Reflectance& exact, const CoordinateMap& map, double tolerance) {
     return fitted(
         [&](double grazing) {
             Values values(exact.wavelengths().size());
@@ -146,7 +146,7 @@ Curve albedo_curve(const SpectralBrdf& exact, const CoordinateMap& map, double t
         exact.name() + ": albedo of the lobe");
 }
 
-Curve polarisation_curve(const SpectralBrdf& exact, double tolerance) {
+Curve polarisation_curve(const spectral::Reflectance& exact, double tolerance) {
     const std::size_t width = exact.wavelengths().size();
     Values uniform(width);
     exact.uniform_diffuse(uniform);

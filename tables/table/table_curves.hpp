@@ -15,15 +15,17 @@ struct Curve {
 };
 
 /// Specular reflectance and lobe albedo over grazing, to half of the tolerance with 1 as peak.
-[[nodiscard]] Curve specular_curve(const SpectralBrdf& exact, const CoordinateMap& map, double tolerance);
-[[nodiscard]] Curve albedo_curve(const SpectralBrdf& exact, const CoordinateMap& map, double tolerance);
+[[nodiscard]] Curve specular_curve(const spectral::Reflectance& exact, const CoordinateMap& map,
+                                   double tolerance);
+[[nodiscard]] Curve albedo_curve(const spectral::Reflectance& exact, const CoordinateMap& map,
+                                 double tolerance);
 /// F_p/F_s over cos theta_d, real parts, then imaginary parts.
-[[nodiscard]] Curve polarisation_curve(const SpectralBrdf& exact, double tolerance);
+[[nodiscard]] Curve polarisation_curve(const spectral::Reflectance& exact, double tolerance);
 
 /// Directional-hemispherical reflectance of the lobe [1], one value per wavelength: a product rule of 8-point Gauss-Legendre
 /// panels in theta_r, graded about theta_i, and in the azimuth, graded about the mirror plane.
 ///   error   accuracy::lobe_albedo absolute for lobes wider than a degree      cost   some 2500 lobe values
-void lobe_albedo(const SpectralBrdf& exact, const Direction& in, std::span<double> values);
+void lobe_albedo(const spectral::Reflectance& exact, const Direction& in, std::span<double> values);
 
 namespace accuracy {
 inline constexpr double lobe_albedo = 1e-4;

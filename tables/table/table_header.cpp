@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "hts/version.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/table/spline.hpp"

@@ -84,7 +84,7 @@ class OpenPart {
     std::ofstream file_;
 };
 
-OpenPart open_part(const SpectralBrdf& exact, const TableJob& job, const fs::path& path,
+OpenPart open_part(const spectral::Reflectance& exact, const TableJob& job, const fs::path& path,
                    const TableShard& shard, const TableProgress& progress) {
     if (auto part = left_behind(path, job, shard)) return {path, std::move(*part)};
     { const spectral::Output writable{path.string()}; }  // whether it can be, before the work is done
@@ -149,23 +149,22 @@ class Merger {
 
 }  // namespace
 
-std::unique_ptr<SpectralBrdf> exact_model(const TableSource& source, std::span<const double> wavelengths_um,
-                                          Tolerance tolerance) {
+spectral::Reflectance exact_model(const TableSource& source, std::span<const double> wavelengths_um,
+                                  Tolerance tolerance) {
     if (source.material.empty()) throw Error{source.name + ": has no material file: must be built from one"};
     const auto grid =
         spectral::WavelengthGrid::from_micrometres({wavelengths_um.begin(), wavelengths_um.end()});
-    return model_brdf(
-        spectral::any_reflector_from_text(source.material, source.material_path, models_with_files()), grid,
-        source.policy, tolerance);
+    return spectral::material_from_text(source.material, source.material_path, models_with_files())
+        .at(grid, {.tolerance = tolerance, .outside = source.policy});
 }
 
-std::unique_ptr<SpectralBrdf> exact_model(const TableJob& job) {
+spectral::Reflectance exact_model(const TableJob& job) {
     const double tolerance = std::clamp(0.01 * job.request.tolerance, hts::accuracy::finest_tolerance,
                                         hts::accuracy::finest_lane_tolerance);
     return exact_model(job.source, job.wavelengths_um, Tolerance{tolerance});
 }
 
-SliceWorker threads_worker(const SpectralBrdf& exact) {
+SliceWorker threads_worker(const spectral::Reflectance& exact) {
     return [&exact](const TablePlan& plan, std::span<const std::size_t> slices, const auto& keep) {
         constexpr std::size_t at_once = 8;  // so many are kept before the next begin
         for (std::size_t from = 0; from < slices.size(); from += at_once) {
@@ -178,7 +177,7 @@ SliceWorker threads_worker(const SpectralBrdf& exact) {
     };
 }
 
-void build_table_file(const SpectralBrdf& exact, const TableJob& job, const fs::path& path,
+void build_table_file(const spectral::Reflectance& exact, const TableJob& job, const fs::path& path,
                       const TableShard& shard, const SliceWorker& worker, const TableProgress& progress) {
     require_shard(shard);
     const fs::path slices = slices_path(path);
@@ -216,9 +215,9 @@ void merge_table_file(const std::vector<fs::path>& parts, const fs::path& path) 
     const PartHeader header = merger.header();
     const auto exact = exact_model(header.job);
     const auto of_parts = [&](const TablePlan& plan) {
-        return plan == header.plan ? merger.slices() : computed_slices(*exact)(plan);
+        return plan == header.plan ? merger.slices() : computed_slices(exact)(plan);
     };
-    spectral::write_file(path.string(), finished_table(*exact, header.job.source, header.plan, of_parts));
+    spectral::write_file(path.string(), finished_table(exact, header.job.source, header.plan, of_parts));
 }
 
 }  // namespace hts::tables

@@ -33,24 +33,25 @@ struct TableJob {
 };
 
 /// The exact model of a job, or of a finished table.
-///   tolerance   of its arithmetic, as in model_brdf
-[[nodiscard]] std::unique_ptr<SpectralBrdf> exact_model(const TableSource& source,
-                                                        std::span<const double> wavelengths_um,
-                                                        Tolerance tolerance = Tolerance{
-                                                            hts::accuracy::finest_tolerance});
+///   tolerance   of its arithmetic
+[[nodiscard]] spectral::Reflectance exact_model(const TableSource& source,
+                                                std::span<const double> wavelengths_um,
+                                                Tolerance tolerance = Tolerance{
+                                                    hts::accuracy::finest_tolerance});
 /// As exact as building the job needs: a hundredth of its tolerance, at most 1e-6.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> exact_model(const TableJob& job);
+[[nodiscard]] spectral::Reflectance exact_model(const TableJob& job);
 
 /// Computes slices, in order, and hands each to `keep`; on all cores unless something else is given to build_table_file.
 using SliceWorker =
     std::function<void(const TablePlan& plan, std::span<const std::size_t> slices,
                        const std::function<void(std::size_t, const std::vector<double>&)>& keep)>;
-[[nodiscard]] SliceWorker threads_worker(const SpectralBrdf& exact);
+[[nodiscard]] SliceWorker threads_worker(const spectral::Reflectance& exact);
 
 /// Builds a table, or a shard's part of it, into a file that appears when it is whole.
 ///   path   hts::Error where it cannot be written
-void build_table_file(const SpectralBrdf& exact, const TableJob& job, const std::filesystem::path& path,
-                      const TableShard& shard, const SliceWorker& worker, const TableProgress& progress = {});
+void build_table_file(const spectral::Reflectance& exact, const TableJob& job,
+                      const std::filesystem::path& path, const TableShard& shard, const SliceWorker& worker,
+                      const TableProgress& progress = {});
 
 /// Joins the parts of all shards. hts::Error that names the files that are broken or of another job, or the parts that lack.
 void merge_table_file(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& path);

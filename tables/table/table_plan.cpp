@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/models/symmetry.hpp"
 #include "spectral/parallel.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/lobe_nodes.hpp"
@@ -29,8 +30,8 @@ std::vector<double> floors(const LobePeaks& peaks, std::size_t wavelengths) {
 }
 
 /// Few spectra of which that of any direction is a sum, to a small part of the tolerance.
-std::vector<double> basis_of(const SpectralBrdf& exact, const TableRequest& request, const LobePeaks& peaks,
-                             const std::vector<double>& floor) {
+std::vector<double> basis_of(const spectral::Reflectance& exact, const TableRequest& request,
+                             const LobePeaks& peaks, const std::vector<double>& floor) {
     constexpr double share = 0.1;
     constexpr std::size_t most_pairs = 16384, most_values = std::size_t{1} << 21;
     const std::size_t width = floor.size();
@@ -72,7 +73,7 @@ struct Probes {
 /// Grids tried on random directions, at some of the wavelengths.
 class Trials {
   public:
-    Trials(const SpectralBrdf& exact, const LobePeaks& peaks, const std::vector<double>& floor,
+    Trials(const spectral::Reflectance& exact, const LobePeaks& peaks, const std::vector<double>& floor,
            const std::vector<double>& basis)
         : exact_{exact}, peaks_{peaks}, chosen_{some_of(floor.size())}, floor_{floor}, basis_{basis} {
         for (std::size_t from = 0; from < basis.size(); from += floor.size()) {
@@ -135,7 +136,7 @@ class Trials {
         return basis_.size() / floor_.size();
     }
 
-    const SpectralBrdf& exact_;
+    const spectral::Reflectance& exact_;
     const LobePeaks& peaks_;
     std::vector<std::size_t> chosen_;
     const std::vector<double>& floor_;
@@ -303,29 +304,30 @@ class Search {
     double first_error_;
 };
 
-void require_tabulable(const SpectralBrdf& exact, const TableRequest& request) {
+void require_tabulable(const spectral::Reflectance& exact, const TableRequest& request) {
     if (!(request.tolerance >= 1e-9 && request.tolerance <= 0.5)) {
         throw out_of_range("tolerance of a table", request.tolerance, "", "from 1e-9 to 0.5");
     }
     if (request.seed > std::uint64_t{1} << 52U) {
         throw out_of_range("seed of a table", static_cast<double>(request.seed), "", "from 0 to 2^52");
     }
-    if (const double change = anisotropy(exact); change > 1e-6) {
+    if (const double change = spectral::anisotropy(exact.evaluator()); change > 1e-6) {
         throw Error{exact.name() + ": turned about the normal it changes by a factor of up to 1 + " +
                     shortest(change) + ": a table must be of an isotropic surface"};
     }
-    if (const double change = irreciprocity(exact); change > 1e-6) {
+    if (const double change = spectral::irreciprocity(exact.evaluator()); change > 1e-6) {
         throw Error{exact.name() + ": with light and view exchanged it changes by a factor of up to 1 + " +
                     shortest(change) + ": a table must be of a reciprocal surface"};
     }
-    if (request.polarised && !exact.polarised()) {
+    if (request.polarised && !exact.properties().polarised) {
         throw Error{exact.name() + ": has no polarisation: a polarised table must be of model he"};
     }
 }
 
 }  // namespace
 
-TablePlan plan_table(const SpectralBrdf& exact, const TableRequest& request, const TableProgress& progress) {
+TablePlan plan_table(const spectral::Reflectance& exact, const TableRequest& request,
+                     const TableProgress& progress) {
     require_tabulable(exact, request);
     const LobePeaks peaks{exact};
     const std::size_t width = exact.wavelengths().size();

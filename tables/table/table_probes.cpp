@@ -45,7 +45,7 @@ DirectionPair RandomPairs::lobe_pair() {
     }
 }
 
-LobePeaks::LobePeaks(const SpectralBrdf& exact)
+LobePeaks::LobePeaks(const spectral::Reflectance& exact)
     : wavelengths_{exact.wavelengths().size()}, peaks_((whole_degrees + 1) * wavelengths_) {
     spectral::parallel_for(whole_degrees + 1, [&](std::size_t i) {
         const Direction in = Direction::from_degrees(static_cast<double>(i), 0);
@@ -83,13 +83,13 @@ namespace {
 /// Errors of one pair at all wavelengths.
 class PairErrors {
   public:
-    PairErrors(const SpectralBrdf& table, const SpectralBrdf& exact, const LobePeaks& peaks)
+    PairErrors(const spectral::Reflectance& table, const spectral::Reflectance& exact, const LobePeaks& peaks)
         : table_{table},
           exact_{exact},
           peaks_{peaks},
           lobe_(exact.wavelengths().size()),
           tabulated_(lobe_.size()),
-          matrices_(table.polarised() ? lobe_.size() : 0),
+          matrices_(table.properties().polarised ? lobe_.size() : 0),
           tabulated_matrices_(matrices_.size()) {}
 
     void write(const DirectionPair& pair, float* errors) {
@@ -116,8 +116,8 @@ class PairErrors {
         return largest;
     }
 
-    const SpectralBrdf& table_;
-    const SpectralBrdf& exact_;
+    const spectral::Reflectance& table_;
+    const spectral::Reflectance& exact_;
     const LobePeaks& peaks_;
     std::vector<double> lobe_, tabulated_;
     std::vector<Mueller> matrices_, tabulated_matrices_;
@@ -125,8 +125,8 @@ class PairErrors {
 
 }  // namespace
 
-TableError table_error(const SpectralBrdf& table, const SpectralBrdf& exact, std::uint64_t pairs,
-                       std::uint64_t seed) {
+TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact,
+                       std::uint64_t pairs, std::uint64_t seed) {
     const auto a = table.wavelengths().micrometres(), b = exact.wavelengths().micrometres();
     if (!std::ranges::equal(a, b))
         throw Error{"the table and the exact model must have the same wavelengths"};

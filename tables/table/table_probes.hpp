@@ -34,7 +34,7 @@ inline constexpr std::size_t measured_pairs = 1 << 17;
 /// between whole degrees of theta_i.
 class LobePeaks {
   public:
-    explicit LobePeaks(const SpectralBrdf& exact);
+    explicit LobePeaks(const spectral::Reflectance& exact);
     [[nodiscard]] double operator()(const Direction& in, std::size_t wavelength) const noexcept;
     /// The least over all theta_i.
     [[nodiscard]] double least(std::size_t wavelength) const noexcept;

@@ -221,7 +221,7 @@ std::string ComparisonPicture::by() const {
     return (set.kind == CurveKind::theory ? "computed by " : std::string{name(set.kind)} + " by ") + set.by;
 }
 
-std::vector<Curve> model_lines(const CurveSet& set, const spectral::AnyReflector& reflector,
+std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& material,
                                const AveragingNodes& nodes, spectral::OutsideRange policy, double scale) {
     constexpr double step = 0.5;
     CurveSet fine = set;
@@ -238,7 +238,7 @@ std::vector<Curve> model_lines(const CurveSet& set, const spectral::AnyReflector
         fine.curves.push_back(std::move(line));
     }
     if (fine.point_count() == 0) return {};
-    const std::vector<double> values = Prediction{fine, nodes}.values(reflector, policy);
+    const std::vector<double> values = Prediction{fine, nodes}.values(material, policy);
     std::size_t next = 0;
     for (Curve& curve : fine.curves)
         for (CurvePoint& p : curve.points) p.value = scale * values[next++];

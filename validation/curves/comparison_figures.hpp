@@ -12,7 +12,7 @@ namespace hts::validation {
 
 /// The curves of a set at every half degree, with the model's values: what is drawn as lines. Those of scattered pairs are
 /// without points, and there are no lines at all if none has any.
-[[nodiscard]] std::vector<Curve> model_lines(const CurveSet& set, const spectral::AnyReflector& reflector,
+[[nodiscard]] std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& material,
                                              const AveragingNodes& nodes, spectral::OutsideRange policy,
                                              double scale = 1);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/curves/reciprocity.hpp"
 
@@ -96,26 +97,27 @@ std::string section_text(const CurveSet& set, const Comparison& result, const Tr
     return text;
 }
 
-spectral::Reflector he91(const char* index, double rms_roughness, double correlation_length, double albedo) {
-    return {"He et al. 1991", Surface{rms_roughness, correlation_length}, spectral::built_in_material(index),
-            spectral::DiffuseAlbedo{albedo}};
+spectral::Material he91(const char* index, double rms_roughness, double correlation_length, double albedo) {
+    return spectral::he_torrance_material("He et al. 1991", {rms_roughness, correlation_length},
+                                          spectral::built_in_optical_constants(index),
+                                          spectral::DiffuseAlbedo{albedo});
 }
 
 }  // namespace
 
-std::string described(const spectral::AnyReflector& reflector) {
-    const spectral::Reflector* he = reflector.he_torrance();
-    if (he == nullptr) return reflector.name() + " (" + reflector.model_source() + ")";
-    return reflector.name() + " (He-Torrance: σ₀ " + brief(he->surface.rms_roughness()) + " µm, τ " +
-           brief(he->surface.correlation_length()) + " µm, " + he->material.name() + ")";
+std::string described(const spectral::Material& material) {
+    const auto& surface = material.properties().surface;
+    if (!surface) return material.name() + " (" + material.model_source() + ")";
+    return material.name() + " (He-Torrance: σ₀ " + brief(surface->rms_roughness()) + " µm, τ " +
+           brief(surface->correlation_length()) + " µm, " + material.substance() + ")";
 }
 
-Section comparison_section(const CurveSet& set, const spectral::AnyReflector& reflector, const Trial& trial) {
+Section comparison_section(const CurveSet& set, const spectral::Material& material, const Trial& trial) {
     const std::string stem = trial.stem.empty() ? set.stem : trial.stem;
-    auto predicted = Prediction{set, trial.nodes}.values(reflector, trial.policy);
+    auto predicted = Prediction{set, trial.nodes}.values(material, trial.policy);
     for (double& value : predicted) value *= trial.scale;
     const Comparison result = comparison(set, std::move(predicted), trial.free_parameters);
-    const auto lines = model_lines(set, reflector, trial.nodes, trial.policy, result.scale * trial.scale);
+    const auto lines = model_lines(set, material, trial.nodes, trial.policy, result.scale * trial.scale);
     const ComparisonPicture picture{set, result, lines, trial.model, stem};
     Section section{.stem = stem,
                     .title = set.surface,
@@ -133,15 +135,15 @@ Section comparison_section(const CurveSet& set, const spectral::AnyReflector& re
 
 std::vector<MeasurementSlot> measurement_slots() {
     return {{"he91-figure-7", "rough aluminium at 2.0 um, light at 10, 45 and 75 deg",
-             spectral::AnyReflector{he91("Al", 0.28, 1.77, 0)}},
+             he91("Al", 0.28, 1.77, 0)},
             {"he91-figure-8", "rough aluminium at 0.5 um, light at 10, 30, 45, 60 and 75 deg",
-             spectral::AnyReflector{he91("Al", 0.28, 1.77, 0)}},
+             he91("Al", 0.28, 1.77, 0)},
             {"he91-figure-9", "magnesium-oxide ceramic at 0.5 um, light at 10, 45, 60 and 75 deg",
-             spectral::AnyReflector{he91("MgO", 1.45, 13.2, 0.9)}},
+             he91("MgO", 1.45, 13.2, 0.9)},
             {"he91-figure-10", "220-grit sandpaper at 0.55 um, light at 0 deg",
-             spectral::AnyReflector{he91("Al2O3", 44, 10, 0)}},
+             he91("Al2O3", 44, 10, 0)},
             {"he91-figure-11", "smooth blue plastic at 0.46 um, light at 15, 30, 45 and 60 deg",
-             spectral::AnyReflector{he91("PMMA", 0, 1, 0.15)}}};
+             he91("PMMA", 0, 1, 0.15)}};
 }
 
 Section slots_section(const std::filesystem::path& folder) {

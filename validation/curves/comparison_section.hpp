@@ -21,18 +21,18 @@ struct Trial {
 };
 
 /// Model, roughness and albedo as a material file gives them: "he: rms roughness 0.28 um, correlation length 1.77 um, Al".
-[[nodiscard]] std::string described(const spectral::AnyReflector& reflector);
+[[nodiscard]] std::string described(const spectral::Material& material);
 
 /// Plots, a table of figures of merit (all points and each curve), the reciprocity of the data, and the criteria of the set.
 /// hts::Error where the model is not known in a band of the set.
-[[nodiscard]] Section comparison_section(const CurveSet& set, const spectral::AnyReflector& reflector,
+[[nodiscard]] Section comparison_section(const CurveSet& set, const spectral::Material& material,
                                          const Trial& trial);
 
 /// A measured curve that was printed and is not to be had.
 struct MeasurementSlot {
     std::string stem;  ///< of the file that would hold it: "he91-figure-7"
     std::string what;
-    spectral::AnyReflector model;  ///< with the parameters of the paper
+    spectral::Material model;  ///< with the parameters of the paper
 };
 
 /// The dashed curves of He et al. 1991, Figures 7 to 11.

@@ -137,39 +137,15 @@ Prediction::Job job_of(const Band& band, int wavelengths) {
     return {spectral::WavelengthGrid::from_micrometres(std::move(um)), rule.weights, {}, {}};
 }
 
-Prediction::Answer answer_of(const spectral::Reflector& reflector, const Prediction::Job& job,
-                             spectral::OutsideRange policy) {
-    const spectral::SpectralReflectance model{reflector, job.wavelengths, policy,
-                                              Tolerance{hts::accuracy::finest_lane_tolerance}};
-    Prediction::Answer answer{std::vector<double>(job.pairs.size() * model.size()), {}};
-    model.prepared().brdf(job.pairs, answer.brdf);
-    for (const Direction& in : job.incidences)
-        for (const SpecularReflectance& part : model.specular_reflectance(in))
-            answer.specular_reflectance.push_back(part.value());
-    return answer;
-}
-
-Prediction::Answer answer_of(const spectral::AnyReflector& reflector, const Prediction::Job& job,
-                             spectral::OutsideRange policy) {
-    const spectral::AnySpectrum model = reflector.spectrum(job.wavelengths, policy);
-    const std::size_t count = model.size();
+Prediction::Answer answer_of(const spectral::Evaluator& model, const Prediction::Job& job) {
+    const std::size_t count = job.wavelengths.size();
     Prediction::Answer answer{std::vector<double>(job.pairs.size() * count),
                               std::vector<double>(job.incidences.size() * count)};
-    for (std::size_t i = 0; i < job.pairs.size(); ++i)
-        model.brdf(job.pairs[i], std::span{answer.brdf}.subspan(i * count, count));
+    model.brdf_batch(job.pairs, answer.brdf);
     for (std::size_t i = 0; i < job.incidences.size(); ++i)
         model.specular_reflectance(job.incidences[i],
                                    std::span{answer.specular_reflectance}.subspan(i * count, count));
     return answer;
-}
-
-template <class Model>
-std::vector<Prediction::Answer> answers_of(const Model& reflector, const std::vector<Prediction::Job>& jobs,
-                                           spectral::OutsideRange policy) {
-    std::vector<Prediction::Answer> answers;
-    answers.reserve(jobs.size());
-    for (const Prediction::Job& job : jobs) answers.push_back(answer_of(reflector, job, policy));
-    return answers;
 }
 
 }  // namespace
@@ -308,15 +284,17 @@ std::vector<double> Prediction::values(std::span<const Answer> answers) const {
     return result;
 }
 
-std::vector<double> Prediction::values(const spectral::Reflector& reflector,
+std::vector<double> Prediction::values(const spectral::Material& material,
                                        spectral::OutsideRange policy) const {
-    return values(answers_of(reflector, jobs_, policy));
-}
-
-std::vector<double> Prediction::values(const spectral::AnyReflector& reflector,
-                                       spectral::OutsideRange policy) const {
-    if (const spectral::Reflector* he = reflector.he_torrance()) return values(*he, policy);
-    return values(answers_of(reflector, jobs_, policy));
+    std::vector<Answer> answers;
+    answers.reserve(jobs_.size());
+    for (const Job& job : jobs_) {
+        const auto model = material.at(
+            job.wavelengths,
+            {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
+        answers.push_back(answer_of(model.evaluator(), job));
+    }
+    return values(answers);
 }
 
 }  // namespace hts::validation

@@ -13,7 +13,7 @@
 /// Everything geometric is prepared once:
 ///
 ///     const Prediction prediction{set};
-///     for (…) residuals = prediction.values(reflector) …      // any number of times, a few ns per node
+///     for (…) residuals = prediction.values(material) …      // any number of times, a few ns per node
 ///
 /// Averaging is linear, so `average` carries derivatives of the nodes as well as values.
 #pragma once
@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 #include "validation/curves/curve.hpp"
 
 namespace hts::validation {
@@ -72,11 +72,7 @@ class Prediction {
     /// were absolute. Runs on the calling thread.
     ///   error   of the engine: at most 1e-6, relative; of the averages: see AveragingNodes
     [[nodiscard]] std::vector<double> values(
-        const spectral::AnyReflector& reflector,
-        spectral::OutsideRange policy = spectral::OutsideRange::error) const;
-    /// The same for a He-Torrance surface without wrapping it up.
-    [[nodiscard]] std::vector<double> values(
-        const spectral::Reflector& reflector,
+        const spectral::Material& material,
         spectral::OutsideRange policy = spectral::OutsideRange::error) const;
     /// The same from answers to all jobs.
     [[nodiscard]] std::vector<double> values(std::span<const Answer> answers) const;

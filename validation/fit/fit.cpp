@@ -236,7 +236,7 @@ const FittedParameter& Fit::parameter(const std::string& name) const {
     return *found;
 }
 
-spectral::AnyReflector fitted_reflector(const Fit& fit) {
+spectral::Material fitted_reflector(const Fit& fit) {
     return reflector_from(fit.material);
 }
 

@@ -119,6 +119,6 @@ struct Fit {
 [[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data);
 
 /// The fitted material as a model, without the scale.
-[[nodiscard]] spectral::AnyReflector fitted_reflector(const Fit& fit);
+[[nodiscard]] spectral::Material fitted_reflector(const Fit& fit);
 
 }  // namespace hts::validation

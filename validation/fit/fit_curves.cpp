@@ -64,7 +64,7 @@ FitData fit_data(const CurveSet& set, const FitSelection& selection) {
         }
     }
     data.affine = set.scale != Scale::specular;
-    data.view = [prediction](const spectral::AnyReflector& reflector) {
+    data.view = [prediction](const spectral::Material& reflector) {
         return prediction->values(reflector, spectral::OutsideRange::clamp);
     };
     return checked(std::move(data));

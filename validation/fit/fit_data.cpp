@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "hts/error.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::validation {
 namespace {
@@ -52,11 +51,12 @@ FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths, std::ve
         if (uncertain) data.uncertainties.push_back(samples[i].uncertainty);
     }
     data.view = [samples = std::move(samples),
-                 grid = data.wavelengths](const spectral::AnyReflector& reflector) {
-        const auto brdf = tables::model_brdf(reflector, grid);
+                 grid = data.wavelengths](const spectral::Material& material) {
+        const auto reflectance =
+            material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
         std::vector<double> values, spectrum(grid.size());
         for (const FitSample& sample : samples) {
-            brdf->brdf(sample.pair, spectrum);
+            reflectance.brdf(sample.pair, spectrum);
             values.push_back(spectrum[sample.wavelength]);
         }
         return values;

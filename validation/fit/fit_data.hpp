@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hts/he_torrance_spectrum.hpp"
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::validation {
@@ -21,7 +21,7 @@ struct FitSample {
 };
 
 /// What the instrument would have shown of a surface, a value per datum. Called from several threads at once.
-using InstrumentView = std::function<std::vector<double>(const spectral::AnyReflector& reflector)>;
+using InstrumentView = std::function<std::vector<double>(const spectral::Material& reflector)>;
 
 struct FitData {
     std::string name;

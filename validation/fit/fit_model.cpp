@@ -201,11 +201,11 @@ std::string FitModel::material_text(std::span<const double> values, const std::s
     return file.dump(2) + "\n";
 }
 
-spectral::AnyReflector FitModel::reflector(std::span<const double> values) const {
+spectral::Material FitModel::reflector(std::span<const double> values) const {
     return reflector_from(material_text(values, name()));
 }
 
-spectral::AnyReflector reflector_from(const std::string& material_text) {
+spectral::Material reflector_from(const std::string& material_text) {
     const auto file = spectral::JsonValue::parse(material_text, "fit");
     const std::string model = file["model"].text(), name = file["name"].text();
     const auto& models = spectral::built_in_models();

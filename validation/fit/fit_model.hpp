@@ -2,7 +2,7 @@
 /// from where a search starts.
 ///
 /// A model joins with a line in fit_model.cpp that lists the keys of its material file. A fit moves the numbers of such a file
-/// and asks the registry of models (spectral/models/any_reflector.hpp) what it means, so that a fitted material and one that is read
+/// and asks the registry of models (spectral/models/material.hpp) what it means, so that a fitted material and one that is read
 /// are the same thing.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::validation {
@@ -96,7 +96,7 @@ class FitModel {
     /// The material file with these numbers, one per parameter.
     [[nodiscard]] std::string material_text(std::span<const double> values, const std::string& name) const;
     /// What that file means; hts::Error where a value is not allowed.
-    [[nodiscard]] spectral::AnyReflector reflector(std::span<const double> values) const;
+    [[nodiscard]] spectral::Material reflector(std::span<const double> values) const;
 
   private:
     /// The index read once, so that a wrong one is found before a search.
@@ -109,6 +109,6 @@ class FitModel {
 };
 
 /// What a material file means.
-[[nodiscard]] spectral::AnyReflector reflector_from(const std::string& material_text);
+[[nodiscard]] spectral::Material reflector_from(const std::string& material_text);
 
 }  // namespace hts::validation

@@ -7,6 +7,7 @@
 #include "hts/error.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/papers/he_figures.hpp"
 
@@ -39,9 +40,9 @@ double brdf(const PolarPoint& point) {
 }
 
 /// Share of the specular term in the light that the first surface reflects.
-double specular_share(const spectral::Reflector& reflector, double um, double degrees) {
-    const auto terms = spectral::directional_hemispherical_reflectance(
-        reflector, Wavelength::from_micrometres(um), Direction::from_degrees(degrees, 0));
+double specular_share(const spectral::Material& material, double um, double degrees) {
+    const auto terms =
+        material.at(Wavelength::from_micrometres(um)).albedo(Direction::from_degrees(degrees, 0), 0);
     return terms.specular / (terms.specular + terms.directional_diffuse);
 }
 
@@ -54,7 +55,7 @@ Check both_components() {
     const PolarPoint& peak = specular_point(curve);
     const PolarPoint& lobe = maximum(
         curve, [&](const PolarPoint& point) { return point.specular > 0 ? 0 : point.directional_diffuse; });
-    const double share = specular_share(he_figure(7).reflector, 2, 10);
+    const double share = specular_share(he_figure(7).material, 2, 10);
     return {
         "Fig. 7, 10 deg: specular and directional diffuse components both show: the peak is mostly specular, "
         "and the lobe beside "
@@ -103,7 +104,7 @@ Check specular_peak_at_75() {
 Check strong_lobe() {
     std::vector<double> shares;
     for (const double theta_i : {10.0, 30.0, 45.0, 60.0}) {
-        shares.push_back(100 * (1 - specular_share(he_figure(8).reflector, 0.5, theta_i)));
+        shares.push_back(100 * (1 - specular_share(he_figure(8).material, 0.5, theta_i)));
     }
     return {
         "Fig. 8: a strong directional diffuse pattern at 0.5 um: at 10 to 60 deg it carries 95 % of the "
@@ -193,17 +194,16 @@ Check specular_and_uniform() {
         lobe == 0 && off < 1e-12};
 }
 
-double albedo_of_plastic(const spectral::Material& material) {
-    spectral::Reflector reflector = he_figure(11).reflector;
-    reflector.material = material;
-    return spectral::diffuse_albedo_from(0.195, reflector, Wavelength::from_micrometres(0.46),
-                                         Direction::from_degrees(0, 0));
+double albedo_of_plastic(const spectral::OpticalConstants& constants) {
+    const auto blue = Wavelength::from_micrometres(0.46);
+    return spectral::diffuse_albedo_from(0.195, *he_figure(11).material.properties().surface,
+                                         constants.index(blue), blue, Direction::from_degrees(0, 0));
 }
 
 Check albedo_from_hemisphere() {
-    const double acrylic = albedo_of_plastic(spectral::built_in_material("PMMA"));
-    const double polycarbonate = albedo_of_plastic(spectral::built_in_material("polycarbonate"));
-    const double chosen = albedo_of_plastic(spectral::Material::constant({1.54, 0}));
+    const double acrylic = albedo_of_plastic(spectral::built_in_optical_constants("PMMA"));
+    const double polycarbonate = albedo_of_plastic(spectral::built_in_optical_constants("polycarbonate"));
+    const double chosen = albedo_of_plastic(spectral::OpticalConstants::constant({1.54, 0}));
     return {
         "Fig. 11: rho_dh(0 deg) = 0.195 yields a = 0.15: for an index between those of acrylic and "
         "polycarbonate",
@@ -220,7 +220,7 @@ Check emergence(const std::string& claim, const std::vector<double>& shares) {
 }
 
 std::vector<Check> emergences() {
-    const spectral::Reflector aluminium = he_figure(8).reflector;
+    const spectral::Material aluminium = he_figure(8).material;
     std::vector<double> wavelengths, angles, roughnesses;
     for (const double um : {0.5, 1.0, 2.0, 4.0, 8.0})
         wavelengths.push_back(specular_share(aluminium, um, 45));
@@ -228,8 +228,8 @@ std::vector<Check> emergences() {
         angles.push_back(specular_share(aluminium, 0.5, degrees));
     }
     for (const double rms_roughness : {0.28, 0.2, 0.1, 0.05, 0.0}) {
-        spectral::Reflector smoother = aluminium;
-        smoother.surface = Surface{rms_roughness, 1.77};
+        const auto smoother = spectral::he_torrance_material("smoother", {rms_roughness, 1.77},
+                                                             spectral::built_in_optical_constants("Al"));
         roughnesses.push_back(specular_share(smoother, 0.5, 45));
     }
     return {

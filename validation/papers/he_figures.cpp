@@ -6,36 +6,38 @@
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/papers/polar_script.hpp"
 
 namespace hts::validation {
 namespace {
 
-using spectral::built_in_material;
+using spectral::built_in_optical_constants;
 using spectral::DiffuseAlbedo;
-using spectral::Reflector;
+using spectral::he_torrance_material;
+using spectral::Material;
 
 constexpr double paper_solid_angle = std::numbers::pi / 1024;  // sr
 constexpr auto theory_only = "Theory only: the paper's measured curves are not available.";
 
-Reflector roughened_aluminium() {
-    return {"roughened aluminium, σ₀ = 0.28 µm, τ = 1.77 µm", Surface{0.28, 1.77}, built_in_material("Al"),
-            DiffuseAlbedo{0}};
+Material roughened_aluminium() {
+    return he_torrance_material("roughened aluminium, σ₀ = 0.28 µm, τ = 1.77 µm", {0.28, 1.77},
+                                built_in_optical_constants("Al"));
 }
 
-Reflector ceramic() {
-    return {"magnesium-oxide ceramic, σ₀ = 1.45 µm, τ = 13.2 µm, a = 0.9", Surface{1.45, 13.2},
-            built_in_material("MgO"), DiffuseAlbedo{0.9}};
+Material ceramic() {
+    return he_torrance_material("magnesium-oxide ceramic, σ₀ = 1.45 µm, τ = 13.2 µm, a = 0.9", {1.45, 13.2},
+                                built_in_optical_constants("MgO"), DiffuseAlbedo{0.9});
 }
 
-Reflector sandpaper() {
-    return {"220-grit sandpaper, σ₀/τ = 4.4", Surface{44, 10}, built_in_material("Al2O3"), DiffuseAlbedo{0}};
+Material sandpaper() {
+    return he_torrance_material("220-grit sandpaper, σ₀/τ = 4.4", {44, 10}, built_in_optical_constants("Al2O3"));
 }
 
-Reflector plastic() {
-    return {"smooth blue plastic, a = 0.15", Surface{0, 1}, spectral::Material::constant({1.54, 0}),
-            DiffuseAlbedo{0.15}};
+Material plastic() {
+    return he_torrance_material("smooth blue plastic, a = 0.15", {0, 1},
+                                spectral::OpticalConstants::constant({1.54, 0}), DiffuseAlbedo{0.15});
 }
 
 std::string stem(const HeFigure& figure) {
@@ -57,7 +59,7 @@ FigureTable table(const HeFigure& figure, const std::vector<PolarCurve>& curves)
 }
 
 std::string title(const HeFigure& figure) {
-    return "Fig. " + std::to_string(figure.number) + ": " + figure.reflector.name +
+    return "Fig. " + std::to_string(figure.number) + ": " + figure.material.name() +
            ", λ = " + shortest(figure.wavelength) + " µm";
 }
 
@@ -104,18 +106,19 @@ Figure drawn(const HeFigure& figure) {
             {table(figure, curves)},
             figure.radius == PolarRadius::normalised ? polar_figure(figure, curves)
                                                      : semilogarithmic_figure(figure, curves),
-            "After Fig. " + std::to_string(figure.number) + " of He et al. 1991: " + figure.reflector.name +
+            "After Fig. " + std::to_string(figure.number) + " of He et al. 1991: " + figure.material.name() +
                 ". " + theory_only};
 }
 
 }  // namespace
 
-spectral::AnyModel HeFigure::model() const {
-    return spectral::AnyReflector{reflector}.at(Wavelength::from_micrometres(wavelength));
+spectral::Reflectance HeFigure::reflectance() const {
+    return material.at(Wavelength::from_micrometres(wavelength),
+                       {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 PolarCurve HeFigure::curve(double degrees) const {
-    return polar_curve(model(), degrees, 0, EqualCones{paper_solid_angle}, radius);
+    return polar_curve(reflectance(), degrees, 0, EqualCones{paper_solid_angle}, radius);
 }
 
 HeFigure he_figure(int number) {

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 #include "validation/papers/polar_curves.hpp"
 #include "validation/report/report.hpp"
 
@@ -18,12 +18,12 @@ namespace hts::validation {
 /// What a figure shows.
 struct HeFigure {
     int number;
-    spectral::Reflector reflector;
+    spectral::Material material;
     double wavelength;            ///< [um]
     std::vector<double> theta_i;  ///< [deg]
     PolarRadius radius;
 
-    [[nodiscard]] spectral::AnyModel model() const;
+    [[nodiscard]] spectral::Reflectance reflectance() const;
     [[nodiscard]] PolarCurve curve(double degrees) const;
 };
 

@@ -26,9 +26,9 @@ std::vector<double> view_angles(double theta_i) {
     return angles;
 }
 
-/// A model at one wavelength in one plane of incidence.
+/// A reflectance at its first wavelength, in one plane of incidence.
 struct Plane {
-    const spectral::AnyModel& model;
+    const spectral::Reflectance& reflectance;
     double theta_i, phi_i;  // [deg]
     const std::optional<EqualCones>& cones;
 
@@ -36,10 +36,11 @@ struct Plane {
         const Direction in = Direction::from_degrees(theta_i, phi_i);
         const Direction out =
             Direction::from_degrees(std::abs(view_angle), view_angle < 0 ? phi_i : phi_i + 180);
-        const auto [directional_diffuse, uniform_diffuse] = model.terms(in, out);
         const double off_mirror = radians(std::abs(view_angle - theta_i));
-        const SpecularReflectance specular = model.specular_reflectance(in);
-        return {view_angle, directional_diffuse, uniform_diffuse,
+        const double sum = reflectance.brdf({in, out})[0];  // 0 on the horizon, where the model is
+        const SpecularReflectance specular = reflectance.specular_reflectance(in)[0];
+        return {view_angle, reflectance.directional_diffuse({in, out})[0],
+                std::min(sum, reflectance.uniform_diffuse()[0]),
                 cones ? cones->brdf(specular, in.cos_theta(), off_mirror) : 0, 0};
     }
 };
@@ -72,9 +73,9 @@ double EqualCones::brdf(const SpecularReflectance& specular, double cos_theta_i,
     return specular.value() / (cos_theta_i * solid_angle_) * overlap(off_mirror);
 }
 
-PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
+PolarCurve polar_curve(const spectral::Reflectance& reflectance, double theta_i, double phi_i,
                        const std::optional<EqualCones>& cones, PolarRadius radius) {
-    const Plane plane{model, theta_i, phi_i, cones};
+    const Plane plane{reflectance, theta_i, phi_i, cones};
     const double factor = scale(plane.at(theta_i), theta_i, radius);
     PolarCurve curve{theta_i, {}};
     for (const double view_angle : view_angles(theta_i)) {

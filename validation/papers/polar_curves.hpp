@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "spectral/models/any_model.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::validation {
 
@@ -51,10 +51,10 @@ enum class PolarRadius {
     absolute,    ///< BRDF [1/sr]
 };
 
-/// The curve of one angle of incidence.
+/// The curve of one angle of incidence, at the first wavelength.
 ///   theta_i, phi_i   of the light [deg], theta_i 0 … 90      cones   none leaves the specular term out
 /// Throws hts::Error if the radius shall be normalised and the BRDF in the specular direction is 0.
-[[nodiscard]] PolarCurve polar_curve(const spectral::AnyModel& model, double theta_i, double phi_i,
+[[nodiscard]] PolarCurve polar_curve(const spectral::Reflectance& reflectance, double theta_i, double phi_i,
                                      const std::optional<EqualCones>& cones, PolarRadius radius);
 
 }  // namespace hts::validation

@@ -1,11 +1,11 @@
-/// What a material reflects at the wavelengths of a picture: a reflector made ready for a renderer.
+/// What a material reflects at the wavelengths of a picture: a material made ready for a renderer.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <span>
+#include <vector>
 
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::accuracy {
 /// Of `Appearance::diffuse_albedo` against spectral::bihemispherical_reflectance, absolute.
@@ -48,7 +48,7 @@ class Appearance {
   public:
     /// Optical constants outside their range are held at its ends.
     ///   error   accuracy::rendered_brdf; other models are exact      cost   some 100 ms
-    explicit Appearance(const spectral::AnyReflector& reflector);
+    explicit Appearance(const spectral::Material& material);
 
     /// BRDF of the diffuse terms [1/sr].
     [[nodiscard]] Spectrum brdf(const DirectionPair& pair) const noexcept;
@@ -57,7 +57,7 @@ class Appearance {
     /// Reflectance into the mirror direction; 0 for models without a delta.
     [[nodiscard]] Spectrum specular_reflectance(const Direction& in) const noexcept;
     /// Whether there is a mirror term at all.
-    [[nodiscard]] bool has_specular() const noexcept;
+    [[nodiscard]] bool has_specular() const noexcept { return mirror_.properties().specular_term; }
 
     /// Share of uniform incident light that the diffuse terms reflect, rho_hd of [He91 (12)], a function of wavelength alone.
     ///   error   accuracy::rendered_albedo
@@ -70,11 +70,10 @@ class Appearance {
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
 
   private:
-    struct Face;
-    class HeTorrance;
-    class Other;
+    [[nodiscard]] double specular_probability(const Direction& in) const noexcept;
 
-    std::shared_ptr<const Face> face_;
+    spectral::Reflectance reflectance_, mirror_;  // the specular term is cheap, hence exact
+    std::vector<spectral::Sampler> samplers_;
     Spectrum diffuse_albedo_;
 };
 

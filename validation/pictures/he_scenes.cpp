@@ -5,27 +5,27 @@
 #include <numbers>
 
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "validation/pictures/scene_builders.hpp"
 
 namespace hts::validation {
 namespace {
 
-using spectral::DiffuseAlbedo;
+using spectral::built_in_optical_constants;
 
-Appearance he_torrance(const char* name, const Surface& surface, const spectral::Material& material,
+Appearance he_torrance(const char* name, const Surface& surface, const spectral::OpticalConstants& constants,
                        double albedo) {
     return Appearance{
-        spectral::AnyReflector{spectral::Reflector{name, surface, material, DiffuseAlbedo{albedo}}}};
+        spectral::he_torrance_material(name, surface, constants, spectral::DiffuseAlbedo{albedo})};
 }
 
 Appearance aluminium(double rms_roughness, double correlation_length) {
-    return he_torrance("aluminium", {rms_roughness, correlation_length}, spectral::built_in_material("Al"),
-                       0);
+    return he_torrance("aluminium", {rms_roughness, correlation_length}, built_in_optical_constants("Al"), 0);
 }
 
 Appearance plastic(double rms_roughness) {
     // |F|^2 = 0.195 - 0.15 at the normal, from Fig. 11
-    return he_torrance("plastic", {rms_roughness, 2}, spectral::Material::constant({1.54, 0}), 0.28);
+    return he_torrance("plastic", {rms_roughness, 2}, spectral::OpticalConstants::constant({1.54, 0}), 0.28);
 }
 
 /// A wall of bricks in rows of half a unit, every other row moved by half a brick.
@@ -73,7 +73,7 @@ std::vector<Scene> limiting_cylinders() {
 
 std::vector<Scene> still_life() {
     const Appearance cylinder = aluminium(0.18, 3);
-    const Appearance sphere = he_torrance("copper", {0.13, 1.2}, spectral::built_in_material("Cu"), 0);
+    const Appearance sphere = he_torrance("copper", {0.13, 1.2}, built_in_optical_constants("Cu"), 0);
     Scene scene{{}, {}, Spectrum::grey(0.06), Camera{{0, -9.2, 2.75}, {0, 0, 0.62}, 31}};
     scene.objects.push_back({Cylinder{{-1.25, 1.0, 0}, 0.74, 2.0}, {cylinder}});
     scene.objects.push_back({Sphere{{-0.15, -1.25, 0.62}, 0.62}, {sphere}});

@@ -10,13 +10,12 @@
 #include "hts/microfacet/kurt.hpp"
 #include "hts/microfacet/ward.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/model_evaluator.hpp"
 #include "validation/pictures/scene_builders.hpp"
 
 namespace hts::validation {
 namespace {
 
-using spectral::AnyModel;
-using spectral::AnyReflector;
 using spectral::OutsideRange;
 using Rgb = std::array<double, 3>;
 
@@ -25,15 +24,15 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 /// A material from what makes its model at a wavelength [um].
 template <class Make>
 Appearance appearance_of(const Make& make) {
-    return Appearance{AnyReflector{[make](const Wavelength& wavelength, OutsideRange /*policy*/) {
-        return AnyModel{make(wavelength.micrometres())};
-    }}};
+    return Appearance{spectral::material_of([make](const Wavelength& wavelength, OutsideRange /*policy*/) {
+        return make(wavelength.micrometres());
+    })};
 }
 
 /// Reflectance of smooth gold at normal incidence.
 double gold(double um) {
-    static const spectral::Material material = spectral::built_in_material("Au");
-    return FacetFresnel::exact(material.index(Wavelength::from_micrometres(um))).at_normal();
+    static const spectral::OpticalConstants constants = spectral::built_in_optical_constants("Au");
+    return FacetFresnel::exact(constants.index(Wavelength::from_micrometres(um))).at_normal();
 }
 
 /// Paint of the colour of gold.

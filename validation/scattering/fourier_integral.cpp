@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/random.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "hts/roughness.hpp"
 
 namespace hts::validation {

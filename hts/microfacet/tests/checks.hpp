@@ -45,7 +45,7 @@ void check_values(const std::string& name, const Model& model, double reciprocit
         reciprocity.note(relative_error(there, model.brdf(out, in)),
                          [&] { return text(in) + "; " + text(out); });
         const double pdf = model.pdf(in, out);
-        const DrawnDirection drawn = model.sample(in, random_uniforms(random));
+        const hts::Draw drawn = model.sample(in, random_uniforms(random));
         const bool good = there >= 0 && std::isfinite(there) && pdf >= 0 && std::isfinite(pdf) &&
                           drawn.weight >= 0 && std::isfinite(drawn.weight) &&
                           (drawn.pdf == 0 || drawn.pdf == model.pdf(in, drawn.out));
@@ -78,7 +78,7 @@ void check_sampling(const std::string& name, const Model& model) {
         Random random{11};
         double sum = 0, squares = 0, weights = 0;
         const auto draw = [&]() -> std::optional<Angles> {
-            const DrawnDirection drawn = model.sample(in, random_uniforms(random));
+            const hts::Draw drawn = model.sample(in, random_uniforms(random));
             sum += drawn.weight;
             squares += drawn.weight * drawn.weight;
             ++weights;

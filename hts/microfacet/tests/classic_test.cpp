@@ -33,7 +33,7 @@ using Evaluation =
     std::function<double(const std::function<double(const char*)>&, const Direction&, const Direction&)>;
 
 void compare(const char* column, double bound, const Evaluation& evaluation) {
-    const ReferenceTable table{"microfacet.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/microfacet.csv"};
     WorstCase worst{column, bound};
     for (std::size_t i = 0; i < table.size(); ++i) {
         if (!(table(i, column) > 1e-30)) continue;
@@ -76,7 +76,7 @@ TEST_CASE("the classic lobes are the printed ones at 80 digits") {
 }
 
 TEST_CASE("Ashikhmin and Shirley's model is their lobe and their diffuse term") {
-    const ReferenceTable table{"microfacet.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/microfacet.csv"};
     WorstCase worst{"Ashikhmin-Shirley, both terms", accuracy::cosine_lobes};
     for (std::size_t i = 0; i < table.size(); ++i) {
         const Direction in = Direction::from_degrees(table(i, "theta_i"), table(i, "phi_i"));

@@ -52,7 +52,7 @@ std::string text(const FacetDistribution& facets, double theta, NormalDraw which
 }  // namespace
 
 TEST_CASE("facets: D and G_1 agree with 50 digits, G_1 with Smith's integral") {
-    const ReferenceTable table{"walter_facets.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/walter_facets.csv"};
     WorstCase density{"D", hts::accuracy::facet_density};
     WorstCase shadowing{"G_1 of Beckmann and GGX", hts::accuracy::facet_shadowing};
     WorstCase phong{"G_1 of Phong", hts::accuracy::phong_shadowing};

@@ -26,7 +26,7 @@ double albedo(const KurtLobe& lobe, const Direction& in) {
 }  // namespace
 
 TEST_CASE("Kurt's lobe and its density are the printed ones at 80 digits") {
-    const ReferenceTable table{"microfacet.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/microfacet.csv"};
     WorstCase value{"Kurt (11), lobe", accuracy::kurt};
     WorstCase density{"Kurt (20)", accuracy::kurt};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("the weight of Kurt's sampler is (21) and its normals have the quadran
         CHECK(std::abs(std::sin(std::atan2(normal.y, normal.x) - phi)) < 1e-9);
         CHECK((normal.x > 0) == (std::cos(2 * std::numbers::pi * u[2]) > 0));
         CHECK((normal.y > 0) == (std::sin(2 * std::numbers::pi * u[2]) > 0));
-        const DrawnDirection drawn = model.sample(in, u);
+        const hts::Draw drawn = model.sample(in, u);
         if (drawn.pdf == 0) continue;
         const HalfDirection half = half_direction(in, drawn.out);
         const double expected = 0.8 * schlick(0.6, half.cos_theta_d) * std::pow(drawn.out.cos_theta(), 0.75) /

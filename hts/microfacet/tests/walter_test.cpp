@@ -10,7 +10,7 @@
 
 #include "checks.hpp"
 #include "hts/error.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 #include "walter_cases.hpp"
 
 using hts::Direction;
@@ -40,7 +40,7 @@ SidedDirection opposite(const SidedDirection& d) {
 }  // namespace
 
 TEST_CASE("Walter: reflection agrees with 50 digits") {
-    const ReferenceTable table{"walter_brdf.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/walter_brdf.csv"};
     WorstCase worst{"BRDF", hts::accuracy::microfacet};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const WalterBrdf model{distribution(table(row, "shape"), table(row, "width")),
@@ -56,7 +56,7 @@ TEST_CASE("Walter: reflection agrees with 50 digits") {
 }
 
 TEST_CASE("Walter: reflection and refraction of a dielectric agree with 50 digits, from both sides") {
-    const ReferenceTable table{"walter_bsdf.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/walter_bsdf.csv"};
     WorstCase worst{"BSDF", hts::accuracy::microfacet};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const auto facets = distribution(table(row, "shape"), table(row, "width"));
@@ -80,7 +80,7 @@ TEST_CASE("Walter: reflection and refraction of a dielectric agree with 50 digit
 }
 
 TEST_CASE("Walter: the reflectance of a facet agrees with 50 digits") {
-    const ReferenceTable table{"fresnel.csv"};
+    const ReferenceTable table{"tests/reference/fresnel.csv"};
     WorstCase worst{"reflectance, absolute", hts::accuracy::facet_reflectance};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const double reflectance =
@@ -127,7 +127,7 @@ TEST_CASE("Walter: reflection is reciprocal, refraction but for eta squared") {
 }
 
 TEST_CASE("Walter: energy kept is 1 less the single-scattering loss") {
-    const ReferenceTable table{"walter_furnace.csv"};
+    const ReferenceTable table{"microfacet/tests/reference/walter_furnace.csv"};
     WorstCase mirrors{"albedo for F = 1, from the furnace", 1.5e-5};
     // what bounds it: the midpoint rule at the jump where the facets of GGX, alpha 1, are vertical
     WorstCase glass{"reflected and transmitted share, from the furnace", 8e-4};

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "hts/phi/phi_table.hpp"
 #include "hts/phi/tables/chebyshev.hpp"
 #include "hts/phi/tables/phi_series.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 namespace hts::phi_detail {
 

@@ -207,7 +207,8 @@ void write_table(const std::string& folder, const std::string& name, const std::
     out << "// Written by generate_phi_tables; do not edit. " << c.cells.size() / (Spec::rows * Spec::lanes)
         << " cells.\n// Worst error of ln Phi on the generator's own grid: " << c.worst_cell
         << " by the cells, " << c.worst_line << " by the lines\n// at ln Phi = " << least_log_phi << ".\n"
-        << "// clang-format off\n#include \"hts/phi/phi_table.hpp\"\n\nnamespace hts::phi_detail {\nnamespace "
+        << "// clang-format off\n#include \"hts/phi/tables/phi_table.hpp\"\n\nnamespace hts::phi_detail "
+           "{\nnamespace "
            "{\n\n";
     print(out, spec + "::Coefficient", "cells", c.cells, Spec::lanes);
     print(out, "double", "lines", c.lines, 2);

@@ -2,7 +2,7 @@
 // Worst error of ln Phi on the generator's own grid: 9.84849e-14 by the cells, 1.46549e-13 by the lines
 // at ln Phi = -660.
 // clang-format off
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 namespace hts::phi_detail {
 namespace {

@@ -2,7 +2,7 @@
 // Worst error of ln Phi on the generator's own grid: 3.96163e-07 by the cells, 1.74843e-07 by the lines
 // at ln Phi = -660.
 // clang-format off
-#include "hts/phi/phi_table.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 namespace hts::phi_detail {
 namespace {

@@ -14,8 +14,8 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/phi/phi_simd.hpp"
-#include "hts/phi/phi_table.hpp"
 #include "hts/phi/tables/phi_series.hpp"
+#include "hts/phi/tables/phi_table.hpp"
 
 using hts::phi;
 using hts::PhiMethod;
@@ -176,7 +176,7 @@ bool same_bits(double a, double b) {
 }  // namespace
 
 TEST_CASE("phi at every tolerance agrees with 50 digits") {
-    const ReferenceTable table{"phi.csv"};
+    const ReferenceTable table{"tests/reference/phi.csv"};
     for (const Tolerance tolerance : tolerances) {
         WorstCase worst{"phi at " + hts::shortest(tolerance.relative_error()), tolerance.relative_error()};
         for (std::size_t row = 0; row < table.size(); ++row) {
@@ -202,6 +202,25 @@ TEST_CASE("phi agrees with long sums beyond its tables") {
 TEST_CASE("phi keeps its tolerances on every instruction set") {
     on_every_target([](const PhiForms& forms, const std::string& target) {
         check(sweep(forms, draw, 10, 1000), target);
+    });
+}
+
+TEST_CASE("the gradient of phi keeps its tolerance on every instruction set") {
+    on_every_target([](const PhiForms& forms, const std::string& target) {
+        Random random{18};
+        WorstCase worst{"log-gradient of phi, " + target, hts::accuracy::tabled_phi_gradient};
+        for (int i = 0; i < 20000; ++i) {
+            const Point p = draw(random);
+            if (p.g > 1e8) continue;  // where the sums of g d ln Phi/dg lose 1e-16 sqrt(g)
+            const auto tabled = forms.gradient(p.g, p.t), summed = hts::phi_gradient(p.g, p.t);
+            const auto note = [&](double computed, double expected) {
+                worst.note(std::abs(computed - expected) / (1 + std::abs(expected)),
+                           [&] { return at(p.g, p.t); });
+            };
+            note(p.g * tabled.log_d_g, p.g * summed.log_d_g);
+            note(tabled.log_d_t / summed.log_d_t, 1);
+        }
+        worst.check();
     });
 }
 

@@ -9,9 +9,11 @@ namespace reference {
 
 /// A row of a points file of `hts eval`: micrometres and decimal degrees. Both directions point away from the
 /// surface; the mirror direction of (theta_i, phi_i) is (theta_i, phi_i + 180).
-struct Point {
-    double wavelength, theta_i, phi_i, theta_r, phi_r, n, k, rms_roughness, correlation_length, albedo;
+template <class Number>
+struct PointOf {
+    Number wavelength, theta_i, phi_i, theta_r, phi_r, n, k, rms_roughness, correlation_length, albedo;
 };
+using Point = PointOf<double>;
 
 inline constexpr const char* point_columns =
     "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,n,k,rms_roughness_um,correlation_length_um,"
@@ -42,18 +44,21 @@ struct Reflection {
 };
 
 /// sigma for two obstructions (80).
-inline Real effective_roughness(const Point& p, const Obstruction& in, const Obstruction& out) {
+template <class Number>
+Real effective_roughness(const PointOf<Number>& p, const Obstruction& in, const Obstruction& out) {
     return Real(p.rms_roughness) * effective_roughness_ratio(in.K + out.K);
 }
 
 /// g (79), with the effective roughness as (9) says.
-inline Real phase_variance(const Point& p, const Real& sigma, const Real& cos_sum) {
+template <class Number>
+Real phase_variance(const PointOf<Number>& p, const Real& sigma, const Real& cos_sum) {
     const Real root = 2 * pi * sigma / Real(p.wavelength) * cos_sum;
     return root * root;
 }
 
 /// (73) at theta_r = theta_i: |F|^2 e^-g S.
-inline Real specular_reflectance(const Point& p, const Obstruction& in) {
+template <class Number>
+Real specular_reflectance(const PointOf<Number>& p, const Obstruction& in) {
     const Real cosine = cos(radians(p.theta_i));
     const Real g = phase_variance(p, effective_roughness(p, in, in), 2 * cosine);
     const Real F = fresnel(cosine, {Real(p.n), Real(p.k)}).unpolarised();
@@ -71,7 +76,8 @@ inline Real geometrical_factor(const Vector& ki, const Vector& kr) {
 }
 
 /// The three terms (70)-(73), f_ud = a/pi, and everything on the way.
-inline Reflection reflection(const Point& p) {
+template <class Number>
+Reflection reflection(const PointOf<Number>& p) {
     const Real lambda = p.wavelength, tau = p.correlation_length, ratio = Real(p.rms_roughness) / tau;
     const Real theta_i = radians(p.theta_i), theta_r = radians(p.theta_r);
     const Vector ki = -direction(theta_i, radians(p.phi_i)), kr = direction(theta_r, radians(p.phi_r));

@@ -26,6 +26,9 @@ inline const Real pi = boost::math::constants::pi<Real>();
 inline Real radians(double degrees) {
     return Real(degrees) * pi / 180;
 }
+inline Real radians(const Real& degrees) {
+    return degrees * pi / 180;
+}
 
 // ---------------------------------------------------------------------------------------- complex numbers
 

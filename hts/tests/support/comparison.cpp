@@ -18,7 +18,7 @@ void WorstCase::check() const {
 }
 
 ReferenceTable::ReferenceTable(const std::string& file) {
-    std::ifstream in{std::string{HTS_SOURCE_DIR "/hts/tests/reference/"} + file};
+    std::ifstream in{std::string{HTS_SOURCE_DIR "/hts/"} + file};
     std::string line;
     while (std::getline(in, line)) {
         if (line.empty() || line.front() == '#') continue;

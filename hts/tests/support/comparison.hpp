@@ -45,7 +45,7 @@ class WorstCase {
     std::size_t count_ = 0;
 };
 
-/// Columns of a reference file in hts/tests/reference/, `#` lines passed over.
+/// Columns of a reference file, its path from hts/, `#` lines passed over.
 class ReferenceTable {
   public:
     explicit ReferenceTable(const std::string& file);

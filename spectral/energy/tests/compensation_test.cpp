@@ -9,8 +9,8 @@
 #include "hemisphere.hpp"
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
-#include "spectral/models/reflectance.hpp"
-#include "spectral/models/spectral_brdf.hpp"
+#include "spectral/models/compensated.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 
 using namespace hts::spectral;
 using namespace hts::spectral::testing;
@@ -27,8 +27,12 @@ namespace bound = hts::spectral::accuracy;
 
 const Wavelength one_um = Wavelength::from_micrometres(1);
 
-Reflector copper(const Surface& surface, double albedo = 0) {
-    return {"copper", surface, built_in_material("Cu"), DiffuseAlbedo{albedo}};
+constexpr hts::Tolerance exactly{hts::accuracy::finest_tolerance};
+
+Reflectance copper(const Surface& surface, const WavelengthGrid& grid, double albedo = 0,
+                   bool compensate = true) {
+    return he_torrance_material("copper", surface, built_in_optical_constants("Cu"), DiffuseAlbedo{albedo})
+        .at(grid, {.tolerance = exactly, .compensate_energy = compensate});
 }
 
 /// rho_dh of the compensated lossless surface, by the plain integral.
@@ -84,13 +88,13 @@ TEST_CASE("compensation keeps reciprocity") {
     Random random{3};
     const auto grid = WavelengthGrid::linear(0.4, 0.7, 3);
     for (const double slope : {0.05, 0.2, 0.7}) {
-        const auto reflectance = compensated_brdf(copper({0.2, 0.2 / slope}, 0.1), grid);
+        const auto reflectance = copper({0.2, 0.2 / slope}, grid, 0.1);
         std::vector<double> there(grid.size()), back(grid.size());
         for (int i = 0; i < 300; ++i) {
             const auto in = Direction::from_degrees(random.uniform(0, 89), random.uniform(0, 360));
             const auto out = Direction::from_degrees(random.uniform(0, 89), random.uniform(0, 360));
-            reflectance->brdf({in, out}, there);
-            reflectance->brdf({out, in}, back);
+            reflectance.brdf({in, out}, there);
+            reflectance.brdf({out, in}, back);
             for (std::size_t j = 0; j < grid.size(); ++j) {
                 worst.note(relative_error(there[j], back[j]),
                            [&] { return "sigma0/tau " + hts::shortest(slope); });
@@ -103,21 +107,20 @@ TEST_CASE("compensation keeps reciprocity") {
 TEST_CASE("only the lobes are scaled, the uniform-diffuse term is not") {
     const auto grid = WavelengthGrid::linear(0.4, 0.7, 3);
     const Surface surface{0.2, 0.5};
-    const SpectralReflectance model{copper(surface), grid};
-    const auto plain = compensated_brdf(copper(surface), grid),
-               painted = compensated_brdf(copper(surface, 0.3), grid);
+    const Reflectance model = copper(surface, grid, 0, false);
+    const Reflectance plain = copper(surface, grid), painted = copper(surface, grid, 0.3);
     const DirectionPair pair{Direction::from_degrees(50, 10), Direction::from_degrees(70, 200)};
     std::vector<double> lobe(3), both(3), painted_lobe(3), mirror(3), batch(6);
-    plain->brdf(pair, lobe);
-    painted->brdf(pair, both);
-    painted->directional_diffuse(pair, painted_lobe);
-    plain->specular_reflectance(pair.in, mirror);
-    painted->brdf_batch(std::vector{pair, pair}, batch);
+    plain.brdf(pair, lobe);
+    painted.brdf(pair, both);
+    painted.directional_diffuse(pair, painted_lobe);
+    plain.specular_reflectance(pair.in, mirror);
+    painted.brdf(std::vector{pair, pair}, batch);
     const auto published = model.brdf(pair);
     const auto published_mirror = model.specular_reflectance(pair.in);
     std::vector<hts::Mueller> mueller(grid.size()), mirrored(grid.size());
-    painted->mueller(pair, mueller);
-    painted->specular_mueller(pair.in, mirrored);
+    painted.mueller(pair, mueller);
+    painted.specular_mueller(pair.in, mirrored);
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const EnergyCompensation s{surface, grid[i]};
         CHECK(lobe[i] == Approx(s.factor(pair.in) * s.factor(pair.out) * published[i]).epsilon(1e-13));
@@ -129,8 +132,31 @@ TEST_CASE("only the lobes are scaled, the uniform-diffuse term is not") {
               Approx(std::pow(s.factor(pair.in), 2) * published_mirror[i].value()).epsilon(1e-13));
         CHECK(mirrored[i](0, 0) == Approx(mirror[i]).epsilon(1e-12));
     }
-    CHECK_THROWS_WITH(compensated_brdf(model_brdf(AnyReflector{copper(surface)}, grid), {}),
+    CHECK_THROWS_WITH(compensated(model, {}),
                       "copper: 0 compensations: must be one for each of 3 wavelengths");
+}
+
+TEST_CASE("draws of a compensated surface weigh what it reflects") {
+    const auto grid = WavelengthGrid::from_micrometres({0.5});
+    const Reflectance rough = copper({0.3, 1}, grid, 0.1);
+    const Sampler sampler = rough.sampler(0);
+    Random random{7};
+    const Direction in = Direction::from_degrees(60, 30);
+    constexpr int count = 40'000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < count; ++i) {
+        const double u0 = random.uniform(0, 1), u1 = random.uniform(0, 1);
+        const hts::Draw drawn = sampler.sample(in, {u0, u1, random.uniform(0, 1)});
+        if (drawn.lobe == hts::Lobe::directional_diffuse || drawn.lobe == hts::Lobe::uniform_diffuse) {
+            CHECK(drawn.weight ==
+                  Approx(rough.brdf({in, drawn.out}).front() * drawn.out.cos_theta() / drawn.pdf)
+                      .epsilon(1e-9));
+        }
+        sum += drawn.weight;
+        squares += drawn.weight * drawn.weight;
+    }
+    const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+    CHECK(std::abs(mean - rough.albedo(in, 0).total()) < 5 * error);
 }
 
 TEST_CASE("factors between wavelengths are interpolated, closely where they are dense") {
@@ -152,16 +178,15 @@ TEST_CASE("factors between wavelengths are interpolated, closely where they are 
 TEST_CASE("a lossy surface stays below 1 and gains") {
     const auto red = Wavelength::from_micrometres(0.65);
     for (const double slope : {0.1, 0.5}) {
-        const Reflector rough = copper({0.3, 0.3 / slope});
-        const hts::RefractiveIndex index = rough.material.index(red);
-        const EnergyCompensation s{rough.surface, red};
+        const Surface rough{0.3, 0.3 / slope};
+        const hts::RefractiveIndex index = built_in_optical_constants("Cu").index(red);
+        const EnergyCompensation s{rough, red};
         for (const double degrees : {0.0, 45.0, 80.0}) {
             const Direction in = Direction::from_degrees(degrees, 0);
-            const double with =
-                directional_hemispherical_reflectance(s, rough.surface, index, red, in).total();
+            const double with = directional_hemispherical_reflectance(s, rough, index, red, in).total();
             CHECK(with < 1);
             CHECK(with > 0.85);
-            CHECK(with >= directional_hemispherical_reflectance(rough, red, in).total() - 1e-3);
+            CHECK(with >= directional_hemispherical_reflectance(rough, index, red, in).total() - 1e-3);
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "hemisphere.hpp"
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 
 using namespace hts::spectral;
 using namespace hts::spectral::testing;
@@ -71,12 +72,10 @@ double total(const Setting& at) {
     return directional_hemispherical_reflectance(at.surface(), PerfectMirror{}, one_um, at.in()).total();
 }
 
-Reflector reflector(const Surface& surface, const Material& material, double albedo = 0) {
-    return {"test", surface, material, DiffuseAlbedo{albedo}};
-}
+const Surface smooth{0, 1};
 
-Reflector smooth(double n, double albedo = 0) {
-    return reflector({0, 1}, Material::constant({n, 0}), albedo);
+RefractiveIndex index_of(const char* name, const Wavelength& wavelength) {
+    return built_in_optical_constants(name).index(wavelength);
 }
 
 }  // namespace
@@ -142,18 +141,18 @@ TEST_CASE("the furnace's known extremes") {
 }
 
 TEST_CASE("the terms of a reflector are those of the model") {
-    const Reflector aluminium = reflector({0.05, 0.5}, built_in_material("Al"), 0.1);
+    const Surface surface{0.05, 0.5};
     const auto green = Wavelength::from_micrometres(0.55);
     const Direction in = Direction::from_degrees(35, 110);
-    const auto terms = directional_hemispherical_reflectance(aluminium, green, in);
-    const RefractiveIndex index = aluminium.material.index(green);
-    CHECK(terms.uniform_diffuse == 0.1);
+    const auto aluminium =
+        he_torrance_material("test", surface, built_in_optical_constants("Al"), DiffuseAlbedo{0.1});
+    const auto terms = aluminium.at(green).albedo(in, 0);
+    const RefractiveIndex index = index_of("Al", green);
+    CHECK(terms.uniform_diffuse == Approx(0.1).epsilon(1e-15));
     CHECK(terms.specular ==
-          Approx(specular_reflectance(aluminium.surface, view(aluminium.surface, in), green, index).value())
-              .epsilon(1e-14));
+          Approx(specular_reflectance(surface, view(surface, in), green, index).value()).epsilon(1e-14));
     CHECK(terms.directional_diffuse ==
-          Approx(directional_hemispherical_reflectance(aluminium.surface, index, green,
-                                                       Direction::from_degrees(35, 0))
+          Approx(directional_hemispherical_reflectance(surface, index, green, Direction::from_degrees(35, 0))
                      .directional_diffuse)
               .epsilon(1e-12));
     CHECK(terms.total() < 1);
@@ -168,21 +167,22 @@ TEST_CASE("bihemispherical reflectance of a smooth dielectric has a closed form"
                                 n2 * (n2 - 1) * (n2 - 1) / std::pow(n2 + 1, 3) * std::log((n - 1) / (n + 1)) -
                                 2 * n * n2 * (n2 + 2 * n - 1) / ((n2 + 1) * (n4 - 1)) +
                                 8 * n4 * (n4 + 1) / ((n2 + 1) * (n4 - 1) * (n4 - 1)) * std::log(n);
-        const auto mean = bihemispherical_reflectance(smooth(n, 0.3), one_um);
+        const auto mean = bihemispherical_reflectance(smooth, RefractiveIndex{n, 0}, one_um);
         worst.note(std::abs(mean.specular - expected), [&] { return "n " + hts::shortest(n); });
         CHECK(mean.directional_diffuse == 0);
-        CHECK(mean.uniform_diffuse == 0.3);
+        CHECK(mean.uniform_diffuse == 0);
     }
     worst.check();
 }
 
 TEST_CASE("bihemispherical reflectance of a rough metal is the mean over angles") {
-    const Reflector aluminium = reflector({0.3, 1.5}, built_in_material("Al"));
-    const auto mean = bihemispherical_reflectance(aluminium, one_um);
+    const Surface surface{0.3, 1.5};
+    const RefractiveIndex aluminium = index_of("Al", one_um);
+    const auto mean = bihemispherical_reflectance(surface, aluminium, one_um);
     const auto term_mean = [&](auto term) {
         return panel_sum(panels_towards(0, 0, 1, 0.01), [&](double cosine) {
             const Direction in = Direction::from_angles(std::acos(cosine), 0);
-            return 2 * cosine * directional_hemispherical_reflectance(aluminium, one_um, in).*term;
+            return 2 * cosine * directional_hemispherical_reflectance(surface, aluminium, one_um, in).*term;
         });
     };
     CHECK(std::abs(mean.specular - term_mean(&HemisphericalReflectance::specular)) <
@@ -194,48 +194,51 @@ TEST_CASE("bihemispherical reflectance of a rough metal is the mean over angles"
 TEST_CASE("the paper's plastic: 0.195 measured at the normal gives an albedo of 0.15") {
     const auto blue = Wavelength::from_micrometres(0.46);
     const Direction normal = Direction::from_degrees(0, 0);
-    const Reflector plastic = smooth(1.5);
-    const double albedo = diffuse_albedo_from(0.195, plastic, blue, normal);
+    const RefractiveIndex plastic{1.5, 0};
+    const double albedo = diffuse_albedo_from(0.195, smooth, plastic, blue, normal);
     CHECK(albedo == Approx(0.155).epsilon(1e-12));  // 0.195 - (0.5/2.5)^2
-    CHECK(directional_hemispherical_reflectance(smooth(1.5, albedo), blue, normal).total() ==
-          Approx(0.195).epsilon(1e-12));
+    CHECK(he_torrance_material("plastic", smooth, OpticalConstants::constant(plastic), DiffuseAlbedo{albedo})
+              .at(blue)
+              .albedo(normal, 0)
+              .total() == Approx(0.195).epsilon(1e-12));
     for (const char* name : {"PMMA", "polycarbonate", "polystyrene"}) {
-        const double a =
-            diffuse_albedo_from(0.195, reflector({0, 1}, built_in_material(name), 0.5), blue, normal);
+        const double a = diffuse_albedo_from(0.195, smooth, index_of(name, blue), blue, normal);
         std::printf("albedo from 0.195 with the index of %s: %.4f\n", name, a);
         CHECK(a == Approx(0.15).margin(0.011));
     }
     CHECK_THROWS_WITH(
-        diffuse_albedo_from(0.02, plastic, blue, normal),
+        diffuse_albedo_from(0.02, smooth, plastic, blue, normal),
         Catch::Contains("measured reflectance 0.02: must be from 0.04") && Catch::Contains("to 1"));
-    CHECK_THROWS_AS(diffuse_albedo_from(1.5, plastic, blue, normal), hts::Error);
-    CHECK_THROWS_AS(diffuse_albedo_from(std::nan(""), plastic, blue, normal), hts::Error);
+    CHECK_THROWS_AS(diffuse_albedo_from(1.5, smooth, plastic, blue, normal), hts::Error);
+    CHECK_THROWS_AS(diffuse_albedo_from(std::nan(""), smooth, plastic, blue, normal), hts::Error);
 }
 
 TEST_CASE("the largest diffuse albedo is what the brightest angle leaves") {
     const double steepest = std::numbers::pi / 3;
-    const auto limit = largest_diffuse_albedo(smooth(1.5, 0.7), one_um, steepest);
+    const auto limit = largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, steepest);
     const double fresnel_60 = hts::fresnel(0.5, {1.5, 0}).unpolarised_reflectance();
     CHECK(limit.albedo == Approx(1 - fresnel_60).epsilon(1e-12));
     CHECK(limit.theta == steepest);
     CHECK(limit.reflectance == Approx(fresnel_60).epsilon(1e-12));
-    CHECK(largest_diffuse_albedo(smooth(1.5), one_um, std::numbers::pi / 2).albedo < 1e-12);
-    CHECK(largest_diffuse_albedo(smooth(1.5), one_um, 0).albedo == Approx(0.96).epsilon(1e-12));
-    CHECK_THROWS_AS(largest_diffuse_albedo(smooth(1.5), one_um, 2), hts::Error);
-    CHECK_THROWS_AS(largest_diffuse_albedo(smooth(1.5), one_um, -0.1), hts::Error);
+    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, std::numbers::pi / 2).albedo <
+          1e-12);
+    CHECK(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, 0).albedo ==
+          Approx(0.96).epsilon(1e-12));
+    CHECK_THROWS_AS(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, 2), hts::Error);
+    CHECK_THROWS_AS(largest_diffuse_albedo(smooth, RefractiveIndex{1.5, 0}, one_um, -0.1), hts::Error);
 }
 
 TEST_CASE("a maximum between the normal and grazing is found") {
-    const Reflector silver = reflector({0.05, 0.5}, built_in_material("Ag"));
-    const auto limit = largest_diffuse_albedo(silver, one_um, std::numbers::pi / 2);
+    const Surface surface{0.05, 0.5};
+    const RefractiveIndex silver = index_of("Ag", one_um);
+    const auto limit = largest_diffuse_albedo(surface, silver, one_um, std::numbers::pi / 2);
     CHECK(limit.albedo == 0);  // the lobes alone reflect more than falls in
     CHECK(limit.reflectance > 1.02);
     CHECK(limit.theta > 1);
     CHECK(limit.theta < 1.4);
     for (double theta = 1; theta < 1.4; theta += 0.02) {
-        CHECK(
-            directional_hemispherical_reflectance(silver, one_um, Direction::from_angles(theta, 0)).total() <=
-            limit.reflectance + 1e-6);
+        CHECK(directional_hemispherical_reflectance(surface, silver, one_um, Direction::from_angles(theta, 0))
+                  .total() <= limit.reflectance + 1e-6);
     }
 }
 

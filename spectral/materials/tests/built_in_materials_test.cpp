@@ -12,10 +12,10 @@
 #include "spectral/materials/optical_constants_files.hpp"
 
 using hts::Wavelength;
-using hts::spectral::built_in_material;
-using hts::spectral::built_in_material_names;
-using hts::spectral::Material;
-using hts::spectral::read_material;
+using hts::spectral::built_in_optical_constants;
+using hts::spectral::optical_constants_names;
+using hts::spectral::OpticalConstants;
+using hts::spectral::read_optical_constants;
 using hts::testing::database_folder;
 using hts::testing::database_is_here;
 
@@ -51,16 +51,16 @@ const std::map<std::string, std::string> originals{{"Ag", "Ag-Johnson"},
 TEST_CASE("the built-in materials are these") {
     std::vector<std::string> expected;
     for (const auto& [name, original] : originals) expected.push_back(name);
-    CHECK(built_in_material_names() == expected);
+    CHECK(optical_constants_names() == expected);
     for (const auto& name : expected) {
-        const Material material = built_in_material(name);
+        const OpticalConstants material = built_in_optical_constants(name);
         CHECK(material.name() == name);
         CHECK_THAT(material.source(),
                    Catch::EndsWith("CC0-1.0, via refractiveindex.info (Polyanskiy, Sci. Data "
                                    "11, 94, 2024)."));
     }
     CHECK_THROWS_WITH(
-        built_in_material("al"),
+        built_in_optical_constants("al"),
         "no built-in material \"al\": must be one of Ag, Al, Al-McPeak, Al2O3, Au, BK7, Cr, Cu, "
         "Cu-Rakic, Fe, MgO, Ni, PMMA, SiC, SiO2, Ti, W, polycarbonate, polystyrene");
 }
@@ -68,8 +68,8 @@ TEST_CASE("the built-in materials are these") {
 TEST_CASE("every built-in material agrees with the database over its range") {
     if (!database_is_here()) return;
     for (const auto& [name, original] : originals) {
-        const Material ours = built_in_material(name);
-        const Material theirs = read_material(database_folder() / (original + ".yml"));
+        const OpticalConstants ours = built_in_optical_constants(name);
+        const OpticalConstants theirs = read_optical_constants(database_folder() / (original + ".yml"));
         const auto [shortest, longest] = ours.range();
         CHECK(theirs.range().longest == longest);
         if (name != "Al") CHECK(theirs.range().shortest == shortest);
@@ -101,11 +101,11 @@ TEST_CASE("built-in materials have their published indices") {
     };
     for (const auto& [name, um, n, k] : cases) {
         INFO(name);
-        const auto index = built_in_material(name).index(micrometres(um));
+        const auto index = built_in_optical_constants(name).index(micrometres(um));
         CHECK(index.n() == Approx(n).epsilon(5e-4));
         CHECK(index.k() == Approx(k).epsilon(1e-12).margin(2e-8));
     }
-    CHECK_THROWS_WITH(built_in_material("W").index(micrometres(0.5)),
+    CHECK_THROWS_WITH(built_in_optical_constants("W").index(micrometres(0.5)),
                       "wavelength 0.5 um: must be from 0.667 to 200 um (range of W)");
 }
 
@@ -114,8 +114,8 @@ TEST_CASE("built-in materials may be asked for by many threads at once") {
     std::vector<double> sums(8);
     for (double& sum : sums) {
         threads.emplace_back([&sum] {
-            for (const auto& name : built_in_material_names()) {
-                const Material material = built_in_material(name);
+            for (const auto& name : optical_constants_names()) {
+                const OpticalConstants material = built_in_optical_constants(name);
                 sum += material.index(micrometres(material.range().longest)).n();
             }
         });

@@ -9,7 +9,7 @@
 #include "temporary_folder.hpp"
 
 using hts::Wavelength;
-using hts::spectral::read_material;
+using hts::spectral::read_optical_constants;
 using hts::testing::complaint;
 using hts::testing::TemporaryFolder;
 
@@ -21,7 +21,7 @@ Wavelength micrometres(double um) {
 
 std::string complaint_about(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
     const auto path = folder.write(name, text);
-    return complaint(folder, [&path] { static_cast<void>(read_material(path)); });
+    return complaint(folder, [&path] { static_cast<void>(read_optical_constants(path)); });
 }
 
 }  // namespace
@@ -38,19 +38,20 @@ TEST_CASE("files that hold no material are refused") {
     CHECK(complaint_about(folder, "m.txt", "0.5 1 0\n") ==
           "m.txt: ending \".txt\": must be .yml, .yaml, .csv or .json");
     CHECK(complaint_about(folder, "m", "0.5 1 0\n") == "m: ending \"\": must be .yml, .yaml, .csv or .json");
-    CHECK(complaint(folder, [&] { static_cast<void>(read_material(folder.path() / "none.yml")); }) ==
+    CHECK(complaint(folder, [&] { static_cast<void>(read_optical_constants(folder.path() / "none.yml")); }) ==
           "none.yml: no such file");
 }
 
 TEST_CASE("CSV materials in micrometres and nanometres are read") {
     const TemporaryFolder folder;
-    const auto um = read_material(
+    const auto um = read_optical_constants(
         folder.write("m.csv", "# mine\nwavelength_um,n,k\n0.6,1.6,0.3\n0.4,1.4,0.1\n0.6,1.8,0.5\n"));
     CHECK(um.index(micrometres(0.4)).n() == 1.4);
     CHECK(um.index(micrometres(0.6)).n() == Approx(1.7).epsilon(1e-14));
     CHECK(um.index(micrometres(0.5)).k() == Approx(0.25).epsilon(1e-14));
     CHECK(um.name() == (folder.path() / "m.csv").string());
-    const auto nm = read_material(folder.write("m.CSV", "n,wavelength_nm\r\n1.4,400\r\n1.6,600\r\n"));
+    const auto nm =
+        read_optical_constants(folder.write("m.CSV", "n,wavelength_nm\r\n1.4,400\r\n1.6,600\r\n"));
     CHECK(nm.range().shortest == 0.4);
     CHECK(nm.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
     CHECK(nm.index(micrometres(0.5)).k() == 0);
@@ -78,12 +79,12 @@ TEST_CASE("CSV materials that cannot be are refused with path and line") {
 
 TEST_CASE("JSON materials are read, and refused with path and key") {
     const TemporaryFolder folder;
-    const auto material = read_material(folder.write(
+    const auto material = read_optical_constants(folder.write(
         "m.json", R"({"name": "glass", "source": "me", "table": [[0.6, 1.6, 0.3], [0.4, 1.4, 0.1]]})"));
     CHECK(material.name() == "glass");
     CHECK(material.source() == "me");
     CHECK(material.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
-    const auto nameless = read_material(folder.write("m.json", R"({"table": [[0.6, 1.6, 0.3]]})"));
+    const auto nameless = read_optical_constants(folder.write("m.json", R"({"table": [[0.6, 1.6, 0.3]]})"));
     CHECK(nameless.name() == (folder.path() / "m.json").string());
     CHECK(nameless.source() == (folder.path() / "m.json").string());
     const std::pair<std::string, std::string> cases[] = {

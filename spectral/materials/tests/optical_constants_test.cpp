@@ -7,7 +7,7 @@
 using hts::Wavelength;
 using hts::spectral::ConstantValue;
 using hts::spectral::DispersionFormula;
-using hts::spectral::Material;
+using hts::spectral::OpticalConstants;
 using hts::spectral::OutsideRange;
 using hts::spectral::PiecewiseLinear;
 
@@ -17,7 +17,7 @@ Wavelength micrometres(double um) {
     return Wavelength::from_micrometres(um);
 }
 
-Material table(double n_shortest, double n_longest, double k_shortest, double k_longest) {
+OpticalConstants table(double n_shortest, double n_longest, double k_shortest, double k_longest) {
     return {"glass", "somewhere", PiecewiseLinear{{{n_shortest, 1.4}, {n_longest, 1.6}}},
             PiecewiseLinear{{{k_shortest, 0.1}, {k_longest, 0.3}}}};
 }
@@ -25,7 +25,7 @@ Material table(double n_shortest, double n_longest, double k_shortest, double k_
 }  // namespace
 
 TEST_CASE("a constant material is the same at every wavelength") {
-    const auto metal = Material::constant({0.77, 6.08});
+    const auto metal = OpticalConstants::constant({0.77, 6.08});
     CHECK(metal.name() == "n = 0.77, k = 6.08");
     for (const double um : {1e-20, 0.5, 1e20}) {
         CHECK(metal.index(micrometres(um)).n() == 0.77);
@@ -34,7 +34,7 @@ TEST_CASE("a constant material is the same at every wavelength") {
 }
 
 TEST_CASE("a material without k absorbs nothing") {
-    const Material glass{"glass", "somewhere", DispersionFormula{5, {1.5}, {0.3, 2.5}}, std::nullopt};
+    const OpticalConstants glass{"glass", "somewhere", DispersionFormula{5, {1.5}, {0.3, 2.5}}, std::nullopt};
     CHECK(glass.name() == "glass");
     CHECK(glass.source() == "somewhere");
     CHECK(glass.range().shortest == 0.3);
@@ -65,14 +65,14 @@ TEST_CASE("outside its range a material refuses, or keeps to the end") {
 }
 
 TEST_CASE("a curve that leaves the physical range says where") {
-    const Material formula{"X", "", DispersionFormula{3, {1, -1, 1}, {0.5, 4}}, std::nullopt};
+    const OpticalConstants formula{"X", "", DispersionFormula{3, {1, -1, 1}, {0.5, 4}}, std::nullopt};
     CHECK(formula.index(micrometres(0.75)).n() == 0.5);
     CHECK_THROWS_WITH(formula.index(micrometres(1)),
                       "X at 1 um: refractive index n 0: must be > 0 and at most 1e+24");
     CHECK_THROWS_WITH(
         formula.index(micrometres(2)),
         Catch::Matchers::Matches("X at 2 um: refractive index n -?nan: must be > 0 and at most .*"));
-    const Material gain{"gain", "", ConstantValue{1.5}, ConstantValue{-1e-9}};
+    const OpticalConstants gain{"gain", "", ConstantValue{1.5}, ConstantValue{-1e-9}};
     CHECK_THROWS_WITH(gain.index(micrometres(1)),
                       "gain at 1 um: extinction coefficient k -1e-09: must be >= 0 and at most 1e+24");
 }

@@ -11,8 +11,8 @@
 #include "temporary_folder.hpp"
 
 using hts::Wavelength;
-using hts::spectral::Material;
-using hts::spectral::read_material;
+using hts::spectral::OpticalConstants;
+using hts::spectral::read_optical_constants;
 using hts::testing::complaint;
 using hts::testing::database_folder;
 using hts::testing::database_is_here;
@@ -30,7 +30,7 @@ std::string yaml(const std::string& data) {
 
 std::string complaint_about(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
     const auto path = folder.write(name, text);
-    return complaint(folder, [&path] { static_cast<void>(read_material(path)); });
+    return complaint(folder, [&path] { static_cast<void>(read_optical_constants(path)); });
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_CASE("every file of the database sample is read and evaluates over its rang
     if (!database_is_here()) return;
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator{database_folder()}) {
-        const Material material = read_material(entry.path());
+        const OpticalConstants material = read_optical_constants(entry.path());
         const auto [shortest, longest] = material.range();
         for (const double um : {shortest, std::sqrt(shortest * longest), longest}) {
             CHECK(material.index(micrometres(um)).n() > 0);
@@ -54,7 +54,7 @@ TEST_CASE("every file of the database sample is read and evaluates over its rang
 TEST_CASE("tabulated nk, n and k and formulas are read and put together") {
     const TemporaryFolder folder;
     const auto read = [&folder](const std::string& data) {
-        return read_material(folder.write("m.yml", yaml(data)));
+        return read_optical_constants(folder.write("m.yml", yaml(data)));
     };
     const auto nk = read("  - type: tabulated nk\n    data: |\n        0.4 1.4 0.1\n        0.6 1.6 0.3\n");
     CHECK(nk.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
@@ -95,7 +95,7 @@ TEST_CASE("tabulated nk, n and k and formulas are read and put together") {
 
 TEST_CASE("formula entries outside DATA are passed over") {
     const TemporaryFolder folder;
-    const auto material = read_material(folder.write(
+    const auto material = read_optical_constants(folder.write(
         "m.yml",
         yaml("  - type: formula 5\n    wavelength_range: 0.3 2.5\n    coefficients: 1.5\n") +
             "PROPERTIES:\n    thermal_dispersion:\n      - type: formula A\n        coefficients: 1\n"));
@@ -104,7 +104,7 @@ TEST_CASE("formula entries outside DATA are passed over") {
 
 TEST_CASE("rows may be unsorted, double, with tabs, blank lines and CR LF") {
     const TemporaryFolder folder;
-    const auto material = read_material(folder.write(
+    const auto material = read_optical_constants(folder.write(
         "m.yml",
         yaml("  - type: tabulated nk\r\n    data: |\r\n        0.6 1.6 0.3\r\n\r\n        0.5\t1.4 0.1  \r\n"
              "        0.4 1.4 0.1\r\n        0.5 1.6 0.3\r\n")));
@@ -118,7 +118,7 @@ TEST_CASE("the source is one line without HTML") {
     const TemporaryFolder folder;
     const std::string data = "DATA:\n  - type: tabulated n\n    data: |\n        0.5 1.5\n";
     const auto source = [&](const std::string& references) {
-        return read_material(folder.write("m.yml", references + data)).source();
+        return read_optical_constants(folder.write("m.yml", references + data)).source();
     };
     CHECK(source("REFERENCES: |\n    1) A. Raki\xC4\x87.<br>Title\n    <a "
                  "href=\"https://x.org/a>b\"></a><i>Opt.</i> "

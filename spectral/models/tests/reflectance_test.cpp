@@ -8,6 +8,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 
 using hts::Direction;
 using hts::Stokes;
@@ -15,16 +16,19 @@ using hts::Surface;
 using hts::Tolerance;
 using hts::spectral::DiffuseAlbedo;
 using hts::spectral::DirectionPair;
+using hts::spectral::Material;
 using hts::spectral::OutsideRange;
-using hts::spectral::Reflector;
-using hts::spectral::SpectralReflectance;
+using hts::spectral::Reflectance;
 using hts::spectral::WavelengthGrid;
 
 namespace {
 
-Reflector rough_aluminium(double albedo = 0) {
-    return {"rough aluminium", Surface{0.28, 1.77}, hts::spectral::built_in_material("Al"),
-            DiffuseAlbedo{albedo}};
+const Surface surface{0.28, 1.77};
+constexpr Tolerance exactly{hts::accuracy::finest_tolerance};
+
+Material rough_aluminium(double albedo = 0) {
+    return hts::spectral::he_torrance_material(
+        "rough aluminium", surface, hts::spectral::built_in_optical_constants("Al"), DiffuseAlbedo{albedo});
 }
 
 const DirectionPair forward{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
@@ -41,31 +45,30 @@ std::vector<DirectionPair> fan_of_pairs() {
 }  // namespace
 
 TEST_CASE("a spectrum is the model at each wavelength") {
-    const Reflector reflector = rough_aluminium(0.2);
     const auto grid = WavelengthGrid::linear(0.38, 0.78, 41);
-    const SpectralReflectance reflectance{reflector, grid};
+    const Reflectance reflectance = rough_aluminium(0.2).at(grid, {.tolerance = exactly});
+    const auto aluminium = hts::spectral::built_in_optical_constants("Al");
     const auto brdf = reflectance.brdf(forward);
-    const auto terms = reflectance.directional_diffuse(forward);
+    const auto lobe = reflectance.directional_diffuse(forward);
     const auto uniform = reflectance.uniform_diffuse();
     const auto specular = reflectance.specular_reflectance(forward.in);
     REQUIRE(brdf.size() == 41);
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        const auto index = reflector.material.index(grid[i]);
-        const hts::View in = view(reflector.surface, forward.in);
-        const hts::PairFactors pair{reflector.surface, in, view(reflector.surface, forward.out)};
+        const auto index = aluminium.index(grid[i]);
+        const hts::View in = view(surface, forward.in);
+        const hts::PairFactors pair{surface, in, view(surface, forward.out)};
         const double expected = hts::directional_diffuse(pair, grid[i], index).brdf;
-        CHECK(terms[i].brdf == expected);
+        CHECK(lobe[i] == expected);
         CHECK(uniform[i] == hts::uniform_diffuse(0.2));
         CHECK(brdf[i] == expected + uniform[i]);
-        CHECK(specular[i].value() ==
-              hts::specular_reflectance(reflector.surface, in, grid[i], index).value());
+        CHECK(specular[i].value() == hts::specular_reflectance(surface, in, grid[i], index).value());
     }
 }
 
 TEST_CASE("many pairs give the same bits as one at a time, on any number of threads") {
     for (const double tolerance : {1e-12, 1e-6, 1e-3}) {
-        const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7),
-                                              OutsideRange::error, Tolerance{tolerance}};
+        const Reflectance reflectance =
+            rough_aluminium().at(WavelengthGrid::linear(0.38, 0.78, 7), {.tolerance = Tolerance{tolerance}});
         const auto pairs = fan_of_pairs();
         std::vector<double> serial;
         for (const DirectionPair& pair : pairs) {
@@ -84,10 +87,12 @@ TEST_CASE("many pairs give the same bits as one at a time, on any number of thre
 
 TEST_CASE("a coarser tolerance is met, with and without polarisation") {
     const auto grid = WavelengthGrid::linear(0.38, 0.78, 7);
-    const SpectralReflectance exact{rough_aluminium(0.2), grid};
-    CHECK(exact.tolerance().relative_error() == 1e-12);
+    const Reflectance exact = rough_aluminium(0.2).at(grid, {.tolerance = exactly});
+    const Reflectance by_default = rough_aluminium(0.2).at(grid);
+    CHECK(by_default.brdf(forward) ==
+          rough_aluminium(0.2).at(grid, {.tolerance = Tolerance{1e-6}}).brdf(forward));
     for (const double tolerance : {1e-6, 1e-3}) {
-        const SpectralReflectance fast{rough_aluminium(0.2), grid, OutsideRange::error, Tolerance{tolerance}};
+        const Reflectance fast = rough_aluminium(0.2).at(grid, {.tolerance = Tolerance{tolerance}});
         std::vector<double> brdf(grid.size());
         std::vector<hts::Mueller> mueller(grid.size());
         for (const DirectionPair& pair : fan_of_pairs()) {
@@ -107,7 +112,8 @@ TEST_CASE("a coarser tolerance is met, with and without polarisation") {
 }
 
 TEST_CASE("a result of the wrong size is refused") {
-    const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.38, 0.78, 7)};
+    const Reflectance reflectance =
+        rough_aluminium().at(WavelengthGrid::linear(0.38, 0.78, 7), {.tolerance = exactly});
     const auto pairs = fan_of_pairs();
     std::vector<double> result(12);
     CHECK_THROWS_WITH(reflectance.brdf(pairs, result),
@@ -120,7 +126,8 @@ TEST_CASE("a result of the wrong size is refused") {
 }
 
 TEST_CASE("polarised reflection adds up to the BRDF") {
-    const SpectralReflectance reflectance{rough_aluminium(0.3), WavelengthGrid::linear(0.4, 0.7, 4)};
+    const Reflectance reflectance =
+        rough_aluminium(0.3).at(WavelengthGrid::linear(0.4, 0.7, 4), {.tolerance = exactly});
     const auto brdf = reflectance.brdf(forward);
     const auto mueller = reflectance.mueller(forward);
     const auto specular = reflectance.specular_reflectance(forward.in);
@@ -136,16 +143,17 @@ TEST_CASE("polarised reflection adds up to the BRDF") {
 }
 
 TEST_CASE("the mirror term grows and the lobe fades with wavelength") {
-    const SpectralReflectance reflectance{rough_aluminium(), WavelengthGrid::linear(0.5, 8, 16)};
+    const Reflectance reflectance =
+        rough_aluminium().at(WavelengthGrid::linear(0.5, 8, 16), {.tolerance = exactly});
     const auto specular = reflectance.specular_reflectance(Direction::from_degrees(10, 0));
     for (std::size_t i = 1; i < specular.size(); ++i) CHECK(specular[i].value() > specular[i - 1].value());
 }
 
 TEST_CASE("wavelengths beyond the optical constants are refused unless clamped") {
-    const Reflector tungsten{"tungsten", Surface{0.1, 1}, hts::spectral::built_in_material("W"),
-                             DiffuseAlbedo{0}};
+    const Material tungsten = hts::spectral::he_torrance_material(
+        "tungsten", Surface{0.1, 1}, hts::spectral::built_in_optical_constants("W"));
     const auto visible = WavelengthGrid::linear(0.4, 0.7, 4);
-    CHECK_THROWS_AS((SpectralReflectance{tungsten, visible}), hts::Error);
-    const SpectralReflectance clamped{tungsten, visible, hts::spectral::OutsideRange::clamp};
+    CHECK_THROWS_AS(tungsten.at(visible), hts::Error);
+    const Reflectance clamped = tungsten.at(visible, {.outside = OutsideRange::clamp});
     CHECK(clamped.brdf(forward)[0] > 0);
 }

@@ -20,6 +20,7 @@
 #include "hts/phi.hpp"
 #include "spectral/colour/colour_difference.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "temporary_folder.hpp"
 
 using hts::DiffuseLobe;
@@ -37,13 +38,14 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 const std::filesystem::path examples = HTS_SOURCE_DIR "/cli/data";
 
-Reflector metal(const std::string& name, double rms_roughness, double correlation_length, double albedo = 0) {
-    return {name, Surface{rms_roughness, correlation_length}, built_in_material("Al"), DiffuseAlbedo{albedo}};
+Material metal(const std::string& name, double rms_roughness, double correlation_length, double albedo = 0) {
+    return he_torrance_material(name, Surface{rms_roughness, correlation_length},
+                                built_in_optical_constants("Al"), DiffuseAlbedo{albedo});
 }
 
-Scene spectral_scene(const std::vector<Reflector>& materials, double tolerance) {
+Scene spectral_scene(const std::vector<Material>& materials, double tolerance) {
     return {"scene.json",
-            std::vector<AnyReflector>(materials.begin(), materials.end()),
+            materials,
             WavelengthGrid::linear(0.4, 0.7, 4),
             OutsideRange::error,
             60 * degree,
@@ -55,7 +57,7 @@ Scene spectral_scene(const std::vector<Reflector>& materials, double tolerance) 
             std::nullopt};
 }
 
-Scene rgb_scene(const std::vector<Reflector>& materials, double delta_e) {
+Scene rgb_scene(const std::vector<Material>& materials, double delta_e) {
     Scene scene = spectral_scene(materials, delta_e);
     scene.wavelengths = WavelengthGrid::linear(0.4, 0.7, 31);
     scene.illuminant = Illuminant::D65;
@@ -79,42 +81,43 @@ DirectionPair random_pair(Random& random, const Scene& scene, bool near_mirror) 
 }
 
 /// The lobe by the model's own functions, without the evaluators that are planned.
-double lobe(const Reflector& material, const DirectionPair& pair, const hts::Wavelength& wavelength) {
-    const Surface& surface = material.surface;
+double lobe(const Surface& surface, const DirectionPair& pair, const hts::SpectralSample& sample) {
     const hts::PairFactors factors{surface, view(surface, pair.in), view(surface, pair.out)};
-    return hts::directional_diffuse(factors, wavelength, material.material.index(wavelength)).brdf;
+    return hts::directional_diffuse(factors, sample.wavelength, sample.index).brdf;
 }
 
 /// Its largest value in the plane of incidence, at every degree.
-double peak(const Reflector& material, const Scene& scene, const Direction& in,
-            const hts::Wavelength& wavelength) {
+double peak(const Surface& surface, const Scene& scene, const Direction& in,
+            const hts::SpectralSample& sample) {
     double largest = 0;
     const double azimuth = std::atan2(in.mirror().sin_phi(), in.mirror().cos_phi());
     for (double theta = 0; theta <= scene.largest_theta_r; theta += degree) {
-        largest = std::max(largest, lobe(material, {in, Direction::from_angles(theta, azimuth)}, wavelength));
+        largest = std::max(largest, lobe(surface, {in, Direction::from_angles(theta, azimuth)}, sample));
     }
     return largest;
 }
 
 /// The relative error of an evaluator as spectral/plans/plan.hpp defines it, measured anew.
-double relative_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
+double relative_error(const Scene& scene, const Material& material, const Rung& rung) {
+    const Reflectance planned = MaterialForms{scene, material}.at(rung).reflectance();
+    const Reflectance model = material.at(scene.wavelengths);
+    const Surface surface = *material.properties().surface;
     Random random{77};
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
         const DirectionPair pair = random_pair(random, scene, i % 2 == 0);
         const auto brdf = planned.brdf(pair);
         const auto mirror = planned.specular_reflectance(pair.in);
-        const hts::View light = view(material.surface, pair.in);
+        const hts::View light = view(surface, pair.in);
         for (std::size_t j = 0; j < brdf.size(); ++j) {
-            const auto wavelength = scene.wavelengths[j];
-            const double albedo = material.albedo(wavelength);
-            const double exact = lobe(material, pair, wavelength) + albedo / std::numbers::pi;
-            const double scale = exact + 1e-3 * peak(material, scene, pair.in, wavelength);
+            const hts::SpectralSample& sample = model.samples()[j];
+            const double albedo = sample.uniform_diffuse * std::numbers::pi;
+            const double exact = lobe(surface, pair, sample) + sample.uniform_diffuse;
+            const double scale = exact + 1e-3 * peak(surface, scene, pair.in, sample);
             if (brdf[j] != exact) worst = std::max(worst, std::abs(brdf[j] - exact) / scale);
-            const auto index = material.material.index(wavelength);
-            const double rho = hts::specular_reflectance(material.surface, light, wavelength, index).value();
-            const double all = hts::fresnel(pair.in.cos_theta(), index).unpolarised_reflectance() *
+            const double rho =
+                hts::specular_reflectance(surface, light, sample.wavelength, sample.index).value();
+            const double all = hts::fresnel(pair.in.cos_theta(), sample.index).unpolarised_reflectance() *
                                std::pow(light.visibility.shadowing, 2);
             worst = std::max(worst, std::abs(mirror[j].value() - rho) / (all + albedo));
         }
@@ -123,17 +126,19 @@ double relative_error(const Scene& scene, const Reflector& material, const Rung&
 }
 
 /// The same for colours, where none is brighter than the white.
-double colour_error(const Scene& scene, const Reflector& material, const Rung& rung) {
-    const PlannedReflectance planned{scene, AnyReflector{material}, rung};
+double colour_error(const Scene& scene, const Material& material, const Rung& rung) {
+    const PlannedForm planned = MaterialForms{scene, material}.at(rung);
+    const Reflectance model = material.at(scene.wavelengths);
     const Xyz white = white_point(*scene.illuminant);
     Random random{78};
     double worst = 0;
-    std::vector<double> exact(scene.wavelengths.size()), scratch(planned.nodes());
+    std::vector<double> exact(scene.wavelengths.size()), scratch(planned.at_nodes().size());
     for (int i = 0; i < 400; ++i) {
         const DirectionPair pair = random_pair(random, scene, i % 2 == 0);
         for (std::size_t j = 0; j < exact.size(); ++j) {
-            exact[j] = std::numbers::pi * lobe(material, pair, scene.wavelengths[j]) +
-                       material.albedo(scene.wavelengths[j]);
+            const hts::SpectralSample& sample = model.samples()[j];
+            exact[j] = std::numbers::pi *
+                       (lobe(*material.properties().surface, pair, sample) + sample.uniform_diffuse);
         }
         const Xyz colour = tristimulus(scene.wavelengths.micrometres(), exact, *scene.illuminant);
         if (colour.Y > 1) continue;
@@ -143,7 +148,7 @@ double colour_error(const Scene& scene, const Reflector& material, const Rung& r
     return worst;
 }
 
-std::vector<Reflector> one_of_each_regime() {
+std::vector<Material> one_of_each_regime() {
     return {metal("mirror", 0, 2, 0.1), metal("polished", 0.001, 2), metal("ground", 0.18, 3, 0.05),
             metal("sandblasted", 16, 160)};
 }
@@ -190,8 +195,8 @@ TEST_CASE("what is chosen meets the tolerance, what was rejected does not, measu
         const Scene scene = spectral_scene(one_of_each_regime(), tolerance);
         const Plan plan = plan_of(scene);
         for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-            const Reflector& material = *scene.materials[i].he_torrance();
-            INFO(material.name << ", tolerance " << tolerance);
+            const Material& material = scene.materials[i];
+            INFO(material.name() << ", tolerance " << tolerance);
             CHECK(plan.materials[i].choice.error.worst <= plan_headroom * tolerance);
             CHECK(relative_error(scene, material, plan.materials[i].choice.rung) <= tolerance);
             for (const MeasuredRung& rejected : plan.materials[i].rejected) {
@@ -204,9 +209,10 @@ TEST_CASE("what is chosen meets the tolerance, what was rejected does not, measu
 }
 
 TEST_CASE("a colour takes as few wavelengths as its tolerance allows") {
-    const std::vector<Reflector> materials{
-        {"copper", Surface{0.13, 1.2}, built_in_material("Cu"), DiffuseAlbedo{0}},
-        {"paint", Surface{0, 2}, hts::spectral::Material::constant({1.5, 0}), DiffuseAlbedo{0.3}}};
+    const std::vector<Material> materials{
+        he_torrance_material("copper", Surface{0.13, 1.2}, built_in_optical_constants("Cu")),
+        he_torrance_material("paint", Surface{0, 2}, OpticalConstants::constant({1.5, 0}),
+                             DiffuseAlbedo{0.3})};
     std::size_t wavelengths = 1;
     for (const double delta_e : {3., 1., 0.1}) {
         const Scene scene = rgb_scene(materials, delta_e);
@@ -233,7 +239,7 @@ TEST_CASE("the four surfaces of Fig. 14 get four different plans") {
         std::ostringstream kind;
         kind << name(rung.lobe) << rung.lobe_tolerance.relative_error() << rung.specular
              << rung.wavelengths.size()
-             << (plan.scene.materials[i].he_torrance()->albedo(rung.wavelengths[0]) > 0);
+             << (plan.scene.materials[i].at(rung.wavelengths).uniform_diffuse()[0] > 0);
         kinds.push_back(kind.str());
     }
     std::sort(kinds.begin(), kinds.end());
@@ -298,20 +304,17 @@ TEST_CASE("plans and their files are the same for any number of threads") {
 TEST_CASE("the mirror term is dropped only where it does not count, and then is zero") {
     const Plan plan =
         plan_of(spectral_scene({metal("sandblasted", 16, 160), metal("ground", 0.18, 3)}, 1e-2));
-    const auto evaluators = plan.evaluators();
+    const auto planned = plan.reflectances();
     const Direction in = Direction::from_degrees(30, 0);
-    CHECK(evaluators[0].specular_reflectance(in)[0].value() == 0);
-    CHECK(evaluators[1].specular_reflectance(in)[3].value() > 0);
-    CHECK_THROWS_WITH(evaluators[1].specular_mueller(in),
-                      "ground: no Mueller matrices: the scene must be polarised");
-    CHECK_THROWS_AS(evaluators[1].mueller({in, in}), hts::Error);
-    std::vector<double> scratch(evaluators[1].nodes());
-    CHECK_THROWS_WITH(evaluators[1].colour({in, in}, scratch),
-                      "ground: no colour: the scene's output must be rgb");
+    CHECK(planned[0].specular_reflectance(in)[0].value() == 0);
+    CHECK(planned[1].specular_reflectance(in)[3].value() > 0);
+    const PlannedForm& ground = plan.materials[1].form;
+    std::vector<double> scratch(ground.at_nodes().size());
+    CHECK_THROWS_WITH(ground.colour({in, in}, scratch), "ground: no colour: the scene's output must be rgb");
 }
 
 TEST_CASE("a memory budget is kept or refused") {
-    const std::vector<Reflector> materials{metal("mirror", 0, 2), metal("ground", 0.18, 3)};
+    const std::vector<Material> materials{metal("mirror", 0, 2), metal("ground", 0.18, 3)};
     Scene scene = spectral_scene(materials, 1e-2);
     const std::size_t bytes = plan_of(scene).bytes();
     CHECK(bytes > hts::phi_table_bytes(hts::Tolerance{1e-3}));
@@ -340,7 +343,7 @@ TEST_CASE("a plan file gives the plan back") {
     const Plan read = read_plan(path);
     CHECK(plan_text(read, folder.path() / "plans") == text);
 
-    const auto before = plan.evaluators(), after = read.evaluators();
+    const auto before = plan.reflectances(), after = read.reflectances();
     const DirectionPair pair{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
     for (std::size_t i = 0; i < before.size(); ++i) {
         CHECK(before[i].name() == after[i].name());
@@ -399,17 +402,17 @@ std::string scene_of_every_kind(const std::string& rest) {
 /// The largest error of a planned evaluator on pairs of the test's own, against the models at each wavelength.
 double error_of_other_model(const Plan& plan, std::size_t i) {
     const Scene& scene = plan.scene;
-    const auto models = scene.materials[i].spectrum(scene.wavelengths).models();
-    const PlannedReflectance& planned = plan.materials[i].evaluator;
+    const Reflectance model = scene.materials[i].at(scene.wavelengths);
+    const PlannedForm& planned = plan.materials[i].form;
     const Xyz white = white_point(Illuminant::D65);
     Random random{79};
     double worst = 0;
-    std::vector<double> exact(models.size()), scratch(planned.nodes());
+    std::vector<double> exact(model.size()), scratch(planned.at_nodes().size());
     for (int k = 0; k < 300; ++k) {
         const DirectionPair pair = random_pair(random, scene, k % 2 == 0);
-        const auto brdf = planned.brdf(pair);
+        const auto brdf = planned.reflectance().brdf(pair);
+        model.brdf(pair, exact);
         for (std::size_t j = 0; j < exact.size(); ++j) {
-            exact[j] = models[j].brdf(pair.in, pair.out);
             if (!scene.illuminant) worst = std::max(worst, std::abs(brdf[j] / exact[j] - 1));
         }
         if (!scene.illuminant) continue;
@@ -443,9 +446,10 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
             } else {
                 CHECK(rung.wavelengths.size() == 1);
             }
-            CHECK(
-                plan.materials[i].evaluator.specular_reflectance(Direction::from_degrees(30, 0))[0].value() ==
-                0);
+            CHECK(plan.materials[i]
+                      .form.reflectance()
+                      .specular_reflectance(Direction::from_degrees(30, 0))[0]
+                      .value() == 0);
         }
         CHECK(plan.bytes() < 20'000);
         const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
@@ -453,7 +457,7 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
         CHECK(plan_text(read, folder.path()) == plan_text(plan, folder.path()));
         const DirectionPair pair{Direction::from_degrees(30, 10), Direction::from_degrees(40, 170)};
         for (std::size_t i = 0; i < 4; ++i)
-            CHECK(read.evaluators()[i].brdf(pair) == plan.materials[i].evaluator.brdf(pair));
+            CHECK(read.reflectances()[i].brdf(pair) == plan.reflectances()[i].brdf(pair));
 
         folder.write("scene.json", replaced(scene_of_every_kind(rest), R"("my": 0.4)", R"("my": 0.40001)"));
         CHECK(complaint(folder, [&] { static_cast<void>(read_plan(path)); }).find("another scene") !=
@@ -466,7 +470,7 @@ TEST_CASE("models other than he are planned by wavelengths and by whether their 
     }
     Scene polarised = read_scene(examples / "figure-14-spectral.json");
     polarised.polarised = true;
-    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    const Material gold = read_material(examples / "rough-gold.json");
     CHECK_THROWS_WITH(full_model(polarised, gold),
                       gold.name() + ": must be of model he: the scene is polarised");
 }
@@ -479,24 +483,24 @@ TEST_CASE("a scene that compensates energy is planned with it") {
     CHECK(fingerprint(scene) != published);
     const Plan plan = plan_of(scene, 300);
     CHECK(plan.materials[0].choice.rung.wavelengths.size() < 7);
-    const auto compensated = compensated_brdf(*scene.materials[0].he_torrance(), scene.wavelengths);
+    const Reflectance compensated = scene.materials[0].at(scene.wavelengths, {.compensate_energy = true});
     const Direction in = Direction::from_degrees(55, 0);
     std::vector<double> exact(7), mirror(7);
     for (const double degrees : {20., 55., 59.}) {
         const DirectionPair pair{in, Direction::from_degrees(degrees, 170)};
-        const auto brdf = plan.materials[0].evaluator.brdf(pair);
-        compensated->brdf(pair, exact);
+        const auto brdf = plan.reflectances()[0].brdf(pair);
+        compensated.brdf(pair, exact);
         for (std::size_t i = 0; i < 7; ++i) CHECK(brdf[i] == Approx(exact[i]).epsilon(0.03));
     }
     scene.compensate_energy = false;
-    const auto plain = full_model(scene, scene.materials[0]).brdf({in, in.mirror()});
-    compensated->brdf({in, in.mirror()}, exact);
+    const auto plain = full_model(scene, scene.materials[0]).reflectance().brdf({in, in.mirror()});
+    compensated.brdf({in, in.mirror()}, exact);
     CHECK(exact[3] > 1.05 * plain[3]);  // so that the test above can tell
     CHECK(measured_errors(plan, {2, 300})[0].worst <= 1);
 
     Scene other = scene;
     other.compensate_energy = true;
-    const AnyReflector gold = read_any_reflector(examples / "rough-gold.json");
+    const Material gold = read_material(examples / "rough-gold.json");
     CHECK_THROWS_WITH(full_model(other, gold),
                       gold.name() + ": must be of model he: the scene compensates energy");
 }

@@ -60,7 +60,7 @@ TEST_CASE("a scene is read as it is written") {
     REQUIRE(scene.materials.size() == 2);
     CHECK(scene.materials[0].name() == "gold");
     CHECK(scene.materials[1].name() == "foil");
-    CHECK(scene.materials[1].he_torrance()->surface.correlation_length() == 2);
+    CHECK(scene.materials[1].properties().surface->correlation_length() == 2);
     CHECK(scene.wavelengths.size() == 4);
     CHECK(scene.outside_range == OutsideRange::clamp);
     CHECK(scene.largest_theta_i == Approx(80 * std::numbers::pi / 180));

@@ -1,7 +1,7 @@
 /// Half-vector angles of a pair, and the frames of Stokes vectors that go with them. Private to pbsdf.cpp.
 #pragma once
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 

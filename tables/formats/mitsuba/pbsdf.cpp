@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "hts/frames.hpp"
 #include "spectral/parallel.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
 #include "tables/formats/mitsuba/half_angles.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/whole_file.hpp"
@@ -32,7 +32,7 @@ void require(const char* what, int value) {
 }
 
 /// The five wavelengths in whole nanometres.
-std::vector<std::uint16_t> whole_nanometres(const SpectralBrdf& brdf) {
+std::vector<std::uint16_t> whole_nanometres(const spectral::Reflectance& brdf) {
     if (brdf.wavelengths().size() != bands)
         throw out_of_range("number of wavelengths of a .pbsdf file",
                            static_cast<double>(brdf.wavelengths().size()), "", "5");
@@ -75,7 +75,7 @@ Direction raised(Vector3 v) {
 /// Matrices [theta_h][wavelength][element] of one theta_d and phi_d.
 class RowWriter {
   public:
-    explicit RowWriter(const SpectralBrdf& brdf) : brdf_{brdf}, matrices_(bands) {}
+    explicit RowWriter(const spectral::Reflectance& brdf) : brdf_{brdf}, matrices_(bands) {}
 
     void operator()(const std::vector<float>& theta_h, float theta_d, float phi_d, float* row) {
         for (const float theta : theta_h) {
@@ -100,11 +100,11 @@ class RowWriter {
         return (1 / std::sqrt(dot(part, part))) * part;
     }
 
-    const SpectralBrdf& brdf_;
+    const spectral::Reflectance& brdf_;
     std::vector<Mueller> matrices_;
 };
 
-std::vector<float> matrices(const SpectralBrdf& brdf, const Axes& axes) {
+std::vector<float> matrices(const spectral::Reflectance& brdf, const Axes& axes) {
     const std::size_t row = axes.theta_h.size() * bands * elements, rows = axes.theta_d.size();
     std::vector<float> result(axes.phi_d.size() * rows * row);
     spectral::parallel_for(axes.phi_d.size(), [&](std::size_t p) {
@@ -155,10 +155,10 @@ spectral::WavelengthGrid grid_of(const std::vector<std::uint16_t>& nanometres) {
     return spectral::WavelengthGrid::from_micrometres(std::move(um));
 }
 
-class PolarisedTable final : public SpectralBrdf {
+class PolarisedTable final : public spectral::Evaluator {
   public:
     PolarisedTable(std::string name, PbsdfFile file)
-        : SpectralBrdf{std::move(name), grid_of(file.nanometres)}, file_{std::move(file)} {}
+        : spectral::Evaluator{std::move(name), grid_of(file.nanometres)}, file_{std::move(file)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const Corners corners = above_horizon(pair) ? corners_of(pair) : Corners{};
@@ -170,7 +170,7 @@ class PolarisedTable final : public SpectralBrdf {
     void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
         std::ranges::fill(values, 0.0);
     }
-    [[nodiscard]] bool polarised() const noexcept override { return true; }
+    [[nodiscard]] spectral::Properties properties() const override { return {.polarised = true}; }
 
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
         const Corners corners = above_horizon(pair) ? corners_of(pair) : Corners{};
@@ -234,15 +234,15 @@ class PolarisedTable final : public SpectralBrdf {
 
 }  // namespace
 
-Exported exported_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+Exported exported_pbsdf(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                         const PbsdfResolution& resolution) {
     require("number of theta_h", resolution.theta_h);
     require("number of theta_d", resolution.theta_d);
     require("number of phi_d", resolution.phi_d);
-    if (!brdf.polarised())
+    if (!brdf.properties().polarised)
         throw Error{brdf.name() +
                     " has no Mueller matrix: must be polarised (model he, without a specular box)"};
-    if (!is_isotropic(brdf))
+    if (!brdf.properties().isotropic)
         throw Error{brdf.name() + " is anisotropic: a .pbsdf file must be of an isotropic reflectance"};
     const auto nanometres = whole_nanometres(brdf);
     const double slope = lobe_slope(brdf);
@@ -267,17 +267,17 @@ Exported exported_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& p
     return {{{path.string(), file.bytes()}}, std::move(sidecar)};
 }
 
-void write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+void write_pbsdf(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                  const PbsdfResolution& resolution) {
     spectral::write_files(exported_pbsdf(brdf, path, resolution).files);
 }
 
-std::unique_ptr<SpectralBrdf> parse_pbsdf(std::string bytes, const std::filesystem::path& path) {
-    return std::make_unique<PolarisedTable>(path.stem().string(),
-                                            PbsdfFile{TensorFile::parse(std::move(bytes), path.string())});
+spectral::Reflectance parse_pbsdf(std::string bytes, const std::filesystem::path& path) {
+    return spectral::Reflectance{std::make_shared<const PolarisedTable>(
+        path.stem().string(), PbsdfFile{TensorFile::parse(std::move(bytes), path.string())})};
 }
 
-std::unique_ptr<SpectralBrdf> read_pbsdf(const std::filesystem::path& path) {
+spectral::Reflectance read_pbsdf(const std::filesystem::path& path) {
     return parse_pbsdf(read_whole_file(path), path);
 }
 

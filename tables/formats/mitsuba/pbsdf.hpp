@@ -13,8 +13,8 @@
 #include <memory>
 #include <string>
 
+#include "spectral/models/reflectance.hpp"
 #include "tables/formats/sidecar.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::tables {
 
@@ -27,16 +27,16 @@ struct PbsdfResolution {
 
 /// Writes an isotropic, polarised reflectance at five wavelengths of whole nanometres; hts::Error for others, or where the
 /// file cannot be written.
-void write_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+void write_pbsdf(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                  const PbsdfResolution& resolution = {});
 /// What that writes, and the sidecar.
-[[nodiscard]] Exported exported_pbsdf(const SpectralBrdf& brdf, const std::filesystem::path& path,
+[[nodiscard]] Exported exported_pbsdf(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                                       const PbsdfResolution& resolution = {});
 
 /// Reads a file as a polarised reflectance, in the frames of hts/polarisation.hpp; its specular reflectance is 0. Where the
 /// file has no number, as measurements do, it is black. hts::Error "path: field "M": …" for what Mitsuba would refuse.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> read_pbsdf(const std::filesystem::path& path);
+[[nodiscard]] spectral::Reflectance read_pbsdf(const std::filesystem::path& path);
 /// The same from memory.    path   for messages and the name
-[[nodiscard]] std::unique_ptr<SpectralBrdf> parse_pbsdf(std::string bytes, const std::filesystem::path& path);
+[[nodiscard]] spectral::Reflectance parse_pbsdf(std::string bytes, const std::filesystem::path& path);
 
 }  // namespace hts::tables

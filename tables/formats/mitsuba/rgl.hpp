@@ -17,9 +17,9 @@
 #include <memory>
 #include <string>
 
+#include "spectral/models/reflectance.hpp"
 #include "tables/formats/round_trip.hpp"
 #include "tables/formats/sidecar.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::tables {
 
@@ -37,7 +37,7 @@ struct RglResolution {
 };
 
 /// What a reader of the file evaluates: BRDF and density, of directions on the front side.
-class RglBrdf : public SpectralBrdf, public HasDensity {
+class RglBrdf : public spectral::Evaluator, public HasDensity {
   public:
     /// A direction drawn as the readers draw it, with its density [1/sr]; may point below the horizon, with density 0.
     struct Draw {
@@ -47,17 +47,18 @@ class RglBrdf : public SpectralBrdf, public HasDensity {
     [[nodiscard]] virtual Draw sample(const Direction& in, double u1, double u2) const noexcept = 0;
 
   protected:
-    using SpectralBrdf::SpectralBrdf;
+    using spectral::Evaluator::Evaluator;
 };
 
 /// Writes an isotropic reflectance; hts::Error for others, or where the file cannot be written.
-void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path, const RglResolution& resolution);
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+               const RglResolution& resolution);
 /// The same as finely as it must be: each try is read back at random pairs of directions, and if the worst error is above
 /// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.
-void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path);
 /// What that writes, and the sidecar.
-[[nodiscard]] Exported exported_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path);
+[[nodiscard]] Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path);
 
 /// Reads a spectral file, isotropic or anisotropic over all azimuths; its specular reflectance is 0.
 /// hts::Error "path: field "vndf": …" for what Mitsuba and pbrt would refuse or what is no number.

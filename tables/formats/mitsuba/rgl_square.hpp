@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hts/direction.hpp"
+#include "spectral/models/reflectance.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::tables {
 

@@ -73,7 +73,7 @@ struct FacetView {
 /// The BRDF and its mean over the wavelengths, each taken relative to its peak.
 class Lobes {
   public:
-    explicit Lobes(const SpectralBrdf& brdf)
+    explicit Lobes(const spectral::Reflectance& brdf)
         : brdf_{brdf}, slope_{lobe_slope(brdf)}, weights_{lobe_peaks(brdf, vertical(), slope_, pi / 2)} {
         for (double& weight : weights_)
             weight = weight > 0 ? 1 / (weight * static_cast<double>(weights_.size())) : 0;
@@ -101,7 +101,7 @@ class Lobes {
   private:
     static Direction vertical() { return Direction::from_angles(0, 0); }
 
-    const SpectralBrdf& brdf_;
+    const spectral::Reflectance& brdf_;
     double slope_;
     std::vector<double> weights_;
 };
@@ -166,7 +166,7 @@ class NodeDensity {
 /// The arrays of the file.
 class RglTables {
   public:
-    RglTables(const SpectralBrdf& brdf, const RglResolution& resolution)
+    RglTables(const spectral::Reflectance& brdf, const RglResolution& resolution)
         : lobes_{brdf},
           wavelengths_{brdf.wavelengths().size()},
           rows_{count(resolution.azimuths)},
@@ -233,7 +233,7 @@ class RglTables {
     std::vector<float> thetas_, sigma_, vndf_, luminance_, spectra_;
 };
 
-std::vector<float> nanometres(const SpectralBrdf& brdf) {
+std::vector<float> nanometres(const spectral::Reflectance& brdf) {
     std::vector<float> result;
     for (const double um : brdf.wavelengths().micrometres()) result.push_back(static_cast<float>(um * 1000));
     return result;
@@ -243,9 +243,9 @@ std::vector<float> nanometres(const SpectralBrdf& brdf) {
 
 namespace {
 
-std::string rgl_bytes(const SpectralBrdf& brdf, const RglResolution& resolution) {
+std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& resolution) {
     require(resolution);
-    if (!is_isotropic(brdf))
+    if (!brdf.properties().isotropic)
         throw Error{brdf.name() + " is anisotropic: a file of this format is written of isotropic ones only"};
     const std::vector<float> wavelengths = nanometres(brdf);
     TensorFileWriter file;
@@ -256,7 +256,7 @@ std::string rgl_bytes(const SpectralBrdf& brdf, const RglResolution& resolution)
     return file.bytes();
 }
 
-std::string fine_enough(const SpectralBrdf& brdf) {
+std::string fine_enough(const spectral::Reflectance& brdf) {
     constexpr RglResolution first{72, 80, 129, 512};
     constexpr double most_error = 0.6 * accuracy::rgl;  // on fresh pairs half as much again was seen
     constexpr int most_refinements = 2;
@@ -265,8 +265,8 @@ std::string fine_enough(const SpectralBrdf& brdf) {
     for (int refinements = 0;; ++refinements) {
         std::string bytes = rgl_bytes(brdf, resolution);
         if (refinements == most_refinements) return bytes;
-        const auto read = parse_rgl(bytes, brdf.name());
-        if (round_trip(brdf, *read, pairs).worst.error <= most_error) return bytes;
+        const spectral::Reflectance read{parse_rgl(bytes, brdf.name())};
+        if (round_trip(brdf, read, pairs).worst.error <= most_error) return bytes;
         resolution.resolution = resolution.resolution * 5 / 4;
     }
 }
@@ -281,15 +281,16 @@ Sidecar described() {
 
 }  // namespace
 
-void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path, const RglResolution& resolution) {
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+               const RglResolution& resolution) {
     spectral::write_file(path.string(), rgl_bytes(brdf, resolution));
 }
 
-Exported exported_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path) {
     return {{{path.string(), fine_enough(brdf)}}, described()};
 }
 
-void write_rgl(const SpectralBrdf& brdf, const std::filesystem::path& path) {
+void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path) {
     spectral::write_files(exported_rgl(brdf, path).files);
 }
 

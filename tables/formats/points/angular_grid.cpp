@@ -59,11 +59,11 @@ ViewAngles view_angles(PolarAxis axis, const DirectionPair& pair) noexcept {
     return {std::atan2(view.y, across) / degree, std::atan2(std::hypot(across, view.y), along) / degree};
 }
 
-class GriddedBrdf final : public SpectralBrdf {
+class GriddedBrdf final : public spectral::Evaluator {
   public:
     GriddedBrdf(const std::string& name, const spectral::WavelengthGrid& wavelengths, AngularGrid grid,
                 std::vector<double> values)
-        : SpectralBrdf{name, wavelengths}, grid_{std::move(grid)}, values_{std::move(values)} {
+        : spectral::Evaluator{name, wavelengths}, grid_{std::move(grid)}, values_{std::move(values)} {
         for (std::size_t node = 0; node < grid_.size(); ++node)
             above_.push_back(grid_.pair(node).has_value());
     }
@@ -151,7 +151,7 @@ void AngularGrid::check() const {
     check_axis("polar angle of the view", polar, axis == PolarAxis::normal ? 90 : 180);
 }
 
-std::vector<double> values_on(const AngularGrid& grid, const SpectralBrdf& brdf) {
+std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf) {
     const std::size_t wavelengths = brdf.wavelengths().size(), row = grid.polar.size();
     std::vector<double> values(grid.size() * wavelengths, 0);
     spectral::parallel_blocks(grid.size(), row, [&](std::size_t first, std::size_t count) {
@@ -163,9 +163,8 @@ std::vector<double> values_on(const AngularGrid& grid, const SpectralBrdf& brdf)
     return values;
 }
 
-std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
-                                           const spectral::WavelengthGrid& wavelengths, AngularGrid grid,
-                                           std::vector<double> values) {
+spectral::Reflectance gridded_brdf(const std::string& name, const spectral::WavelengthGrid& wavelengths,
+                                   AngularGrid grid, std::vector<double> values) {
     grid.check();
     if (values.size() != grid.size() * wavelengths.size()) {
         throw out_of_range(
@@ -176,10 +175,11 @@ std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
         if (!(std::abs(value) <= largest_number))
             throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
     }
-    return std::make_unique<GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values));
+    return spectral::Reflectance{
+        std::make_shared<const GriddedBrdf>(name, wavelengths, std::move(grid), std::move(values))};
 }
 
-bool is_plane_symmetric(const SpectralBrdf& brdf) {
+bool is_plane_symmetric(const spectral::Reflectance& brdf) {
     constexpr int pairs = 64;
     Random random{2};
     std::vector<double> there(brdf.wavelengths().size()), here(there.size());

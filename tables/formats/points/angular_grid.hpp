@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -39,16 +39,16 @@ struct AngularGrid {
 };
 
 /// Values [1/sr] at every node, all wavelengths of a node together; 0 below the horizon. Same bits for any number of threads.
-[[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const SpectralBrdf& brdf);
+[[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf);
 
 /// Linear interpolation in all angles; nodes below the horizon have no part in it. Constant beyond the ends of an axis.
 ///   values   as `values_on` gives them, finite, grid.size() times the number of wavelengths; else hts::Error
-[[nodiscard]] std::unique_ptr<SpectralBrdf> gridded_brdf(const std::string& name,
-                                                         const spectral::WavelengthGrid& wavelengths,
-                                                         AngularGrid grid, std::vector<double> values);
+[[nodiscard]] spectral::Reflectance gridded_brdf(const std::string& name,
+                                                 const spectral::WavelengthGrid& wavelengths,
+                                                 AngularGrid grid, std::vector<double> values);
 
 /// Whether the BRDF is the same on both sides of the plane of incidence, as far as random pairs can tell (1e-6).
-[[nodiscard]] bool is_plane_symmetric(const SpectralBrdf& brdf);
+[[nodiscard]] bool is_plane_symmetric(const spectral::Reflectance& brdf);
 
 /// The same azimuths continued to 360 degrees, for surfaces that are not symmetric.
 [[nodiscard]] AngularGrid without_symmetry(AngularGrid grid);

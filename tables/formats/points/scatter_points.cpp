@@ -95,10 +95,10 @@ Place place_of(const DirectionPair& pair) noexcept {
     return {4 * theta_h, std::acos(cos_d), 2 * across / length * doubled};
 }
 
-class NearestPoints final : public SpectralBrdf {
+class NearestPoints final : public spectral::Evaluator {
   public:
     NearestPoints(const std::string& name, const ScatterPoints& points)
-        : SpectralBrdf{name, points.wavelengths} {
+        : spectral::Evaluator{name, points.wavelengths} {
         for (std::size_t i = 0; i < points.angles.size(); ++i) {
             const ScatterAngles& at = points.angles[i];
             points_.push_back({place_of({Direction::from_degrees(at.theta_i, at.phi_i),
@@ -194,13 +194,13 @@ void check(const std::string& name, const ScatterPoints& points) {
 
 }  // namespace
 
-std::unique_ptr<SpectralBrdf> brdf_from(const std::string& name, const ScatterPoints& points, bool* regular) {
+spectral::Reflectance brdf_from(const std::string& name, const ScatterPoints& points, bool* regular) {
     check(name, points);
     const GridOfPoints grid{points};
     auto values = grid.values();
     if (regular != nullptr) *regular = values.has_value();
     if (values) return gridded_brdf(name, points.wavelengths, grid.grid(), std::move(*values));
-    return std::make_unique<NearestPoints>(name, points);
+    return spectral::Reflectance{std::make_shared<const NearestPoints>(name, points)};
 }
 
 AngularGrid csv_grid(bool isotropic) {
@@ -219,11 +219,11 @@ AngularGrid csv_grid(bool isotropic) {
     return grid;
 }
 
-std::string scatter_csv(const SpectralBrdf& brdf, AngularGrid grid) {
+std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid) {
     grid.check();
     if (grid.axis != PolarAxis::normal)
         throw Error{"grid about the mirror direction: a CSV file needs one about the normal"};
-    if (grid.phi_i.size() == 1 && !is_isotropic(brdf))
+    if (grid.phi_i.size() == 1 && !brdf.properties().isotropic)
         throw Error{brdf.name() +
                     ": depends on the azimuth of the light, which must have more than one value"};
     if (grid.symmetric && !is_plane_symmetric(brdf)) {

@@ -33,8 +33,8 @@ struct ScatterPoints {
 
 /// The BRDF that the points describe. hts::Error if there is none, a polar angle is out of range or a value not finite or above 1e100.
 ///   regular   set to whether the points are a full grid
-[[nodiscard]] std::unique_ptr<SpectralBrdf> brdf_from(const std::string& name, const ScatterPoints& points,
-                                                      bool* regular = nullptr);
+[[nodiscard]] spectral::Reflectance brdf_from(const std::string& name, const ScatterPoints& points,
+                                              bool* regular = nullptr);
 
 /// The grid that a CSV file gets: polar angles every 2.5 degrees, the last 89.9, azimuths every 5; where the surface is not
 /// isotropic polar angles every 5, azimuths every 10 and the light's every 15.
@@ -42,7 +42,7 @@ struct ScatterPoints {
 
 /// CSV with columns theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg and, for each wavelength, brdf_550nm [1/sr]; six digits.
 ///   grid   axis normal
-[[nodiscard]] std::string scatter_csv(const SpectralBrdf& brdf, AngularGrid grid);
+[[nodiscard]] std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid);
 
 /// Points of a CSV file (spectral/text/csv.hpp): columns theta_i_deg, theta_r_deg, phi_i_deg (0 if left out), phi_r_deg, and the BRDF
 /// either in columns brdf_550nm or in one column brdf, with wavelength_um or without. Other columns are passed over, so that what

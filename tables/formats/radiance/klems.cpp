@@ -20,11 +20,11 @@ double squared_sine(double degrees) {
     return sine * sine;
 }
 
-class KlemsBrdf final : public SpectralBrdf {
+class KlemsBrdf final : public spectral::Evaluator {
   public:
     KlemsBrdf(const std::string& name, const spectral::WavelengthGrid& wavelength, const KlemsBasis& basis,
               std::vector<double> means)
-        : SpectralBrdf{name, wavelength}, basis_{basis}, means_{std::move(means)} {}
+        : spectral::Evaluator{name, wavelength}, basis_{basis}, means_{std::move(means)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const bool above = pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
@@ -41,7 +41,8 @@ class KlemsBrdf final : public SpectralBrdf {
 };
 
 // Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until it changes by 1 % at most.
-double mean_of(const SpectralBrdf& brdf, const KlemsBasis& basis, std::size_t light, std::size_t view) {
+double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light,
+               std::size_t view) {
     constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
                                           0.5385972572236101};
     constexpr int first = 256, most = 1 << 15;
@@ -138,7 +139,7 @@ Direction KlemsBasis::point(std::size_t patch, double across, double along) cons
     return Direction::from_angles(std::min(std::asin(sine), pi / 2), phi);
 }
 
-std::vector<double> klems_means(const SpectralBrdf& brdf, const KlemsBasis& basis) {
+std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis) {
     if (brdf.wavelengths().size() != 1) {
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "1 in a table over Klems' patches");
@@ -163,13 +164,14 @@ double largest_reflectance(const KlemsBasis& basis, std::span<const double> mean
     return largest;
 }
 
-std::unique_ptr<SpectralBrdf> klems_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
-                                         const KlemsBasis& basis, std::vector<double> means) {
+spectral::Reflectance klems_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
+                                 const KlemsBasis& basis, std::vector<double> means) {
     if (wavelength.size() != 1 || means.size() != basis.size() * basis.size()) {
         throw out_of_range("number of patches' means", static_cast<double>(means.size()), "",
                            std::to_string(basis.size() * basis.size()) + " at one wavelength");
     }
-    return std::make_unique<KlemsBrdf>(name, wavelength, basis, std::move(means));
+    return spectral::Reflectance{
+        std::make_shared<const KlemsBrdf>(name, wavelength, basis, std::move(means))};
 }
 
 }  // namespace hts::tables

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -53,15 +53,15 @@ class KlemsBasis {
 /// Means of a BRDF of one wavelength over all pairs of patches, weighted by projected solid angle [1/sr], at [view * size + light];
 /// 512 to 32768 points per pair, until twice as many change the mean by 1 % at most.
 /// hts::Error for more wavelengths.
-[[nodiscard]] std::vector<double> klems_means(const SpectralBrdf& brdf, const KlemsBasis& basis);
+[[nodiscard]] std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis);
 
 /// Most that the means reflect, over all incident patches [1].
 [[nodiscard]] double largest_reflectance(const KlemsBasis& basis, std::span<const double> means);
 
 /// The means as a BRDF, constant within patches.
 ///   means   basis.size()^2 of them, >= 0
-[[nodiscard]] std::unique_ptr<SpectralBrdf> klems_brdf(const std::string& name,
-                                                       const spectral::WavelengthGrid& wavelength,
-                                                       const KlemsBasis& basis, std::vector<double> means);
+[[nodiscard]] spectral::Reflectance klems_brdf(const std::string& name,
+                                               const spectral::WavelengthGrid& wavelength,
+                                               const KlemsBasis& basis, std::vector<double> means);
 
 }  // namespace hts::tables

@@ -133,8 +133,8 @@ pugi::xml_node reflection_block(const Document& document, const pugi::xml_node& 
     return best;
 }
 
-std::unique_ptr<SpectralBrdf> matrix(const Document& document, const pugi::xml_node& block, Tokens& tokens,
-                                     bool light_fastest, const spectral::WavelengthGrid& wavelength) {
+spectral::Reflectance matrix(const Document& document, const pugi::xml_node& block, Tokens& tokens,
+                             bool light_fastest, const spectral::WavelengthGrid& wavelength) {
     const auto columns = document.text(block, "ColumnAngleBasis"),
                rows = document.text(block, "RowAngleBasis");
     if (columns != rows) throw document.error(block, "ColumnAngleBasis and RowAngleBasis: must be the same");
@@ -155,8 +155,8 @@ std::unique_ptr<SpectralBrdf> matrix(const Document& document, const pugi::xml_n
     return klems_brdf(document.name(), wavelength, *basis, std::move(means));
 }
 
-std::unique_ptr<SpectralBrdf> tree(const Document& document, Tokens& tokens, int rank,
-                                   const spectral::WavelengthGrid& wavelength) {
+spectral::Reflectance tree(const Document& document, Tokens& tokens, int rank,
+                           const spectral::WavelengthGrid& wavelength) {
     auto brdf = tensor_tree_brdf(document.name(), wavelength, rank, tokens);
     if (!tokens.at_end()) throw tokens.error("text after the tree");
     return brdf;
@@ -164,7 +164,7 @@ std::unique_ptr<SpectralBrdf> tree(const Document& document, Tokens& tokens, int
 
 }  // namespace
 
-std::string klems_xml(const SpectralBrdf& brdf, const KlemsBasis& basis) {
+std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis) {
     const std::vector<double> means = klems_means(brdf, basis);
     std::string data;
     for (std::size_t i = 0; i < means.size(); ++i) {
@@ -177,14 +177,14 @@ std::string klems_xml(const SpectralBrdf& brdf, const KlemsBasis& basis) {
     return document(brdf.name(), "Columns", bases, data);
 }
 
-std::string tensor_tree_xml(const SpectralBrdf& brdf, const TensorTreeOptions& options) {
-    const std::string_view structure = is_isotropic(brdf) ? "TensorTree3" : "TensorTree4";
+std::string tensor_tree_xml(const spectral::Reflectance& brdf, const TensorTreeOptions& options) {
+    const std::string_view structure = brdf.properties().isotropic ? "TensorTree3" : "TensorTree4";
     return document(brdf.name(), structure, "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis>\n",
                     tensor_tree_text(brdf, options));
 }
 
-std::unique_ptr<SpectralBrdf> radiance_brdf(std::string_view text, const std::string& name,
-                                            const std::optional<spectral::WavelengthGrid>& wavelength) {
+spectral::Reflectance radiance_brdf(std::string_view text, const std::string& name,
+                                    const std::optional<spectral::WavelengthGrid>& wavelength) {
     const Document file{text, name};
     const auto layer = file.layer();
     const auto definition = layer.child("DataDefinition");

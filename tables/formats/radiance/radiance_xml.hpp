@@ -18,18 +18,20 @@ namespace hts::tables {
 /// A file's text.
 ///   brdf   one wavelength, else hts::Error. Radiance loads no file that reflects more than 1.01 of the light of any patch
 ///          (largest_reflectance)
-[[nodiscard]] std::string klems_xml(const SpectralBrdf& brdf, const KlemsBasis& basis = KlemsBasis::full());
+[[nodiscard]] std::string klems_xml(const spectral::Reflectance& brdf,
+                                    const KlemsBasis& basis = KlemsBasis::full());
 
 /// A file's text.
 ///   brdf   one wavelength, else hts::Error
-[[nodiscard]] std::string tensor_tree_xml(const SpectralBrdf& brdf, const TensorTreeOptions& options = {});
+[[nodiscard]] std::string tensor_tree_xml(const spectral::Reflectance& brdf,
+                                          const TensorTreeOptions& options = {});
 
 /// The BRDF of a file of either kind: of its "Reflection Back", else "Reflection Front"; of these "Visible" first. Constant in
 /// patches or cells; negative values become 0.
 ///   text         the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelength   what the channel is called, one; if none is given 0.55 um
 /// hts::Error "path: …" or "path:line: …" where it is no such file. Entities are not expanded.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> radiance_brdf(
+[[nodiscard]] spectral::Reflectance radiance_brdf(
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelength = std::nullopt);
 

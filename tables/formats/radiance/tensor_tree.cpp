@@ -89,7 +89,7 @@ struct Branch {
 
 class TreeWriter {
   public:
-    TreeWriter(const SpectralBrdf& brdf, int rank, const TensorTreeOptions& options)
+    TreeWriter(const spectral::Reflectance& brdf, int rank, const TensorTreeOptions& options)
         : rank_{rank},
           depth_{options.depth},
           merge_{options.merge},
@@ -248,11 +248,11 @@ class TensorTree {
     std::vector<double> values_;
 };
 
-class TensorTreeBrdf final : public SpectralBrdf {
+class TensorTreeBrdf final : public spectral::Evaluator {
   public:
     TensorTreeBrdf(const std::string& name, const spectral::WavelengthGrid& wavelength, int rank,
                    Tokens& tokens)
-        : SpectralBrdf{name, wavelength}, rank_{rank}, tree_{rank, tokens} {}
+        : spectral::Evaluator{name, wavelength}, rank_{rank}, tree_{rank, tokens} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const bool above = pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
@@ -269,12 +269,12 @@ class TensorTreeBrdf final : public SpectralBrdf {
 
 }  // namespace
 
-std::string tensor_tree_text(const SpectralBrdf& brdf, const TensorTreeOptions& options) {
+std::string tensor_tree_text(const spectral::Reflectance& brdf, const TensorTreeOptions& options) {
     if (brdf.wavelengths().size() != 1) {
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "1 in a tensor tree");
     }
-    const int rank = is_isotropic(brdf) ? 3 : 4, most = rank == 3 ? 7 : 5;
+    const int rank = brdf.properties().isotropic ? 3 : 4, most = rank == 3 ? 7 : 5;
     TensorTreeOptions chosen = options;
     if (chosen.depth == 0) chosen.depth = most;
     if (chosen.depth < 1 || chosen.depth > most) {
@@ -285,12 +285,11 @@ std::string tensor_tree_text(const SpectralBrdf& brdf, const TensorTreeOptions& 
     return TreeWriter{brdf, rank, chosen}.text();
 }
 
-std::unique_ptr<SpectralBrdf> tensor_tree_brdf(const std::string& name,
-                                               const spectral::WavelengthGrid& wavelength, int rank,
-                                               Tokens& tokens) {
+spectral::Reflectance tensor_tree_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,
+                                       int rank, Tokens& tokens) {
     if (wavelength.size() != 1)
         throw out_of_range("number of wavelengths", static_cast<double>(wavelength.size()), "", "1");
-    return std::make_unique<TensorTreeBrdf>(name, wavelength, rank, tokens);
+    return spectral::Reflectance{std::make_shared<const TensorTreeBrdf>(name, wavelength, rank, tokens)};
 }
 
 }  // namespace hts::tables

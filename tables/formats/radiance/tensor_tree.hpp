@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/reflectance.hpp"
 
 namespace hts::tables {
 
@@ -25,13 +25,14 @@ struct TensorTreeOptions {
 
 /// The tree as text, braces around the numbers [1/sr], six digits. The value of a cell is the mean of those at the middles of its halves.
 ///   brdf   one wavelength, else hts::Error
-[[nodiscard]] std::string tensor_tree_text(const SpectralBrdf& brdf, const TensorTreeOptions& options = {});
+[[nodiscard]] std::string tensor_tree_text(const spectral::Reflectance& brdf,
+                                           const TensorTreeOptions& options = {});
 
 /// The BRDF of a tree, constant in its cells as in Radiance.
 ///   rank   3 or 4
 /// hts::Error "path:line: …" where braces or counts do not make a tree; trees deeper than 24 are refused.
-[[nodiscard]] std::unique_ptr<SpectralBrdf> tensor_tree_brdf(const std::string& name,
-                                                             const spectral::WavelengthGrid& wavelength,
-                                                             int rank, Tokens& tokens);
+[[nodiscard]] spectral::Reflectance tensor_tree_brdf(const std::string& name,
+                                                     const spectral::WavelengthGrid& wavelength, int rank,
+                                                     Tokens& tokens);
 
 }  // namespace hts::tables

@@ -30,9 +30,10 @@ using hts::testing::exhaustive;
 using hts::testing::TemporaryFolder;
 
 /// A smooth BRDF.
-class Smooth final : public SpectralBrdf {
+class Smooth final : public spectral::Evaluator {
   public:
-    explicit Smooth(const spectral::WavelengthGrid& wavelengths) : SpectralBrdf{"smooth", wavelengths} {}
+    explicit Smooth(const spectral::WavelengthGrid& wavelengths)
+        : spectral::Evaluator{"smooth", wavelengths} {}
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         for (double& value : values) value = 0.1 + 0.05 * dot(pair.in.mirror().vector(), pair.out.vector());
     }
@@ -41,7 +42,11 @@ class Smooth final : public SpectralBrdf {
     }
 };
 
-using Reader = std::function<std::unique_ptr<SpectralBrdf>(std::string_view text)>;
+spectral::Reflectance smooth(const spectral::WavelengthGrid& wavelengths) {
+    return spectral::Reflectance{std::make_shared<const Smooth>(wavelengths)};
+}
+
+using Reader = std::function<spectral::Reflectance(std::string_view text)>;
 struct Sample {
     std::string name, text;
     Reader read;
@@ -72,19 +77,19 @@ std::vector<Sample> samples() {
     above.theta_i = above.polar = {0, 45, 89};
     above.azimuth = {0, 60, 180};
     return {
-        {"Zemax", zemax_texts(Smooth{green}, around).front(),
+        {"Zemax", zemax_texts(smooth(green), around).front(),
          [](auto text) { return zemax_brdf(text, "z"); }},
-        {"Klems", klems_xml(Smooth{green}, KlemsBasis::quarter()),
+        {"Klems", klems_xml(smooth(green), KlemsBasis::quarter()),
          [](auto text) { return radiance_brdf(text, "x"); }},
-        {"tensor tree", tensor_tree_xml(Smooth{green}, {3, 0.02}),
+        {"tensor tree", tensor_tree_xml(smooth(green), {3, 0.02}),
          [](auto text) { return radiance_brdf(text, "x"); }},
-        {"CSV", scatter_csv(Smooth{green}, above),
+        {"CSV", scatter_csv(smooth(green), above),
          [](auto text) { return brdf_from("c", points_of_csv(text, "c")); }},
         {"ASTM", astm, [](auto text) { return brdf_from("a", points_of_astm(text, "a")); }},
     };
 }
 
-void check_sound(const SpectralBrdf& brdf) {
+void check_sound(const spectral::Reflectance& brdf) {
     static const std::vector<Direction> directions{
         Direction::from_degrees(0, 0), Direction::from_degrees(23, 7), Direction::from_degrees(61, 188),
         Direction::from_degrees(89.5, 301)};
@@ -143,15 +148,15 @@ TEST_CASE("damaged text files give a named error or a sound BRDF") {
         std::size_t count = 0;
         const auto read = [&](const std::string& text) {
             // Now and then by way of a file whose format is guessed.
-            check_sound(count++ % 16 == 15 ? *read_brdf(folder.write("file.dat", text)).brdf
-                                           : *sample.read(text));
+            check_sound(count++ % 16 == 15 ? read_brdf(folder.write("file.dat", text)).brdf
+                                           : sample.read(text));
         };
         check_damaged({sample.name, sample.text, 1000, nasty, read, {}, 500, 200'000});
     }
 }
 
 TEST_CASE("damaged MERL files are refused with size or offset") {
-    std::string bytes = merl_bytes(Smooth{rgb_wavelengths()});
+    std::string bytes = merl_bytes(smooth(rgb_wavelengths()));
     const auto message = [&](std::string_view all) {
         const MemoryBudget budget{std::size_t{36} << 20};
         return message_of([&] { static_cast<void>(merl_brdf(all, "m")); });

@@ -23,7 +23,7 @@ using hts::testing::TemporaryFolder;
 
 const auto grid = spectral::WavelengthGrid::from_micrometres({0.5, 0.6});
 
-std::shared_ptr<const SpectralBrdf> gold() {
+spectral::Reflectance gold() {
     return tables::testing::brdf_of("rough-gold.json", grid);
 }
 
@@ -36,28 +36,30 @@ Uniforms uniforms(Random& random) {
 
 TEST_CASE("a measured model lies on straight lines between its wavelengths") {
     const auto brdf = gold();
-    const auto reflector = reflector_of(brdf);
+    const auto reflector = material_of_file(brdf);
     const DirectionPair pair{Direction::from_degrees(30, 10), Direction::from_degrees(40, 200)};
     std::vector<double> values(2);
-    brdf->brdf(pair, values);
+    brdf.brdf(pair, values);
     const auto at = [&](double um) {
-        return reflector.at(Wavelength::from_micrometres(um)).brdf(pair.in, pair.out);
+        return reflector.at(Wavelength::from_micrometres(um)).brdf(pair).front();
     };
     CHECK(at(0.5) == values[0]);
     CHECK(at(0.6) == values[1]);
     CHECK(at(0.525) == Approx(0.75 * values[0] + 0.25 * values[1]).epsilon(1e-14));
     CHECK_THROWS_WITH(at(0.61), Catch::Contains("0.61 um") && Catch::Contains("from 0.5 to 0.6 um"));
-    CHECK(reflector.at(Wavelength::from_micrometres(0.9), spectral::OutsideRange::clamp)
-              .brdf(pair.in, pair.out) == values[1]);
-    const auto single = reflector_of(brdf_at(brdf, 0));
-    CHECK(single.at(Wavelength::from_micrometres(0.5)).brdf(pair.in, pair.out) == values[0]);
+    CHECK(reflector.at(Wavelength::from_micrometres(0.9), {.outside = spectral::OutsideRange::clamp})
+              .brdf(pair)
+              .front() == values[1]);
+    const auto single = material_of_file(brdf_at(brdf, 0));
+    CHECK(single.at(Wavelength::from_micrometres(0.5)).brdf(pair).front() == values[0]);
     CHECK_THROWS_AS(single.at(Wavelength::from_micrometres(0.51)), Error);
 }
 
 TEST_CASE("draws of a measured model have the density it says, and their weights the albedo for mean") {
     for (const char* file : {"rough-gold.json", "purple-satin.json"}) {  // isotropic; with a grain
         const auto brdf = tables::testing::brdf_of(file, spectral::WavelengthGrid::from_micrometres({0.55}));
-        const auto model = reflector_of(brdf).at(Wavelength::from_micrometres(0.55));
+        const auto reflectance = material_of_file(brdf).at(Wavelength::from_micrometres(0.55));
+        const auto model = reflectance.sampler(0);
         for (const double theta : {0.0, 35.0, 70.0}) {
             INFO(file << " at " << theta);
             const Direction in = Direction::from_degrees(theta, 25);
@@ -78,7 +80,7 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
             const int count = 100'000;
             double sum = 0, squares = 0, none = 0;
             for (int i = 0; i < count; ++i) {
-                const WeightedDirection draw = model.sample(in, uniforms(random));
+                const Draw draw = model.sample(in, uniforms(random));
                 sum += draw.weight;
                 squares += draw.weight * draw.weight;
                 if (draw.lobe == Lobe::none) {
@@ -86,7 +88,7 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
                     continue;
                 }
                 CHECK(draw.weight * draw.pdf ==
-                      Approx(model.brdf(in, draw.out) * draw.out.cos_theta()).epsilon(1e-12));
+                      Approx(reflectance.brdf({in, draw.out}).front() * draw.out.cos_theta()).epsilon(1e-12));
                 const double turn =
                     std::atan2(draw.out.sin_phi(), draw.out.cos_phi()) / (2 * std::numbers::pi) + 1;
                 const auto row = std::min(static_cast<std::size_t>(draw.out.cos_theta() * rows), rows - 1);
@@ -100,7 +102,7 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
             }
             CHECK(integral + none / count == Approx(1).margin(0.01));
             const double mean = sum / count, spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
-            const double albedo = model.albedo(in).total();
+            const double albedo = reflectance.albedo(in, 0).total();
             std::cout << file << " at " << theta << ": mean weight " << mean << ", albedo " << albedo
                       << ", relative spread of weights " << spread / mean << '\n';
             CHECK(std::abs(mean - albedo) < 5 * spread / std::sqrt(count) + 1e-4 * albedo);
@@ -114,9 +116,9 @@ TEST_CASE("a material file names a measured file") {
     const auto brdf = tables::testing::brdf_of("rough-gold.json", one);
     AngularGrid coarse = csv_grid();
     coarse.theta_i = coarse.polar = {0, 20, 40, 60, 80};
-    folder.write("gold.csv", scatter_csv(*brdf, coarse));
+    folder.write("gold.csv", scatter_csv(brdf, coarse));
     const auto read = [&](const std::string& text) {
-        return spectral::read_any_reflector(folder.write("m.json", text), models_with_files());
+        return spectral::read_material(folder.write("m.json", text), models_with_files());
     };
     const auto material = read(R"({"name": "gold", "model": "measured", "file": "gold.csv"})");
     CHECK(material.name() == "gold");
@@ -125,8 +127,8 @@ TEST_CASE("a material file names a measured file") {
     CHECK(material.warnings().front().find("full grid") != std::string::npos);
     const DirectionPair node{Direction::from_degrees(40, 0), Direction::from_degrees(60, 180)};
     double exact = 0;
-    brdf->brdf(node, {&exact, 1});
-    CHECK(material.at(one[0]).brdf(node.in, node.out) == Approx(exact).epsilon(1e-5));
+    brdf.brdf(node, {&exact, 1});
+    CHECK(material.at(one[0]).brdf(node).front() == Approx(exact).epsilon(1e-5));
     const auto complaint_about = [&](const std::string& text) {
         return complaint(folder, [&] { static_cast<void>(read(text)); });
     };
@@ -150,7 +152,7 @@ TEST_CASE("what hts eval writes is a file of points") {
     REQUIRE(points.angles.size() == 2);
     const auto brdf = brdf_from("p.csv", points);
     std::vector<double> values(2);
-    brdf->brdf({Direction::from_degrees(30, 0), Direction::from_degrees(45, 180)}, values);
+    brdf.brdf({Direction::from_degrees(30, 0), Direction::from_degrees(45, 180)}, values);
     CHECK(values[0] == Approx(0.3125));
     CHECK(values[1] == Approx(0.5));
     CHECK_THROWS_WITH(

@@ -31,25 +31,33 @@ const auto five = spectral::WavelengthGrid::linear(0.45, 0.65, 5);
 constexpr PbsdfResolution small{9, 10, 13};
 
 /// A surface of the given constant index.
-std::shared_ptr<const SpectralBrdf> surface(double n, double k, double albedo) {
-    return model_brdf(
-        spectral::AnyReflector{spectral::Reflector{
-            "surface", {0.28, 1.77}, spectral::Material::constant({n, k}), spectral::DiffuseAlbedo{albedo}}},
-        five);
+spectral::Reflectance surface(double n, double k, double albedo) {
+    return spectral::he_torrance_material("surface", {0.28, 1.77},
+                                          spectral::OpticalConstants::constant({n, k}),
+                                          spectral::DiffuseAlbedo{albedo})
+        .at(five, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 /// Written, and the raw arrays read.
 class Written {
+    [[nodiscard]] static spectral::Reflectance written(const spectral::Reflectance& brdf,
+                                                       const fs::path& path,
+                                                       const PbsdfResolution& resolution) {
+        write_pbsdf(brdf, path, resolution);
+        return read_pbsdf(path);
+    }
+
+    hts::testing::TemporaryFolder folder_;
+    fs::path path_;
+
   public:
-    Written(const SpectralBrdf& brdf, const PbsdfResolution& resolution)
-        : path_{folder_.path() / "test.pbsdf"} {
-        write_pbsdf(brdf, path_, resolution);
+    Written(const spectral::Reflectance& brdf, const PbsdfResolution& resolution)
+        : path_{folder_.path() / "test.pbsdf"}, read{written(brdf, path_, resolution)} {
         const TensorFile file = TensorFile::read(path_);
         theta_h = file.floats("theta_h", 2).numbers;
         theta_d = file.floats("theta_d", 2).numbers;
         phi_d = file.floats("phi_d", 2).numbers;
         matrices = file.floats("M", 6).numbers;
-        read = read_pbsdf(path_);
     }
 
     /// An element at a node and the first wavelength.
@@ -68,11 +76,7 @@ class Written {
     }
 
     std::vector<float> theta_h, theta_d, phi_d, matrices;
-    std::unique_ptr<SpectralBrdf> read;
-
-  private:
-    hts::testing::TemporaryFolder folder_;
-    fs::path path_;
+    spectral::Reflectance read;
 };
 
 using Complex = std::complex<double>;
@@ -104,7 +108,7 @@ TEST_CASE("nodes hold Fresnel's matrix of the facet in the plane of light and vi
     // form above; conductors turn linear into circular light, so no sign of S2 or S3 can hide.
     const Complex index{0.183, 3.43};
     const auto gold = surface(index.real(), index.imag(), 0);
-    const Written file{*gold, small};
+    const Written file{gold, small};
     WorstCase worst{"pbsdf, nodes against Fresnel's formula, of m00", 1e-5};
     for (std::size_t p = 0; p < file.phi_d.size(); ++p) {
         for (std::size_t d = 0; d < file.theta_d.size(); ++d) {
@@ -134,14 +138,14 @@ TEST_CASE("at nodes the reader gives the engine's Mueller matrix") {
     WorstCase stokes{"pbsdf at nodes, diagonal and circular light, of m00", 2e-5};
     std::vector<Mueller> expected(5), found(5);
     for (const auto& brdf : {plastic, gold}) {
-        const Written file{*brdf, small};
+        const Written file{brdf, small};
         for (std::size_t p = 0; p < file.phi_d.size(); ++p)
             for (std::size_t d = 1; d < file.theta_d.size(); ++d)
                 for (std::size_t h = 1; h < file.theta_h.size(); ++h) {
                     const auto pair = file.pair(p, d, h);
                     if (!pair) continue;
-                    brdf->mueller(*pair, expected);
-                    file.read->mueller(*pair, found);
+                    brdf.mueller(*pair, expected);
+                    file.read.mueller(*pair, found);
                     const double m00 = expected[2](0, 0);
                     const auto where = [&] {
                         return std::to_string(p) + " " + std::to_string(d) + " " + std::to_string(h);
@@ -162,8 +166,8 @@ TEST_CASE("at nodes the reader gives the engine's Mueller matrix") {
 TEST_CASE("between nodes a polarised file is near the engine, and total") {
     const bool full = exhaustive();
     const auto aluminium = brdf_of("rough-aluminium.json", five);
-    const Written file{*aluminium, full ? PbsdfResolution{} : PbsdfResolution{31, 31, 25}};
-    const RoundTrip trip = round_trip(*aluminium, *file.read, {full ? 100'000U : 4'000U, 3});
+    const Written file{aluminium, full ? PbsdfResolution{} : PbsdfResolution{31, 31, 25}};
+    const RoundTrip trip = round_trip(aluminium, file.read, {full ? 100'000U : 4'000U, 3});
     if (full) WARN(trip.text());
     REQUIRE(trip.worst_mueller);
     CHECK(trip.median < 0.005);
@@ -174,8 +178,8 @@ TEST_CASE("between nodes a polarised file is near the engine, and total") {
     for (const double theta : {0., 30., 90.}) {
         const Direction in = Direction::from_degrees(theta, 40);
         for (const Direction& out : {in, in.mirror(), Direction::from_degrees(0, 0)}) {
-            file.read->brdf({in, out}, values);
-            file.read->mueller({in, out}, matrices);
+            file.read.brdf({in, out}, values);
+            file.read.mueller({in, out}, matrices);
             for (std::size_t k = 0; k < 5; ++k) {
                 CHECK(std::isfinite(values[k]));
                 CHECK(matrices[k](0, 0) == Approx(values[k]).margin(1e-12));
@@ -187,13 +191,13 @@ TEST_CASE("between nodes a polarised file is near the engine, and total") {
 
 TEST_CASE("what a polarised file cannot hold is refused by name") {
     const auto plastic = brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.65, 4));
-    CHECK_THROWS_WITH(write_pbsdf(*plastic, "/nowhere/x"),
+    CHECK_THROWS_WITH(write_pbsdf(plastic, "/nowhere/x"),
                       Catch::Contains("number of wavelengths of a .pbsdf file 4: must be 5"));
     const auto odd = brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.6501, 5));
-    CHECK_THROWS_WITH(write_pbsdf(*odd, "/nowhere/x"), Catch::Contains("a whole number of nanometres"));
+    CHECK_THROWS_WITH(write_pbsdf(odd, "/nowhere/x"), Catch::Contains("a whole number of nanometres"));
     const auto boxed = with_specular_box(brdf_of("smooth-plastic.json", five), 0.01);
-    CHECK_THROWS_WITH(write_pbsdf(*boxed, "/nowhere/x"), Catch::Contains("has no Mueller matrix"));
-    CHECK_THROWS_WITH(write_pbsdf(*surface(1.5, 0, 0), "/nowhere/x", {1, 9, 9}),
+    CHECK_THROWS_WITH(write_pbsdf(boxed, "/nowhere/x"), Catch::Contains("has no Mueller matrix"));
+    CHECK_THROWS_WITH(write_pbsdf(surface(1.5, 0, 0), "/nowhere/x", {1, 9, 9}),
                       Catch::Contains("number of theta_h 1"));
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("the box returns the specular reflectance, within its solid angle alon
     std::vector<double> with(2), without(2), mirror(2), sum(2);
     for (const double theta : {0., 30., 75.}) {
         const Direction in = Direction::from_degrees(theta, 20);
-        plain->specular_reflectance(in, mirror);
+        plain.specular_reflectance(in, mirror);
         sum = {0, 0};
         constexpr int n = 100;  // midpoints in the cosine of the angle and in the turn
         for (int i = 0; i < n; ++i) {
@@ -41,21 +41,21 @@ TEST_CASE("the box returns the specular reflectance, within its solid angle alon
                 const double apart = std::acos(1 - (i + 0.5) / n * (1 - std::cos(half_angle)));
                 const Direction out =
                     Direction::from_vector(near_mirror(in, apart, 2 * std::numbers::pi * (j + 0.5) / n));
-                boxed->brdf({in, out}, with);
-                plain->brdf({in, out}, without);
+                boxed.brdf({in, out}, with);
+                plain.brdf({in, out}, without);
                 for (std::size_t k = 0; k < 2; ++k)
                     sum[k] += (with[k] - without[k]) * out.cos_theta() * solid_angle / (n * n);
             }
         }
         for (std::size_t k = 0; k < 2; ++k) CHECK(sum[k] == Approx(mirror[k]).epsilon(1e-6));
         const Direction outside = Direction::from_vector(near_mirror(in, half_angle * 1.0001, 1));
-        boxed->brdf({in, outside}, with);
-        plain->brdf({in, outside}, without);
+        boxed.brdf({in, outside}, with);
+        plain.brdf({in, outside}, without);
         CHECK(with == without);
-        boxed->specular_reflectance(in, mirror);
+        boxed.specular_reflectance(in, mirror);
         CHECK(mirror == std::vector<double>{0, 0});
     }
-    CHECK_FALSE(boxed->polarised());
+    CHECK_FALSE(boxed.properties().polarised);
 }
 
 TEST_CASE("a box of no size or of half the sphere is refused") {

@@ -71,11 +71,11 @@ void read_as_rgl(const std::string& bytes) {
 
 void read_as_pbsdf(const std::string& bytes) {
     const auto brdf = parse_pbsdf(bytes, "x.pbsdf");
-    std::vector<double> values(brdf->wavelengths().size());
+    std::vector<double> values(brdf.wavelengths().size());
     std::vector<Mueller> matrices(values.size());
     for (const DirectionPair& each : {aslant, upright}) {
-        brdf->brdf(each, values);
-        brdf->mueller(each, matrices);
+        brdf.brdf(each, values);
+        brdf.mueller(each, matrices);
         for (const double value : values) require_sound(!std::isnan(value) && value >= 0);
     }
 }
@@ -150,8 +150,8 @@ TEST_CASE("damaged tensor files give an error or a reflectance, never anything e
                                          std::string("\0\0\xc0\x7f", 4),
                                          std::string("\0\0\x80\xff", 4),
                                          std::string("\0\0\0\0\0\0\0\x80", 8)};
-    write_rgl(*brdf, path, {2, 2, 3, 8});
+    write_rgl(brdf, path, {2, 2, 3, 8});
     check_damaged({"RGL", read_whole_file(path), 420, nasty, read_as_rgl, {}, 1500, 500'000});
-    write_pbsdf(*brdf, path, {2, 2, 2});
+    write_pbsdf(brdf, path, {2, 2, 2});
     check_damaged({"pbsdf", read_whole_file(path), 420, nasty, read_as_pbsdf, {}, 1500, 500'000});
 }

@@ -39,8 +39,7 @@ TEST_CASE("a plan that names a table looks it up, and is refused where the table
     auto& material = plan.materials.front();
     material.choice.rung.wavelengths = scene.wavelengths;
     material.choice.rung.table = {"small.htst", small_table().checksum()};
-    material.evaluator = hts::spectral::PlannedReflectance{scene, material.choice.rung,
-                                                           std::make_shared<const Table>(small_table())};
+    material.form = hts::spectral::PlannedForm{scene, material.choice.rung, small_table().reflectance()};
     const auto path = folder.write("plan.json", plan_text(plan, folder.path()));
     const auto read = hts::spectral::read_plan(path, hts::spectral::built_in_models(), open_for_plan);
     CHECK(plan_text(read, folder.path()) == plan_text(plan, folder.path()));
@@ -49,10 +48,10 @@ TEST_CASE("a plan that names a table looks it up, and is refused where the table
     std::vector<double> looked_up(3), exact(3);
     small_table().brdf(pair, looked_up);
     small_exact().brdf(pair, exact);
-    const auto planned = read.evaluators().front();
+    const auto planned = read.reflectances().front();
     CHECK(planned.brdf(pair) == looked_up);
     CHECK(planned.brdf(pair) != exact);
-    CHECK(planned.bytes() > small_bytes().size());
+    CHECK(read.materials.front().form.bytes() > small_bytes().size());
     CHECK(measured_errors(read, {2, 300}).front().worst <= scene.tolerance);
 
     CHECK(complaint(folder, [&] { static_cast<void>(hts::spectral::read_plan(path)); }) ==

@@ -9,10 +9,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "damaged_files.hpp"
 #include "hts/sampling/random.hpp"
 #include "table_fixture.hpp"
 #include "tables/formats/little_endian.hpp"
+#include "tables/formats/tests/damaged_files.hpp"
 #include "tables/table/crc64.hpp"
 #include "tables/table/table_contents.hpp"
 #include "temporary_folder.hpp"

@@ -15,9 +15,9 @@ const TableJob& small_job() {
     return job;
 }
 
-const SpectralBrdf& small_exact() {
+const spectral::Reflectance& small_exact() {
     static const auto exact = exact_model(small_job());
-    return *exact;
+    return exact;
 }
 
 const std::string& small_bytes() {

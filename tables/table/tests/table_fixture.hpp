@@ -11,7 +11,7 @@ namespace hts::tables::testing {
 
 /// Rough aluminium at three wavelengths, polarised, tolerance 1e-2.
 [[nodiscard]] const TableJob& small_job();
-[[nodiscard]] const SpectralBrdf& small_exact();
+[[nodiscard]] const spectral::Reflectance& small_exact();
 [[nodiscard]] const Table& small_table();
 /// Its bytes.
 [[nodiscard]] const std::string& small_bytes();

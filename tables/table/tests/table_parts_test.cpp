@@ -25,9 +25,9 @@ const TableJob& job() {
     return job;
 }
 
-const SpectralBrdf& exact() {
+const spectral::Reflectance& exact() {
     static const auto exact = exact_model(job());
-    return *exact;
+    return exact;
 }
 
 const std::string& whole() {
@@ -128,8 +128,7 @@ TEST_CASE(
     "a table whose error misses is refined by itself, to the same bytes by shards and after an "
     "interruption") {
     const TableJob job{small_job().source, {0.55}, {.tolerance = 5e-2}};
-    const auto model = exact_model(job);
-    const SpectralBrdf& exact = *model;
+    const spectral::Reflectance exact = exact_model(job);
     TablePlan coarse = plan_table(exact, job.request);
     coarse.nodes.ratio = coarse.nodes.ratio / 2 + 1;
     const std::string once = finished_table(exact, job.source, coarse, computed_slices(exact));

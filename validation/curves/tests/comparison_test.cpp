@@ -7,6 +7,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "temporary_folder.hpp"
 #include "validation/curves/built_in_curves.hpp"
 #include "validation/curves/comparison_section.hpp"
@@ -35,14 +36,14 @@ CurveSet small_set() {
     return set;
 }
 
-spectral::AnyReflector aluminium(double rms_roughness, double correlation_length) {
-    return spectral::AnyReflector{{"aluminium", Surface{rms_roughness, correlation_length},
-                                   spectral::built_in_material("Al"), spectral::DiffuseAlbedo{0}}};
+spectral::Material aluminium(double rms_roughness, double correlation_length) {
+    return spectral::he_torrance_material("aluminium", {rms_roughness, correlation_length},
+                                          spectral::built_in_optical_constants("Al"));
 }
 
 /// A set whose values are those of a model.
-CurveSet computed(CurveSet set, const spectral::AnyReflector& reflector) {
-    const auto values = Prediction{set}.values(reflector);
+CurveSet computed(CurveSet set, const spectral::Material& material) {
+    const auto values = Prediction{set}.values(material);
     std::size_t i = 0;
     for (Curve& curve : set.curves)
         for (CurvePoint& p : curve.points) p.value = values[i++];
@@ -73,13 +74,13 @@ TEST_CASE("figures of merit are what their definitions say") {
 }
 
 TEST_CASE("a model that made the data fits them, in any unknown scale") {
-    const auto reflector = aluminium(0.3, 2);
-    CurveSet set = computed(small_set(), reflector);
-    CHECK(comparison(set, Prediction{set}.values(reflector)).figures.rms_log == 0);
+    const auto material = aluminium(0.3, 2);
+    CurveSet set = computed(small_set(), material);
+    CHECK(comparison(set, Prediction{set}.values(material)).figures.rms_log == 0);
     set.scale = Scale::unknown;
     for (Curve& curve : set.curves)
         for (CurvePoint& p : curve.points) p.value *= 7;
-    const auto scaled = comparison(set, Prediction{set}.values(reflector));
+    const auto scaled = comparison(set, Prediction{set}.values(material));
     CHECK(scaled.scale == Approx(7));
     CHECK(scaled.figures.rms_log == Approx(0).margin(1e-14));
 }

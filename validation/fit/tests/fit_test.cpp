@@ -13,8 +13,9 @@
 #include "hts/microfacet/kurt.hpp"
 #include "hts/tests/support/comparison.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
-#include "spectral/models/reflector.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/models/he_torrance_material.hpp"
+#include "spectral/models/model_evaluator.hpp"
+#include "spectral/models/reflectance.hpp"
 #include "validation/fit/least_squares.hpp"
 
 namespace {
@@ -61,14 +62,14 @@ double gaussian(Random& random) {
 }
 
 /// What an instrument with noise in proportion to the value would show.
-FitData seen(const spectral::AnyReflector& reflector, const std::vector<DirectionPair>& pairs, double noise,
+FitData seen(const spectral::Material& material, const std::vector<DirectionPair>& pairs, double noise,
              const spectral::WavelengthGrid& grid = one_micron) {
     Random random{11};
-    const auto brdf = tables::model_brdf(reflector, grid);
+    const auto reflectance = material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
     std::vector<FitSample> samples;
     std::vector<double> spectrum(grid.size());
     for (const DirectionPair& pair : pairs) {
-        brdf->brdf(pair, spectrum);
+        reflectance.brdf(pair, spectrum);
         for (std::size_t w = 0; w < grid.size(); ++w) {
             const double value = spectrum[w] * (1 + noise * gaussian(random));
             samples.push_back({pair, w, value, noise * spectrum[w]});
@@ -77,9 +78,15 @@ FitData seen(const spectral::AnyReflector& reflector, const std::vector<Directio
     return fit_data("synthetic", grid, samples);
 }
 
-spectral::AnyReflector he(double rms, double length, double albedo) {
-    return spectral::AnyReflector{spectral::Reflector{
-        "synthetic", {rms, length}, spectral::built_in_material("Al"), spectral::DiffuseAlbedo{albedo}}};
+spectral::Material he(double rms, double length, double albedo) {
+    return spectral::he_torrance_material("synthetic", {rms, length}, spectral::built_in_optical_constants("Al"),
+                                          spectral::DiffuseAlbedo{albedo});
+}
+
+/// A model that is the same at every wavelength.
+template <ReflectanceModel Model>
+spectral::Material constantly(const Model& model) {
+    return spectral::material_of([=](const Wavelength&, spectral::OutsideRange) { return model; });
 }
 
 std::string in_words(const Fit& fit) {
@@ -115,8 +122,8 @@ TEST_CASE("He-Torrance parameters come back from noisy data") {
 }
 
 TEST_CASE("optical constants and scale come back where they are asked for") {
-    const auto truth = spectral::AnyReflector{spectral::Reflector{
-        "glass", {0.1, 1.2}, spectral::Material::constant({1.6, 0}), spectral::DiffuseAlbedo{0.2}}};
+    const auto truth = spectral::he_torrance_material(
+        "glass", {0.1, 1.2}, spectral::OpticalConstants::constant({1.6, 0}), spectral::DiffuseAlbedo{0.2});
     auto data = seen(truth, in_plane(), 0.002);
     for (double& value : data.values) value *= 1.3;
     const Fit fit = fitted({.model = "he", .freed = {"scale"}, .residual = Residual::relative}, data);
@@ -131,8 +138,8 @@ TEST_CASE("optical constants and scale come back where they are asked for") {
 TEST_CASE("albedos come back channel by channel") {
     const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.55, 0.65});
     const spectral::DiffuseAlbedo albedo{spectral::PiecewiseLinear{{{0.46, 0.5}, {0.55, 0.2}, {0.65, 0.05}}}};
-    const auto truth = spectral::AnyReflector{
-        spectral::Reflector{"paint", {0.12, 1.5}, spectral::built_in_material("Al"), albedo}};
+    const auto truth = spectral::he_torrance_material("paint", {0.12, 1.5},
+                                                      spectral::built_in_optical_constants("Al"), albedo);
     const auto data = seen(truth, in_plane(), 0.01, grid);
     const Residual residual = GENERATE(Residual::relative, Residual::logarithmic);
     const Fit fit = fitted({.model = "he", .index = "\"Al\"", .residual = residual}, data);
@@ -145,10 +152,7 @@ TEST_CASE("albedos come back channel by channel") {
 
 TEST_CASE("Kurt's parameters come back to 1 % with 1 % noise") {
     const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.1, 0.12, 0.3, 0.2}}};
-    const auto data = seen(spectral::AnyReflector{[&](const Wavelength&, spectral::OutsideRange) {
-                               return spectral::AnyModel{Kurt{0.1, lobes}};
-                           }},
-                           all_around(1500), 0.01);
+    const auto data = seen(constantly(Kurt{0.1, lobes}), all_around(1500), 0.01);
     const Fit fit = fitted({.model = "kurt", .freed = {"my"}, .residual = Residual::weighted}, data);
     INFO(in_words(fit));
     const std::map<std::string, double> truth{{"kd", 0.1},  {"ks", 0.3}, {"f0", 0.1},
@@ -162,10 +166,7 @@ TEST_CASE("Kurt's parameters come back to 1 % with 1 % noise") {
 TEST_CASE("two lobes are told apart") {
     const std::vector<WeightedLobe<KurtLobe>> lobes{{0.3, KurtLobe{0.8, 0.08, 0.08, 0}},
                                                     {0.5, KurtLobe{0.8, 0.4, 0.4, 0}}};
-    const auto data = seen(spectral::AnyReflector{[&](const Wavelength&, spectral::OutsideRange) {
-                               return spectral::AnyModel{Kurt{0.05, lobes}};
-                           }},
-                           in_plane(), 0.01);
+    const auto data = seen(constantly(Kurt{0.05, lobes}), in_plane(), 0.01);
     const Fit fit = fitted(
         {.model = "kurt", .lobes = 2, .fixed = {{"f0", 0.8}, {"alpha", 0}}, .residual = Residual::relative},
         data);
@@ -231,10 +232,7 @@ TEST_CASE("a very rough surface shows its slope alone, and the fit says so") {
 }
 
 TEST_CASE("albedo against scale cannot be told from a matt surface") {
-    const auto data = seen(spectral::AnyReflector{[](const Wavelength&, spectral::OutsideRange) {
-                               return spectral::AnyModel{LambertianModel{0.4}};
-                           }},
-                           in_plane(), 0.01);
+    const auto data = seen(constantly(LambertianModel{0.4}), in_plane(), 0.01);
     const Fit fit = fitted({.model = "lambert", .freed = {"scale"}, .residual = Residual::relative}, data);
     INFO(in_words(fit));
     REQUIRE_FALSE(fit.statements.empty());

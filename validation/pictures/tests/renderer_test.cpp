@@ -11,6 +11,8 @@
 #include "hts/microfacet/diffuse.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
+#include "spectral/models/he_torrance_material.hpp"
+#include "spectral/models/model_evaluator.hpp"
 #include "validation/pictures/gallery.hpp"
 #include "validation/pictures/picture.hpp"
 
@@ -22,22 +24,18 @@ namespace spectral = hts::spectral;
 namespace {
 
 Appearance lambertian(double albedo) {
-    return Appearance{spectral::AnyReflector{[=](const hts::Wavelength&, spectral::OutsideRange) {
-        return spectral::AnyModel{hts::LambertianModel{albedo}};
-    }}};
+    return Appearance{spectral::material_of(
+        [=](const hts::Wavelength&, spectral::OutsideRange) { return hts::LambertianModel{albedo}; })};
 }
 
-spectral::Reflector reflector(double rms_roughness, double correlation_length,
-                              const spectral::Material& material, double albedo) {
-    return {"surface", {rms_roughness, correlation_length}, material, spectral::DiffuseAlbedo{albedo}};
-}
-
-Appearance he_torrance(const spectral::Reflector& surface) {
-    return Appearance{spectral::AnyReflector{surface}};
+spectral::Material rough(double rms_roughness, double correlation_length,
+                         const spectral::OpticalConstants& constants, double albedo) {
+    return spectral::he_torrance_material("surface", {rms_roughness, correlation_length}, constants,
+                                          spectral::DiffuseAlbedo{albedo});
 }
 
 Appearance smooth_plastic(double albedo) {
-    return he_torrance(reflector(0, 1, spectral::Material::constant({1.5, 0}), albedo));
+    return Appearance(rough(0, 1, spectral::OpticalConstants::constant({1.5, 0}), albedo));
 }
 
 /// One object in ambient light, seen from the front.
@@ -86,16 +84,18 @@ TEST_CASE("a smooth plastic sphere in even light returns Fresnel's share and its
 
 TEST_CASE("the ambient reflectance of a material is that of the model's integral") {
     hts::testing::WorstCase worst{"ambient reflectance", hts::accuracy::rendered_albedo};
-    const spectral::Reflector surfaces[]{reflector(0.18, 3, spectral::built_in_material("Al"), 0),
-                                         reflector(0.13, 1.2, spectral::built_in_material("Cu"), 0),
-                                         reflector(0.2, 2, spectral::Material::constant({1.54, 0}), 0.28)};
+    const spectral::Material surfaces[]{rough(0.18, 3, spectral::built_in_optical_constants("Al"), 0),
+                                        rough(0.13, 1.2, spectral::built_in_optical_constants("Cu"), 0),
+                                        rough(0.2, 2, spectral::OpticalConstants::constant({1.54, 0}), 0.28)};
     for (const auto& surface : surfaces) {
-        const Appearance material = he_torrance(surface);
+        const Appearance material{surface};
         const std::size_t band = 15;
-        const auto exact = spectral::bihemispherical_reflectance(surface, picture_wavelengths()[band]);
+        const auto statistics = *surface.properties().surface;
+        const auto sample = surface.at(picture_wavelengths()[band]).samples()[0];
+        const auto exact = spectral::bihemispherical_reflectance(statistics, sample.index, sample.wavelength);
         worst.note(std::abs(material.diffuse_albedo().values[band] - exact.directional_diffuse -
-                            exact.uniform_diffuse),
-                   [&] { return "sigma0 " + std::to_string(surface.surface.rms_roughness()); });
+                            std::numbers::pi * sample.uniform_diffuse),
+                   [&] { return "sigma0 " + std::to_string(statistics.rms_roughness()); });
     }
     worst.check();
     CHECK(lambertian(0.6).diffuse_albedo().mean() == Approx(0.6).epsilon(1e-12));
@@ -136,8 +136,8 @@ TEST_CASE("rectangular and spherical lamps light as much as their integrals say"
 }
 
 TEST_CASE("paths and equation (12) agree on rough metal under a lamp alone") {
-    const Appearance rough = he_torrance(reflector(0.28, 1.77, spectral::built_in_material("Al"), 0));
-    const Scene scene{{{Rectangle{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, {rough}}},
+    const Appearance metal = Appearance(rough(0.28, 1.77, spectral::built_in_optical_constants("Al"), 0));
+    const Scene scene{{{Rectangle{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, {metal}}},
                       {{Sphere{{0, 2, 2}, 0.4}, Spectrum::grey(10)}},
                       Spectrum{},
                       Camera{{0, -5, 5}, {0, 0, 0}, 30}};
@@ -150,7 +150,7 @@ TEST_CASE("paths and equation (12) agree on rough metal under a lamp alone") {
 
 TEST_CASE("a mirror shows the pixel that its normal says") {
     // a smooth metal floor; a bright wall behind shows upside down at equal height
-    const Appearance mirror = he_torrance(reflector(0, 1, spectral::built_in_material("Al"), 0));
+    const Appearance mirror = Appearance(rough(0, 1, spectral::built_in_optical_constants("Al"), 0));
     const Scene scene{{{Rectangle{{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}}, {mirror}},
                        {Rectangle{{-9, 2, 0}, {18, 0, 0}, {0, 0, 9}},
                         {lambertian(0), lambertian(1)},
@@ -163,7 +163,7 @@ TEST_CASE("a mirror shows the pixel that its normal says") {
         const double cosine = -image.z;
         const double expected =
             z > 1 && z < 1.2 ? spectral::facet_reflectance(
-                                   spectral::built_in_material("Al").index(picture_wavelengths()[15]), cosine)
+                                   spectral::built_in_optical_constants("Al").index(picture_wavelengths()[15]), cosine)
                              : 0;
         CHECK(radiance(scene, {{0, -2, 1}, image}, 1).values[15] == Approx(expected).margin(1e-12));
     }

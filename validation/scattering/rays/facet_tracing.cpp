@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "hts/he_torrance.hpp"
 #include "hts/sampling/random.hpp"
+#include "hts/terms.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/parallel.hpp"
 

@@ -1,0 +1,199 @@
+// The directional-diffuse term in lanes, formula by formula; included once per instruction set.
+//
+// A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `fresnel_terms`. V is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
+#if defined(HTS_EVALUATION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HTS_EVALUATION_KERNEL_INL
+#undef HTS_EVALUATION_KERNEL_INL
+#else
+#define HTS_EVALUATION_KERNEL_INL
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+#include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/evaluation/evaluation_table.hpp"
+#include "hts/lanes/polynomials-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hts::evaluation_detail::HWY_NAMESPACE {
+
+using lanes::HWY_NAMESPACE::polynomial;
+
+/// exp(-s) for 0 <= s <= 60.
+///   error   relative, at most 6e-11
+template <class Lanes, class V>
+HWY_INLINE V exp_of_minus(const Lanes& o, V s) {
+    const V e = s * o.real(-std::numbers::log2e);
+    const V shifted = e + o.real(0x1.8p52 + 1023);  // the rounded exponent, biased, in the last bits
+    const V f = e - (shifted - o.real(0x1.8p52 + 1023));
+    const V power = o.from_bits(o.template shift_left<52>(o.bits(shifted)));
+    return polynomial(o, exp2_coefficients, f) * power;
+}
+
+/// What one direction contributes, with S_1 / cos theta as a quotient still to be divided.
+template <class V>
+struct Seen {
+    V obstruction;  // K
+    V lit;          // 1 - erfc(c)/2
+    V reach;        // cos theta + (sigma_0/tau) sin theta ierfc(c)
+};
+
+/// hts::visibility in lanes.
+///   cosine   >= lowest_cosine      slope_width   > 0
+///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
+    constexpr double first = erfcx_centre / (erfcx_centre + erfcx_far);
+    constexpr double length = 1 - first;
+    const V width_sine = o.max(slope_width * sine, o.real(1e-300));
+    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
+    const V centred = o.real(erfcx_centre) * width_sine;
+    const V y = o.max(centred / (centred + cosine), o.real(first));
+    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + first) / (2 * length)));
+    const V erfcx = y * polynomial(o, erfcx_coefficients, position);
+    const V gaussian = exp_of_minus(o, c * c);
+    const V complement = gaussian * erfcx;
+    const V ierfc = gaussian * o.neg_mul_add(c, erfcx, o.real(std::numbers::inv_sqrtpi));
+    const V half = o.real(0.5);
+    return {sine / cosine * complement, o.neg_mul_add(half, complement, o.real(1)),
+            o.mul_add(half * width_sine, ierfc, cosine)};
+}
+
+/// The coordinate v of `lambert_coefficients` for the obstruction of a pair: x = K^2 / 8 pi.
+template <class Lanes, class V>
+HWY_INLINE V lambert_coordinate(const Lanes& o, V obstruction) {
+    constexpr double scale = std::numbers::e * std::numbers::inv_pi / 8;
+    return o.mul_add(obstruction * o.real(scale), obstruction, o.real(1));
+}
+
+/// 1 + W_0 from that coordinate: one piece of a table, so value by value. Its result is a vector of one lane's
+/// worth, to be stored.
+///   error   relative, at most 5e-12
+HWY_INLINE double one_plus_lambert(double v) {
+    constexpr hwy::HWY_NAMESPACE::CappedTag<double, 2> two;
+    constexpr std::uint64_t last = lambert_octaves * (1U << lambert_log2_pieces) - 1;
+    constexpr std::uint64_t bias = std::uint64_t{1023} << lambert_log2_pieces;
+    const auto bits = std::bit_cast<std::uint64_t>(v);
+    const std::uint64_t offset = (bits >> (52 - lambert_log2_pieces)) - bias;
+    const std::uint64_t piece = offset < last ? offset : last;  // the last for infinity and NaN
+    const std::uint64_t fraction = (bits << lambert_log2_pieces) & ((std::uint64_t{1} << 52) - 1);
+    const double x = std::bit_cast<double>(fraction | std::uint64_t{1023} << 52) - 1.5;
+    const double* const c = lambert_coefficients.data() + piece * lambert_coefficients_per_piece;
+    namespace hn = hwy::HWY_NAMESPACE;
+    const auto x2 = hn::Set(two, x * x);
+    auto sum = hn::MulAdd(hn::Load(two, c + 6), x2, hn::Load(two, c + 4));
+    sum = hn::MulAdd(sum, x2, hn::Load(two, c + 2));
+    sum = hn::MulAdd(sum, x2, hn::Load(two, c));
+    return hn::GetLane(hn::MulAdd(hn::Reverse2(two, sum), hn::Set(two, x), sum));
+}
+
+/// Cosines and sines of a pair's angles.
+template <class V>
+struct PairAngles {
+    V cos_in, sin_in, cos_phi_in, sin_phi_in;
+    V cos_out, sin_out, cos_phi_out, sin_phi_out;
+};
+
+/// |v_xy|^2 as hts::wave_vector_change has it.
+template <class Lanes, class V>
+HWY_INLINE V horizontal_squared(const Lanes& o, const PairAngles<V>& a) {
+    const V one = o.real(1);
+    const V sines = a.sin_in + a.sin_out;
+    const V by_cosines = (a.cos_in - a.cos_out) * (a.cos_in + a.cos_out) / o.max(sines, one);
+    const V along = o.select(o.less(sines, one), a.sin_out - a.sin_in, by_cosines);
+    const V x = a.cos_phi_in + a.cos_phi_out;
+    const V y = a.sin_phi_in + a.sin_phi_out;
+    const V across = o.mul_add(x, x, y * y);
+    return o.mul_add(along, along, a.sin_in * a.sin_out * across);
+}
+
+/// What a pair contributes, whatever the wavelength. With k the wave number: g = k^2 variance,
+/// 1/g = inverse_variance / k^2, t = k^2 argument, f_dd = k^2 lobe Phi |F|^2.
+template <class V>
+struct PairTerms {
+    V variance, inverse_variance, argument, lobe;
+    V cos_squared;  // of theta_d
+};
+
+template <class Lanes, class V>
+HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const SurfaceTerms& surface, const PairAngles<V>& a,
+                                   V one_plus_w, V shadowing_over_cosines) {
+    const V vertical = a.cos_in + a.cos_out;
+    const V vertical_squared = vertical * vertical;
+    const V inverse_vertical_squared = o.real(1) / vertical_squared;
+    const V horizontal = horizontal_squared(o, a);
+    const V cos_squared = o.min((horizontal + vertical_squared) * o.real(0.25), o.real(1));
+    return {o.real(surface.variance) * vertical_squared / one_plus_w,
+            o.real(surface.inverse_variance) * inverse_vertical_squared * one_plus_w,
+            o.real(surface.quarter_tau_squared) * horizontal,
+            o.real(surface.tau_squared_over_pi) * (cos_squared * cos_squared) * inverse_vertical_squared *
+                shadowing_over_cosines,
+            cos_squared};
+}
+
+/// Optical constants at a wavelength: d = N^2 - 1.
+template <class V>
+struct IndexTerms {
+    V d_real, d_imaginary_squared;  // d_imaginary = 2nk
+};
+
+/// Fresnel in real arithmetic, r = sqrt(N^2 - sin^2) = A + iB, M = |r|^2:
+///   |F_s|^2 = |d|^2 / |c + r|^4,                  |c + r|^2 = M + c^2 + 2 A c
+///   |F_p|^2 = |F_s|^2 |c r - s^2|^2 / |c r + s^2|^2,  |c r +- s^2|^2 = M c^2 + s^4 +- 2 A c s^2
+/// No difference cancels as N -> 1.
+template <class V>
+struct FresnelTerms {
+    V s_below;  // |c + r|^2
+    V p_mean;   // M c^2 + s^4
+    V p_below;  // |c r + s^2|^2
+    V p_cross;  // 2 A c s^2
+    V cos_squared, sine_squared;
+    V modulus;  // M
+    V real;     // Re r^2
+};
+
+template <class Lanes, class V>
+HWY_INLINE FresnelTerms<V> fresnel_terms(const Lanes& o, V cos_squared, const IndexTerms<V>& index) {
+    const V real = index.d_real + cos_squared;
+    const V modulus = o.sqrt(o.mul_add(real, real, index.d_imaginary_squared));
+    const V two_ac = o.sqrt(o.max(o.real(2) * cos_squared * (modulus + real), o.real(0)));
+    const V sine_squared = o.real(1) - cos_squared;
+    const V p_mean = o.mul_add(modulus, cos_squared, sine_squared * sine_squared);
+    const V p_cross = two_ac * sine_squared;
+    return {modulus + cos_squared + two_ac,
+            p_mean,
+            p_mean + p_cross,
+            p_cross,
+            cos_squared,
+            sine_squared,
+            modulus,
+            real};
+}
+
+/// scale |F|^2 / |d|^2 for unpolarised light: (|F_s|^2 + |F_p|^2)/2 with one division.
+template <class V>
+HWY_INLINE V unpolarised(V scale, const FresnelTerms<V>& f) {
+    return scale * f.p_mean / (f.s_below * f.s_below * f.p_below);
+}
+
+/// Mueller matrix of diag(F_s, F_p): p on both ends of the diagonal's first half, q beside it, and F_s F_p*. All
+/// times |c + r|^4 |c r + s^2|^2 / |d|^2.
+template <class V>
+struct FresnelMueller {
+    V p, q, real, imaginary;
+};
+
+/// By F_s F_p* = |F_s|^2 (s^4 - M c^2 + 2i c s^2 B) / |c r + s^2|^2.
+template <class Lanes, class V>
+HWY_INLINE FresnelMueller<V> fresnel_mueller(const Lanes& o, const FresnelTerms<V>& f) {
+    const V two_bc = o.sqrt(o.max(o.real(2) * f.cos_squared * (f.modulus - f.real), o.real(0)));
+    return {f.p_mean, f.p_cross, o.neg_mul_add(f.modulus, f.cos_squared, f.sine_squared * f.sine_squared),
+            two_bc * f.sine_squared};
+}
+
+}  // namespace hts::evaluation_detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,219 @@
+#include "spectral/models/he_torrance_material.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hts/error.hpp"
+#include "hts/he_torrance.hpp"
+#include "spectral/energy/compensation.hpp"
+#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/models/compensated.hpp"
+#include "spectral/text/text.hpp"
+
+namespace hts::spectral {
+namespace {
+
+Properties properties_of(const Surface& surface) {
+    return {.polarised = true, .specular_term = true, .isotropic = true, .surface = surface};
+}
+
+WavelengthGrid grid_of(const std::vector<SpectralSample>& samples) {
+    std::vector<double> micrometres;
+    micrometres.reserve(samples.size());
+    for (const SpectralSample& sample : samples) micrometres.push_back(sample.wavelength.micrometres());
+    return WavelengthGrid::from_micrometres(std::move(micrometres));
+}
+
+class HeTorranceSampler final : public DirectionSampler {
+  public:
+    HeTorranceSampler(const Surface& surface, const SpectralSample& sample, Tolerance tolerance)
+        : model_{surface, sample, tolerance} {}
+
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept override {
+        return model_.pdf(in, out);
+    }
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept override {
+        return model_.sample(in, uniforms);
+    }
+    [[nodiscard]] Draw draw(const Direction& in, const Uniforms& uniforms) const noexcept override {
+        return model_.draw(in, uniforms);
+    }
+    [[nodiscard]] double specular_probability(const Direction& in) const noexcept override {
+        return model_.specular_probability(in);
+    }
+
+  private:
+    HeTorrance model_;
+};
+
+class HeTorranceEvaluator final : public Evaluator {
+  public:
+    HeTorranceEvaluator(const std::string& name, const Surface& surface, std::vector<SpectralSample> samples,
+                        Tolerance tolerance, DiffuseLobe lobe)
+        : Evaluator{name, grid_of(samples)},
+          samples_{samples},
+          uniform_diffuse_{taken_from(samples)},
+          has_uniform_{std::ranges::any_of(uniform_diffuse_, [](double value) { return value != 0; })},
+          lobe_{surface, std::move(samples), tolerance, lobe} {}
+
+    [[nodiscard]] Properties properties() const override { return properties_of(lobe_.surface()); }
+    [[nodiscard]] std::size_t bytes() const noexcept override {
+        return sizeof *this - sizeof lobe_ + lobe_.bytes() +
+               samples_.size() * (sizeof(SpectralSample) + 2 * sizeof(double));
+    }
+    [[nodiscard]] std::span<const SpectralSample> samples() const noexcept override { return samples_; }
+    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
+        lobe_.brdf(pair, values);
+        if (has_uniform_) add_uniform(values);
+    }
+    void brdf_batch(std::span<const DirectionPair> pairs, std::span<double> values) const noexcept override {
+        lobe_.brdf(pairs, values);
+        if (!has_uniform_) return;
+        const std::size_t width = uniform_diffuse_.size();
+        for (std::size_t i = 0; i < pairs.size(); ++i) add_uniform(values.subspan(i * width, width));
+    }
+    void uniform_diffuse(std::span<double> values) const noexcept override {
+        std::ranges::copy(uniform_diffuse_, values.begin());
+    }
+    void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
+        lobe_.brdf(pair, values);
+    }
+    void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
+        lobe_.specular_reflectance(in, values);
+    }
+    void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
+        lobe_.mueller(pair, values);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = values[i] + Mueller::depolariser(uniform_diffuse_[i]);
+    }
+    void directional_diffuse_mueller(const DirectionPair& pair,
+                                     std::span<Mueller> values) const noexcept override {
+        lobe_.mueller(pair, values);
+    }
+    void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept override {
+        const View seen = view(lobe_.surface(), in);
+        std::ranges::transform(samples_, values.begin(), [&](const SpectralSample& sample) {
+            return hts::specular_mueller(lobe_.surface(), seen, sample.wavelength, sample.index);
+        });
+    }
+    [[nodiscard]] HemisphericalReflectance albedo(const Direction& in,
+                                                  std::size_t wavelength) const override {
+        const SpectralSample& sample = samples_[wavelength];
+        auto result =
+            directional_hemispherical_reflectance(lobe_.surface(), sample.index, sample.wavelength, in);
+        result.uniform_diffuse = sample.uniform_diffuse * std::numbers::pi;
+        return result;
+    }
+    [[nodiscard]] std::shared_ptr<const DirectionSampler> sampler(std::size_t wavelength) const override {
+        return std::make_shared<const HeTorranceSampler>(lobe_.surface(), samples_[wavelength],
+                                                         lobe_.tolerance());
+    }
+
+  private:
+    /// The uniform terms, which the samples then lack: so the lobe by itself is there without cancellation.
+    [[nodiscard]] static std::vector<double> taken_from(std::vector<SpectralSample>& samples) {
+        std::vector<double> taken;
+        taken.reserve(samples.size());
+        for (SpectralSample& sample : samples) taken.push_back(std::exchange(sample.uniform_diffuse, 0));
+        return taken;
+    }
+    void add_uniform(std::span<double> values) const noexcept {
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform_diffuse_[i];
+    }
+
+    std::vector<SpectralSample> samples_;
+    std::vector<double> uniform_diffuse_;
+    bool has_uniform_;
+    HeTorranceSpectrum lobe_;
+};
+
+/// What a caller knows better goes before the constants, which then need not be known there.
+RefractiveIndex index_of(const OpticalConstants& constants, const Wavelength& wavelength,
+                         const EvaluationOptions& options) {
+    const auto &n = options.instead.n, &k = options.instead.k;
+    if (n && k) return {*n, *k};
+    const RefractiveIndex own = constants.index(wavelength, options.outside);
+    return {n.value_or(own.n()), k.value_or(own.k())};
+}
+
+double checked_albedo(double albedo) {
+    if (!(albedo >= 0 && albedo <= 1)) throw out_of_range("diffuse albedo", albedo, "", "from 0 to 1");
+    return albedo;
+}
+
+// One length at a time, so that the message has the key of the one that is wrong.
+Surface surface_from(const JsonValue& file) {
+    const JsonValue roughness_key = file["rms_roughness_um"];
+    const JsonValue correlation_key = file["correlation_length_um"];
+    const double roughness = roughness_key.number();
+    const double correlation = correlation_key.number();
+    located(roughness_key.place(), [&] { return Surface{roughness, longest_length}; });
+    return located(correlation_key.place(), [&] { return Surface{roughness, correlation}; });
+}
+
+DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
+    if (!albedo) return DiffuseAlbedo{0};
+    if (albedo->is_object()) {
+        albedo->require_keys_among({"table"});
+        return DiffuseAlbedo{number_table((*albedo)["table"], "a", checked_albedo)};
+    }
+    const double value = albedo->number();
+    return located(albedo->place(), [&] { return DiffuseAlbedo{value}; });
+}
+
+}  // namespace
+
+DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
+
+DiffuseAlbedo::DiffuseAlbedo(PiecewiseLinear table) : value_{ConstantValue{0}} {
+    for (const auto& point : table.points()) static_cast<void>(checked_albedo(point.value));
+    value_ = std::move(table);
+}
+
+double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange policy) const {
+    return value_at(value_, range_of(value_).admit(wavelength, policy, "diffuse albedo"));
+}
+
+Material he_torrance_material(const std::string& name, const Surface& surface,
+                              const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
+    const auto prepare = [surface, constants, albedo](const std::string& of,
+                                                      const WavelengthGrid& wavelengths,
+                                                      const EvaluationOptions& options) {
+        const RoughSurfaceValues& given = options.instead;
+        const Surface rough{given.rms_roughness.value_or(surface.rms_roughness()),
+                            given.correlation_length.value_or(surface.correlation_length())};
+        std::vector<SpectralSample> samples;
+        samples.reserve(wavelengths.size());
+        for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+            const RefractiveIndex index = index_of(constants, wavelengths[i], options);
+            const double own =
+                given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
+            samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
+        }
+        const Reflectance model =
+            he_torrance_reflectance(of, rough, std::move(samples), options.tolerance, options.lobe);
+        return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
+                                         : model;
+    };
+    return Material{prepare, properties_of(surface), {}, constants.name()}.named(
+        name, "he", "He, Torrance, Sillion, Greenberg 1991");
+}
+
+Reflectance he_torrance_reflectance(const std::string& name, const Surface& surface,
+                                    std::vector<SpectralSample> samples, Tolerance tolerance,
+                                    DiffuseLobe lobe) {
+    return Reflectance{
+        std::make_shared<const HeTorranceEvaluator>(name, surface, std::move(samples), tolerance, lobe)};
+}
+
+Material read_he_torrance(const MaterialFile& file) {
+    file.json.require_keys_among(
+        {"name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"});
+    const Surface surface = surface_from(file.json);
+    return he_torrance_material(file.default_name, surface,
+                                optical_constants_from(file.json["index"], file.folder),
+                                albedo_from(file.json.find("diffuse_albedo")));
+}
+
+}  // namespace hts::spectral

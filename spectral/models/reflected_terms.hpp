@@ -1,0 +1,22 @@
+/// The terms of a reflectance at one pair of directions side by side, as tables and reports list them.
+///
+///     const ReflectedTerms terms = reflected_terms(reflectance, {in, out});
+///     terms.directional_diffuse[i] + terms.uniform_diffuse[i]   // the BRDF at wavelength i, 1/sr
+#pragma once
+
+#include <vector>
+
+#include "spectral/models/reflectance.hpp"
+
+namespace hts::spectral {
+
+/// One value per wavelength of each.
+struct ReflectedTerms {
+    std::vector<double> directional_diffuse, uniform_diffuse;  ///< [1/sr]
+    std::vector<double> specular_reflectance;  ///< [1], into the mirror direction of the light
+};
+
+/// On the horizon the uniform-diffuse term is what the BRDF has of it there: all of a rough surface, nothing of other models.
+[[nodiscard]] ReflectedTerms reflected_terms(const Reflectance& reflectance, const DirectionPair& pair);
+
+}  // namespace hts::spectral

@@ -1,0 +1,22 @@
+/// All of hts::tables: lookup tables with a promised error, and the files of other programs.
+#pragma once
+
+#include "tables/formats/brdf_file.hpp"
+#include "tables/formats/channels.hpp"
+#include "tables/formats/measured_model.hpp"
+#include "tables/formats/merl.hpp"
+#include "tables/formats/mitsuba/frames.hpp"
+#include "tables/formats/mitsuba/pbsdf.hpp"
+#include "tables/formats/mitsuba/rgl.hpp"
+#include "tables/formats/points/angular_grid.hpp"
+#include "tables/formats/points/scatter_points.hpp"
+#include "tables/formats/radiance/klems.hpp"
+#include "tables/formats/radiance/radiance_xml.hpp"
+#include "tables/formats/radiance/tensor_tree.hpp"
+#include "tables/formats/round_trip.hpp"
+#include "tables/formats/sidecar.hpp"
+#include "tables/formats/specular_box.hpp"
+#include "tables/formats/zemax.hpp"
+#include "tables/table/build_table.hpp"
+#include "tables/table/table.hpp"
+#include "tables/table/table_parts.hpp"
