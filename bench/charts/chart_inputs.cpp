@@ -70,8 +70,8 @@ const char* key(Regime regime) noexcept {
 }
 
 const char* title(Regime regime) noexcept {
-    constexpr std::array names{"g < 1  (smooth)", "g = 1 … 20", "g = 20 … 200", "g > 200  (rough; to 10⁶)",
-                               "grazing, 80 … 89.9°", "far tail, t/g = 50 … 700"};
+    constexpr std::array names{"g < 1  (smooth)",          "g = 1 … 20",          "g = 20 … 200",
+                               "g > 200  (rough; to 10⁶)", "grazing, 80 … 89.9°", "far tail, t/g = 50 … 700"};
     return names[static_cast<std::size_t>(regime)];
 }
 

@@ -38,8 +38,8 @@ std::size_t rival_failures(const std::vector<StabilityResult>& results) {
 }
 
 const char* name(Verdict verdict) noexcept {
-    constexpr std::array names{"ok", "model", "too slow", "wrong", "underflow", "no convergence", "infinity",
-                               "NaN", "silent"};
+    constexpr std::array names{"ok",       "model", "too slow", "wrong", "underflow", "no convergence",
+                               "infinity", "NaN",   "silent"};
     return names[static_cast<std::size_t>(verdict)];
 }
 

@@ -6,7 +6,6 @@
 
 #include "hts/sampling/random.hpp"
 
-
 namespace hts::cli {
 namespace {
 

@@ -40,7 +40,7 @@ class Transform {
 
   private:
     static constexpr std::size_t values_per_chunk = 1 << 15;  // some 30 MB
-    static constexpr int rows_at_once = 16;                      // by one thread
+    static constexpr int rows_at_once = 16;                   // by one thread
 
     template <class Evaluate>
     std::vector<Value> values(const std::vector<CsvRow>& rows, const Evaluate& evaluate) {

@@ -27,8 +27,8 @@ Workplace::Workplace() {
 }
 
 Result Workplace::hts(const std::string& arguments, const std::string& environment) const {
-    const std::string command = "cd '" + folder().string() + "' && " + environment +
-                                " '" HTS_COMMAND "' " + arguments + " >../output 2>../errors";
+    const std::string command = "cd '" + folder().string() + "' && " + environment + " '" HTS_COMMAND "' " +
+                                arguments + " >../output 2>../errors";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "output"),
             contents(folder_ / "errors")};
@@ -45,8 +45,7 @@ std::string Workplace::read(const std::string& name) const {
 
 std::vector<std::string> Workplace::names() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator{folder()})
-        names.push_back(entry.path().filename());
+    for (const auto& entry : fs::directory_iterator{folder()}) names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;
 }

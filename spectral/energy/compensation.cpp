@@ -87,8 +87,9 @@ EnergyCompensation::EnergyCompensation(const Surface& surface, const Wavelength&
 std::vector<EnergyCompensation> EnergyCompensation::of(const Surface& surface,
                                                        const WavelengthGrid& wavelengths) {
     std::vector<EnergyCompensation> result(wavelengths.size(), EnergyCompensation{std::vector<double>{}});
-    parallel_for(result.size(),
-                 [&](std::size_t i) { result[i] = EnergyCompensation{surface, wavelengths[i]}; });
+    parallel_for(result.size(), [&](std::size_t i) {
+        result[i] = EnergyCompensation{surface, wavelengths[i]};
+    });
     return result;
 }
 

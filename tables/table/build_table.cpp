@@ -90,7 +90,8 @@ MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSour
 SliceSource computed_slices(const spectral::Reflectance& exact) {
     return [&exact](const TablePlan& plan) {
         std::vector<std::vector<double>> slices(plan.slices());
-        spectral::parallel_for(slices.size(), [&](std::size_t i) { slices[i] = table_slice(exact, plan, i); });
+        spectral::parallel_for(slices.size(),
+                               [&](std::size_t i) { slices[i] = table_slice(exact, plan, i); });
         return slices;
     };
 }

@@ -170,8 +170,8 @@ SliceWorker threads_worker(const spectral::Reflectance& exact) {
         for (std::size_t from = 0; from < slices.size(); from += at_once) {
             const auto some = slices.subspan(from, std::min(at_once, slices.size() - from));
             std::vector<std::vector<double>> values(some.size());
-            spectral::parallel_for(
-                some.size(), [&](std::size_t i) { values[i] = table_slice(exact, plan, some[i]); });
+            spectral::parallel_for(some.size(),
+                                   [&](std::size_t i) { values[i] = table_slice(exact, plan, some[i]); });
             for (std::size_t i = 0; i < some.size(); ++i) keep(some[i], values[i]);
         }
     };

@@ -132,9 +132,7 @@ class Trials {
         });
         return worst;
     }
-    [[nodiscard]] std::size_t components() const noexcept {
-        return basis_.size() / floor_.size();
-    }
+    [[nodiscard]] std::size_t components() const noexcept { return basis_.size() / floor_.size(); }
 
     const spectral::Reflectance& exact_;
     const LobePeaks& peaks_;

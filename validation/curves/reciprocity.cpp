@@ -9,7 +9,6 @@
 
 #include "spectral/statistics.hpp"
 
-
 namespace hts::validation {
 namespace {
 

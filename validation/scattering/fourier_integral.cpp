@@ -5,10 +5,10 @@
 #include <complex>
 #include <numbers>
 
-#include "hts/terms.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/random.hpp"
+#include "hts/terms.hpp"
 #include "spectral/parallel.hpp"
 
 namespace hts::validation {
@@ -132,8 +132,8 @@ FourierResult fourier_result(const FourierCase& of, const FourierSettings& setti
     spectral::parallel_for(values.size(), [&](std::size_t r) {
         const auto part = static_cast<std::uint64_t>(std::lround(1e3 * of.phase_variance)) * 1000 +
                           static_cast<std::uint64_t>(std::lround(10 * of.correlation_length));
-        const auto field = random_field(result.surface, sampling.step, sampling.samples,
-                                        seed_of(settings.study, part, r));
+        const auto field =
+            random_field(result.surface, sampling.step, sampling.samples, seed_of(settings.study, part, r));
         for (const FourierPoint& point : result.points) values[r].push_back(brdf(field, point.in, point.out));
     });
     const auto count = static_cast<double>(settings.realisations);

@@ -7,7 +7,6 @@
 
 #include "hts/sampling/random.hpp"
 
-
 namespace hts::validation {
 namespace {
 

@@ -38,7 +38,8 @@ TEST_CASE("a signal leaves none of the files that are under construction, and th
 
 TEST_CASE("several files are written all or none") {
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(write_files({{(folder / "a").string(), "1"}, {(folder / "none/b").string(), "2"}}), hts::Error);
+    CHECK_THROWS_AS(write_files({{(folder / "a").string(), "1"}, {(folder / "none/b").string(), "2"}}),
+                    hts::Error);
     CHECK(folder.size() == 0);
     write_files({{(folder / "a").string(), "1"}, {(folder / "b").string(), "2"}});
     CHECK(fs::file_size((folder / "a").string()) == 1);

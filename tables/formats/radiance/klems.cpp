@@ -146,9 +146,7 @@ std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBa
     }
     const std::size_t size = basis.size();
     std::vector<double> means(size * size, 0);
-    const auto mean = [&](std::size_t pair) {
-        means[pair] = mean_of(brdf, basis, pair % size, pair / size);
-    };
+    const auto mean = [&](std::size_t pair) { means[pair] = mean_of(brdf, basis, pair % size, pair / size); };
     spectral::parallel_for(size * size, mean, 16);
     return means;
 }

@@ -128,11 +128,10 @@ namespace {
 
 /// Where a file that failed is kept.
 std::string kept(const DamagedFile& file, std::size_t seed, const std::string& bytes) {
-    const auto path = std::filesystem::temp_directory_path() /
-                      std::string{"damaged "}
-                          .append(file.name)
-                          .append(" " + std::to_string(seed))
-                          .append(" " + std::to_string(::getpid()));
+    const auto path = std::filesystem::temp_directory_path() / std::string{"damaged "}
+                                                                   .append(file.name)
+                                                                   .append(" " + std::to_string(seed))
+                                                                   .append(" " + std::to_string(::getpid()));
     std::ofstream{path, std::ios::binary} << bytes;
     return path.string();
 }

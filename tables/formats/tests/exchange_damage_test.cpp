@@ -167,8 +167,8 @@ TEST_CASE("damaged MERL files are refused with size or offset") {
     int refused = 0;
     for (int i = 0; i < count; ++i) {
         if (i % 2 == 0) {
-            refused +=
-                static_cast<int>(!message(std::string_view{bytes}.substr(0, random.bits() % merl_size)).empty());
+            refused += static_cast<int>(
+                !message(std::string_view{bytes}.substr(0, random.bits() % merl_size)).empty());
         } else {
             const std::size_t at = random.bits() % 12;
             bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random.bits() % 255));

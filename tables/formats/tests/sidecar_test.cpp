@@ -1,6 +1,5 @@
 #include "tables/formats/sidecar.hpp"
 
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -70,8 +70,7 @@ TEST_CASE("a table is read as it was written, from memory and from a file") {
     CHECK(info.wavelengths.size() == 3);
     CHECK(header_text(info_from_header(header_text(info), "again")) == header_text(info));
     CHECK_THAT(error_of([&] { return Table::open(path); }), Catch::Contains("cannot be read"));
-    CHECK_THAT(error_of([&] { return Table::open(folder.path()); }),
-               Catch::Contains("must be a file"));
+    CHECK_THAT(error_of([&] { return Table::open(folder.path()); }), Catch::Contains("must be a file"));
 }
 
 TEST_CASE("files that are no tables are refused by name") {

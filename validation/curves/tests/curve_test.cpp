@@ -31,8 +31,7 @@ void refuses(const std::string& text, const std::string& message) {
     const TemporaryFolder folder;
     const auto file = folder.write("bad.json", text);
     INFO(message);
-    CHECK_THROWS_WITH(read_curves(file),
-                      Catch::Contains(file.string()) && Catch::Contains(message));
+    CHECK_THROWS_WITH(read_curves(file), Catch::Contains(file.string()) && Catch::Contains(message));
 }
 
 bool same(const CurvePoint& a, const CurvePoint& b) {

@@ -26,7 +26,8 @@ spectral::Material aluminium(double rms_roughness, double correlation_length, do
 }
 
 spectral::Reflectance exactly(const spectral::Material& material, double um) {
-    return material.at(Wavelength::from_micrometres(um), {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
+    return material.at(Wavelength::from_micrometres(um),
+                       {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 CurveSet set_of(Curve curve, std::optional<double> source = {}, std::optional<double> detector = {}) {
@@ -184,8 +185,7 @@ TEST_CASE("a small cone sees the specular term as rho / (cos theta_i solid angle
               Approx(expected).epsilon(1e-5));
         CHECK(Prediction{set_of(curve, solid_angle, solid_angle)}.values(material)[0] ==
               Approx(expected).epsilon(1e-5));
-        CHECK(Prediction{set_of(curve)}.values(material)[0] ==
-              Approx(model.brdf(pair)[0]).epsilon(2e-6));
+        CHECK(Prediction{set_of(curve)}.values(material)[0] == Approx(model.brdf(pair)[0]).epsilon(2e-6));
     }
 }
 
