@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "cli/io/signals.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/version.hpp"
@@ -77,6 +78,7 @@ void run(CLI::App& program, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hts::cli::remove_partial_files_on_signals();
     CLI::App program{"Reflectance of rough surfaces from physical optics (He, Torrance et al. 1991)", "hts"};
     program.set_version_flag("--version", "hts " HTS_VERSION);
     program.require_subcommand(1);

@@ -19,4 +19,4 @@
 #include "tables/formats/zemax.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/table.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"

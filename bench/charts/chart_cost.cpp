@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "bench/charts/chart_script.hpp"
-#include "spectral/text/text.hpp"
 
 namespace hts::bench {
 namespace {
@@ -41,49 +39,41 @@ std::string comparison(const ChartData& data) {
            " times faster than the sum from m = 1.";
 }
 
-/// $m0, $m1, …: g, ns, whether it fails.
-void write_line(std::ostream& out, const ChartData& data, const ChartMethod& method, std::size_t index) {
-    out << "$m" << index << " << EOD\n";
+/// A row per g: g, ns, whether it fails.
+output::Rows times(const ChartData& data, const ChartMethod& method) {
+    output::Rows rows;
     for (const CostPoint& point : data.cost) {
-        if (point.method == &method) out << point.g << ' ' << point.nanoseconds << ' ' << point.fails << '\n';
+        if (point.method == &method) rows.push_back({point.g, point.nanoseconds, point.fails ? 1.0 : 0.0});
     }
-    out << "EOD\n";
+    return rows;
 }
 
-void write_legend(std::ostream& out) {
-    script::LegendPlace place{0.775, 0.9};
-    for (const std::string& family : script::families()) {
-        place = script::write_family(out, family, place, 0.0215);
-    }
+Legend legend() {
+    Legend legend;
+    LegendPlace place{0.775, 0.9};
+    for (const std::string& family : families()) place = legend.add(family, place, 0.0215);
+    return legend;
 }
 
 }  // namespace
 
 std::string cost_script(const ChartData& data) {
-    std::ostringstream out;
-    script::begin_page(out, 1250, 950);
-    const auto& methods = chart_methods();
-    for (std::size_t i = 0; i < methods.size(); ++i) write_line(out, data, methods[i], i);
-    script::write_frame(out, data, "What a value of Φ(g, t) costs as the surface grows rougher",
-                        comparison(data) + " Dotted: at some of these t/g the method has no correct digit.",
-                        0.97);
-    write_legend(out);
-    out << "set lmargin at screen 0.075\nset rmargin at screen 0.755\nset bmargin at screen 0.115\n"
-           "set tmargin at screen 0.905\nset logscale xy\nset grid xtics ytics lc rgb '#e4e4e4' lw 0.6\n"
-           "set xrange [1e-3:1e8]\nset yrange [1:1e9]\nset ytics "
-        << script::time_tics()
-        << "\nset xtics format '10^{%T}' 10\nset mxtics 1\nset mytics 1\n"
-           "set xlabel 'phase variance g (t/g uniform in 0 … 10)'\nset ylabel 'time per value, one "
-           "core'\nplot ";
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        const ChartStyle& style = methods[i].style;
-        const std::string colour = " lc rgb " + spectral::gnuplot_string(style.colour);
-        out << (i == 0 ? "" : ", \\\n  ") << "$m" << i << " with lines dt 3 lw 1" << colour << ", $m" << i
-            << " using 1:($3 == 1 ? NaN : $2) with linespoints pi 2 pt " << style.marker << " ps "
-            << script::marker_size(methods[i]) << " lw " << (methods[i].ours ? 2.4 : 1.3) << colour;
+    std::vector<int> markers;
+    std::vector<double> sizes, widths;
+    std::vector<std::string> colours;
+    std::vector<output::Rows> of_methods;
+    for (const ChartMethod& method : chart_methods()) {
+        markers.push_back(method.style.marker);
+        sizes.push_back(marker_size(method));
+        widths.push_back(method.ours ? 2.4 : 1.3);
+        colours.push_back(method.style.colour);
+        of_methods.push_back(times(data, method));
     }
-    out << "\nunset multiplot\n";
-    return out.str();
+    auto script = begun(data, "What a value of Φ(g, t) costs as the surface grows rougher",
+                        comparison(data) + " Dotted: at some of these t/g the method has no correct digit.");
+    legend().set(script);
+    script.set("marker", markers).set("marker_size", sizes).set("width", widths).set("ink", colours);
+    return script.data("times", of_methods).with("cost-against-g");
 }
 
 }  // namespace hts::bench

@@ -20,10 +20,6 @@ std::string text(std::size_t value) {
     return std::to_string(value);
 }
 
-std::string quoted(const std::string& cell) {
-    return cell.find(',') == std::string::npos ? cell : std::string{'"'}.append(cell).append(1, '"');
-}
-
 nlohmann::ordered_json json_cell(const std::string& cell) {
     if (cell == "inf" || cell == "nan" || cell == "-nan") return nullptr;
     double value = 0;
@@ -35,7 +31,7 @@ nlohmann::ordered_json json_cell(const std::string& cell) {
 std::string joined(const std::vector<std::string>& cells) {
     std::string line;
     for (const std::string& cell : cells)
-        line.append(&cell == &cells.front() ? "" : ",").append(quoted(cell));
+        line.append(&cell == &cells.front() ? "" : ",").append(spectral::csv_field(cell));
     return line.append("\n");
 }
 

@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
-#include <sstream>
 
+#include "spectral/output/script.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/text/text.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
 #include "tables/table/table_lobe.hpp"
@@ -223,31 +221,18 @@ std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size
 }
 
 std::string table_sizes_script(const std::vector<TableSize>& sizes, const std::string& surface) {
-    std::ostringstream script;
-    script << "set title "
-           << spectral::gnuplot_string(surface + ": size of a table against its largest error")
-           << " noenhanced\nset logscale xy\nset xlabel 'size of the table (bytes)'\nset ylabel "
-              "'largest |table - exact| / (exact + 10^{-3} peak)'\n"
-           << "set format x '10^{%T}'\nset format y '10^{%T}'\nset grid lc rgb '#dddddd'\n"
-              "set yrange [1e-6:]\nset key inside left bottom Left reverse noenhanced\n";
     std::vector<std::string> ways;
+    std::vector<output::Rows> lines;
     for (const TableSize& size : sizes) {
         if (ways.empty() || ways.back() != size.way) {
-            if (!ways.empty()) script << "EOD\n";
             ways.push_back(size.way);
-            script << "$way" << ways.size() << " << EOD\n";
+            lines.emplace_back();
         }
-        script << size.bytes << ' ' << size.error << '\n';
+        lines.back().push_back({size.bytes, size.error});
     }
-    script << "EOD\nplot ";
-    constexpr std::array colours{"#999999", "#e69f00", "#56b4e9", "#009e73", "#d55e00"};
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        script << (i == 0 ? "" : ", \\\n     ") << "$way" << i + 1 << " with linespoints lw 2.5 pt " << i + 4
-               << " lc rgb '" << colours[i % colours.size()] << "' title "
-               << spectral::gnuplot_string(ways[i]);
-    }
-    script << '\n';
-    return script.str();
+    output::Script script;
+    script.set("title", surface + ": size of a table against its largest error").set("way", ways);
+    return script.data("sizes", lines).with("table-sizes");
 }
 
 }  // namespace hts::bench

@@ -14,8 +14,10 @@ namespace {
 /// Number of wavelengths.
 template <class Model>
 std::size_t wavelengths_of(const Model& model) {
-    if constexpr (std::same_as<Model, HeTorranceSpectrum>) return model.samples().size();
-    else return model.size();
+    if constexpr (std::same_as<Model, HeTorranceSpectrum>)
+        return model.samples().size();
+    else
+        return model.size();
 }
 
 /// One pair of directions per iteration.

@@ -6,14 +6,16 @@
 
 #include "bench/stability/stability_row.hpp"
 #include "hts/error.hpp"
-#include "spectral/text/html.hpp"
+#include "spectral/output/html.hpp"
+#include "spectral/text/csv.hpp"
 
 namespace hts::bench {
 namespace {
 
-using spectral::html_escaped;
-using spectral::html_foot;
-using spectral::html_head;
+using output::html_escaped;
+using output::html_foot;
+using output::html_head;
+using spectral::csv_field;
 
 /// The verdict in words; those of a model's failure and of plain errors say more than the verdict's name.
 std::string spoken(const StabilityResult& result) {
@@ -33,14 +35,6 @@ std::string summary(const std::vector<StabilityResult>& results) {
            " fail";
 }
 
-/// RFC 4180.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-    return result + "\"";
-}
-
 /// "5 of 30 cases fail"; a single case needs no count.
 std::string tally(const StabilityResult& r) {
     return std::to_string(r.failures) + " of " + std::to_string(r.cases) + " cases fail";
@@ -50,11 +44,6 @@ const char* css_class(const StabilityResult& result) {
     if (result.verdict == Verdict::model) return "model";
     return is_failure(result.verdict) ? "bad" : "good";
 }
-
-constexpr std::string_view page_style = R"(
-td:nth-child(1) { width: 22%; } td:nth-child(2) { width: 20%; } td:nth-child(3) { width: 22%; }
-tr.engine td:first-child { font-weight: 600; }
-)";
 
 void write_html_row(std::ostream& out, const StabilityResult& r) {
     out << "<tr" << (r.engine ? " class=\"engine\"" : "") << "><td>" << html_escaped(r.method)
@@ -83,17 +72,17 @@ void write_stability_text(std::ostream& out, const std::vector<StabilityResult>&
 void write_stability_csv(std::ostream& out, const std::vector<StabilityResult>& results) {
     out << "row,problem,method,engine,verdict,error,bound,cases,failures,detail,where,why\n";
     for (const StabilityResult& r : results) {
-        out << r.row << ',' << quoted(r.problem) << ',' << quoted(r.method) << ',' << (r.engine ? 1 : 0)
+        out << r.row << ',' << csv_field(r.problem) << ',' << csv_field(r.method) << ',' << (r.engine ? 1 : 0)
             << ',' << name(r.verdict) << ',' << shortest(r.error) << ',' << shortest(r.bound) << ','
-            << r.cases << ',' << r.failures << ',' << quoted(r.detail) << ',' << quoted(r.where) << ','
-            << quoted(r.why) << '\n';
+            << r.cases << ',' << r.failures << ',' << csv_field(r.detail) << ',' << csv_field(r.where) << ','
+            << csv_field(r.why) << '\n';
     }
 }
 
 void write_stability_html(std::ostream& out, const std::vector<StabilityResult>& results) {
     out << html_head("Stability of the He-Torrance model",
                      "Where methods for the He-Torrance model fail, and what the engine does instead",
-                     page_style)
+                     "stability")
         << "<p>" << html_escaped(summary(results))
         << ". Each line is the worst case of its method, against 80 digits or an exact limit.</p>\n";
     int row = 0;

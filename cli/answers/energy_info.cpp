@@ -29,25 +29,25 @@ std::string energy_text(const std::vector<Point>& points) {
 
 }  // namespace
 
-EnergyInfo::EnergyInfo(spectral::AnyReflector of, const spectral::WavelengthGrid& wavelengths,
+EnergyInfo::EnergyInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                        const std::vector<double>& theta_deg, spectral::OutsideRange policy)
-    : reflector{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
-    const auto spectrum = reflector.spectrum(wavelengths, policy);
+    : material{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
+    const auto reflectance = material.at(wavelengths, {.outside = policy});
     spectral::parallel_for(
         points.size(),
         [&](std::size_t i) {
             const std::size_t at = i / theta_deg.size();
             const double theta = theta_deg[i % theta_deg.size()];
             points[i] = {wavelengths.micrometres()[at], theta,
-                         spectrum.models()[at].albedo(Direction::from_degrees(theta, 0))};
+                         reflectance.albedo(Direction::from_degrees(theta, 0), at)};
         },
         1);
 }
 
 std::string info_text(const EnergyInfo& info) {
     std::ostringstream text;
-    text << info.reflector.name() << "\n  model        " << info.reflector.model_name() << " ("
-         << info.reflector.model_source() << ")\n\n"
+    text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
+         << info.material.model_source() << ")\n\n"
          << std::left << "  wavelength    theta_i    reflectance in all    of it uniform diffuse\n";
     for (const Point& point : info.points) {
         text << "  " << std::setw(14) << shortest(point.wavelength) + " um" << std::setw(11)
@@ -55,7 +55,7 @@ std::string info_text(const EnergyInfo& info) {
              << brief(point.reflectance.uniform_diffuse) << '\n';
     }
     text << '\n' << energy_text(info.points);
-    for (const std::string& warning : info.reflector.warnings()) text << "Warning: " << warning << '\n';
+    for (const std::string& warning : info.material.warnings()) text << "Warning: " << warning << '\n';
     return text.str();
 }
 
@@ -68,12 +68,12 @@ std::string info_json(const EnergyInfo& info) {
                           {"uniform_diffuse", point.reflectance.uniform_diffuse},
                           {"total", point.reflectance.total()}});
     }
-    const Json result{{"name", info.reflector.name()},
-                      {"model", info.reflector.model_name()},
-                      {"source", info.reflector.model_source()},
+    const Json result{{"name", info.material.name()},
+                      {"model", info.material.model_name()},
+                      {"source", info.material.model_source()},
                       {"points", points},
                       {"points_above_1", std::count_if(info.points.begin(), info.points.end(), gains)},
-                      {"warnings", info.reflector.warnings()}};
+                      {"warnings", info.material.warnings()}};
     return result.dump(1) + "\n";
 }
 

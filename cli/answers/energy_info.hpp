@@ -1,11 +1,11 @@
-/// What `hts info` says of a material whose model is not He-Torrance: how much light it reflects in all.
+/// What `hts info` says of a material that is no rough surface: how much light it reflects in all.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cli/io/table_writer.hpp"
-#include "spectral/models/any_reflector.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::cli {
 
@@ -18,10 +18,10 @@ struct EnergyInfo {
     };
 
     /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is error.
-    EnergyInfo(spectral::AnyReflector of, const spectral::WavelengthGrid& wavelengths,
+    EnergyInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                const std::vector<double>& theta_deg, spectral::OutsideRange policy);
 
-    spectral::AnyReflector reflector;
+    spectral::Material material;
     std::vector<Point> points;  ///< all angles of the first wavelength, then of the next
 };
 

@@ -14,7 +14,7 @@ void add(std::vector<std::string>& names, std::initializer_list<const char*> mor
 }
 
 void append_detail(TableWriter::Row& row, const Evaluation& value) {
-    const DirectionalDiffuse& term = value.directional;
+    const DirectionalDiffuse& term = value.detail.value();
     row.number(term.phase_variance).number(term.lobe_argument).number(value.effective_roughness);
     row.number(value.shadowing).number(term.amplitudes.unpolarised_reflectance()).word(name(term.method));
 }
@@ -50,8 +50,8 @@ void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
         row.number(value.btdf);
         return;
     }
-    row.number(value.directional.brdf).number(value.uniform_diffuse);
-    row.number(value.directional.brdf + value.uniform_diffuse).number(value.specular_reflectance);
+    row.number(value.directional_diffuse).number(value.uniform_diffuse);
+    row.number(value.directional_diffuse + value.uniform_diffuse).number(value.specular_reflectance);
     if (mueller) {
         for (const double element : value.mueller.elements()) row.number(element);
     }

@@ -21,7 +21,9 @@ struct EvalAnswer {
     bool transmission = false;         ///< btdf instead of the terms of reflection
     std::optional<Stokes> incident{};  ///< adds the Stokes vector that both diffuse terms reflect
 
-    [[nodiscard]] bool needs_mueller() const noexcept { return mueller || incident; }
+    [[nodiscard]] PointEvaluator::Wish wish() const noexcept {
+        return {.mueller = mueller || incident, .detail = detail};
+    }
     [[nodiscard]] std::vector<std::string> columns() const;
     void append(TableWriter::Row& row, const Evaluation& value) const;
 

@@ -21,7 +21,8 @@ namespace {
 
 using spectral::LinearRgb;
 using spectral::Plan;
-using spectral::PlannedReflectance;
+using spectral::PlannedForm;
+using spectral::Reflectance;
 
 /// Which of a plan's materials a name means.
 std::size_t place(const Plan& plan, const std::string& name) {
@@ -38,17 +39,16 @@ std::size_t place(const Plan& plan, const std::string& name) {
 /// A pair of directions within the domain for which the plan's errors were measured.
 class PlannedPair {
   public:
-    PlannedPair(const CsvReader& points, const spectral::Scene& scene, const spectral::AnyReflector& material)
-        : columns_{points}, scene_{scene}, he_torrance_{material.he_torrance()} {
-        if (he_torrance_ == nullptr) return;
-        samples_ = spectral_samples(*he_torrance_, scene.wavelengths, scene.outside_range);
-    }
+    PlannedPair(const CsvReader& points, const spectral::Scene& scene, const spectral::Material& material)
+        : columns_{points},
+          scene_{scene},
+          full_model_{material.at(scene.wavelengths, {.outside = scene.outside_range})} {}
 
     [[nodiscard]] DirectionPair operator()(const CsvRow& row) const {
         const DirectionPair pair = columns_.pair(row);
         require("light", pair.in, scene_.largest_theta_i);
         require("view", pair.out, scene_.largest_theta_r);
-        if (he_torrance_ != nullptr) warning_.note(he_torrance_->surface, pair, samples_);
+        warning_.note(full_model_, pair);
         return pair;
     }
     /// How many of them, at how many wavelengths, were outside the model's validity.
@@ -68,9 +68,8 @@ class PlannedPair {
 
     PairColumns columns_;
     const spectral::Scene& scene_;
-    const spectral::Reflector* he_torrance_;  // null for other models, of whose validity nothing is known
-    std::vector<SpectralSample> samples_;     // at the scene's wavelengths
-    mutable ValidityWarning warning_;         // counts from any thread
+    Reflectance full_model_;           // at the scene's wavelengths
+    mutable ValidityWarning warning_;  // counts from any thread
 };
 
 struct SpectralValue {
@@ -78,7 +77,7 @@ struct SpectralValue {
     Mueller mueller;
 };
 
-void evaluate_spectrum(const PlannedReflectance& planned, bool polarised, const DirectionPair& pair,
+void evaluate_spectrum(const Reflectance& planned, bool polarised, const DirectionPair& pair,
                        std::span<SpectralValue> result) {
     const auto specular = planned.specular_reflectance(pair.in);
     const auto mueller = polarised ? planned.mueller(pair) : std::vector<Mueller>(result.size());
@@ -98,7 +97,7 @@ std::vector<std::string> joined(std::vector<std::string> columns, const std::vec
     return columns;
 }
 
-void write_spectra(const PlannedReflectance& planned, const PlannedPair& pair, bool polarised, bool mueller,
+void write_spectra(const Reflectance& planned, const PlannedPair& pair, bool polarised, bool mueller,
                    CsvReader& points, Output& output, Format format) {
     auto columns = joined(points.columns(), {"wavelength_um", "brdf", "specular_reflectance"});
     if (mueller) columns = joined(std::move(columns), mueller_columns());
@@ -114,15 +113,15 @@ void write_spectra(const PlannedReflectance& planned, const PlannedPair& pair, b
         });
 }
 
-void write_colours(const PlannedReflectance& planned, const PlannedPair& pair,
-                   spectral::Illuminant illuminant, CsvReader& points, Output& output, Format format) {
+void write_colours(const PlannedForm& planned, const PlannedPair& pair, spectral::Illuminant illuminant,
+                   CsvReader& points, Output& output, Format format) {
     TableWriter table{output, format,
                       joined(points.columns(),
                              {"red", "green", "blue", "specular_red", "specular_green", "specular_blue"})};
     Transform<ColourValue>{points, table, 1}.run(
         [&](const CsvRow& row, std::span<ColourValue> result) {
             const DirectionPair at = pair(row);
-            std::vector<double> scratch(planned.nodes());
+            std::vector<double> scratch(planned.at_nodes().size());
             result[0] = {linear_srgb(planned.colour(at, scratch), illuminant),
                          linear_srgb(planned.specular_colour(at.in), illuminant)};
         },
@@ -138,11 +137,11 @@ void write_colours(const PlannedReflectance& planned, const PlannedPair& pair,
 void evaluate_planned(const PlannedEval& options, CsvReader& points, const OutputOptions& answer) {
     const Plan plan = spectral::read_plan(options.plan, tables::models_with_files(), tables::open_for_plan);
     const std::size_t chosen = place(plan, options.material);
-    const PlannedReflectance& planned = plan.materials[chosen].evaluator;
+    const PlannedForm& planned = plan.materials[chosen].form;
     if (options.mueller && !plan.scene.polarised) {
         throw UsageError{"--mueller: the plan is for unpolarised light: must be polarised in its scene"};
     }
-    if (points.column("wavelength_um")) {
+    if (points.find_column("wavelength_um")) {
         throw UsageError{"column wavelength_um: the plan has the wavelengths: must not come with --plan"};
     }
     const PlannedPair pair{points, plan.scene, plan.scene.materials[chosen]};
@@ -151,7 +150,8 @@ void evaluate_planned(const PlannedEval& options, CsvReader& points, const Outpu
     if (plan.scene.illuminant) {
         write_colours(planned, pair, *plan.scene.illuminant, points, output, format);
     } else {
-        write_spectra(planned, pair, plan.scene.polarised, options.mueller, points, output, format);
+        write_spectra(planned.reflectance(), pair, plan.scene.polarised, options.mueller, points, output,
+                      format);
     }
     output.commit();
     pair.print_warning();

@@ -3,10 +3,12 @@
 
 #include <string>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/options.hpp"
+#include "spectral/text/csv.hpp"
 
 namespace hts::cli {
+
+using spectral::CsvReader;
 
 struct PlannedEval {
     std::string plan;      ///< plan file

@@ -11,7 +11,6 @@
 
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
-#include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
 namespace {
@@ -114,7 +113,7 @@ std::string verdict_text(const MaterialValidity& validity) {
 
 std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
     if (criterion != Criterion::slope) return "";
-    const double share = spectral::share_beyond_45_degrees(info.reflector.surface);
+    const double share = spectral::share_beyond_45_degrees(info.surface);
     return ";\n           " + brief(100 * share, 3) +
            " % of the surface is steeper than 45 deg and reflects light from above further down";
 }
@@ -194,24 +193,29 @@ std::vector<Criterion> criteria() {
 
 }  // namespace
 
-MaterialInfo::MaterialInfo(spectral::Reflector of, const spectral::WavelengthGrid& wavelengths,
+MaterialInfo::MaterialInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                            std::vector<double> theta_deg, spectral::OutsideRange policy)
-    : reflector{std::move(of)},
+    : MaterialInfo{of, std::move(theta_deg),
+                   of.at(wavelengths, {.tolerance = prepared_tolerance, .outside = policy})} {}
+
+MaterialInfo::MaterialInfo(spectral::Material of, std::vector<double> theta_deg,
+                           const spectral::Reflectance& prepared)
+    : material{std::move(of)},
+      surface{*prepared.properties().surface},
       theta{std::move(theta_deg)},
-      validity{reflector, wavelengths, directions(theta), policy},
-      prepared_bytes{
-          spectral::SpectralReflectance{reflector, wavelengths, policy, prepared_tolerance}.bytes()},
+      validity{surface, prepared.samples(), directions(theta)},
+      prepared_bytes{prepared.bytes()},
       phi_table_bytes{hts::phi_table_bytes(prepared_tolerance)} {}
 
 std::string info_text(const MaterialInfo& info) {
     const auto points = info.validity.points();
     const Range g = range_of(points, phase_variance);
     std::ostringstream text;
-    text << info.reflector.name << "\n  model        he (He, Torrance, Sillion, Greenberg 1991)\n"
-         << "  surface      " << surface_text(info.reflector.surface) << '\n'
-         << "  index        " << info.reflector.material.name() << ": n " << range_of(points, n).text()
-         << ", k " << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text()
-         << '\n'
+    text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
+         << info.material.model_source() << ")\n"
+         << "  surface      " << surface_text(info.surface) << '\n'
+         << "  index        " << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
+         << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text() << '\n'
          << "  wavelengths  " << range_of(points, micrometres).text() << " um, "
          << points.size() / info.theta.size() << " of them\n"
          << "  g            " << g.text() << ": " << joined(regimes(g)) << '\n'
@@ -232,21 +236,21 @@ std::string info_text(const MaterialInfo& info) {
 
 std::string info_json(const MaterialInfo& info) {
     const auto points = info.validity.points();
-    const Surface& surface = info.reflector.surface;
+    const Surface& surface = info.surface;
     const Range g = range_of(points, phase_variance);
     Json findings = Json::array();
     for (const Criterion criterion : criteria()) findings.push_back(finding_json(info, criterion));
     Json wavelengths = Json::array();
     for (std::size_t i = 0; i < points.size(); i += info.theta.size())
         wavelengths.push_back(micrometres(points[i]));
-    const Json result{{"name", info.reflector.name},
-                      {"model", "he"},
+    const Json result{{"name", info.material.name()},
+                      {"model", info.material.model_name()},
                       {"rms_roughness_um", surface.rms_roughness()},
                       {"correlation_length_um", surface.correlation_length()},
                       {"rms_slope", spectral::rms_slope(surface)},
                       {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
                       {"curvature_radius_um", spectral::curvature_radius(surface)},
-                      {"index", info.reflector.material.name()},
+                      {"index", info.material.substance()},
                       {"n", range_of(points, n).json()},
                       {"k", range_of(points, k).json()},
                       {"diffuse_albedo", range_of(points, albedo).json()},

@@ -6,20 +6,26 @@
 
 #include "cli/io/table_writer.hpp"
 #include "spectral/energy/validity.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::cli {
 
 /// A material over wavelengths and angles of incidence.
 struct MaterialInfo {
     /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is error.
-    MaterialInfo(spectral::Reflector of, const spectral::WavelengthGrid& wavelengths,
+    ///   of   a rough surface
+    MaterialInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                  std::vector<double> theta_deg, spectral::OutsideRange policy);
 
-    spectral::Reflector reflector;
+    spectral::Material material;
+    Surface surface;
     std::vector<double> theta;  ///< [deg]
     spectral::MaterialValidity validity;
-    std::size_t prepared_bytes;   ///< of a SpectralReflectance at these wavelengths
+    std::size_t prepared_bytes;   ///< of the reflectance at these wavelengths
     std::size_t phi_table_bytes;  ///< shared by all materials
+
+  private:
+    MaterialInfo(spectral::Material of, std::vector<double> theta_deg, const spectral::Reflectance& prepared);
 };
 
 /// For people; lines of at most 120 characters or so.

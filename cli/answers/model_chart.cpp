@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include "bench/charts/machine.hpp"
@@ -11,7 +10,7 @@
 #include "hts/phi.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
-#include "spectral/models/reflectance.hpp"
+#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/processor_time.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
@@ -19,8 +18,6 @@
 
 namespace hts::cli {
 namespace {
-
-using tables::DirectionPair;
 
 /// Writes the BRDF of a pair at the chart's wavelengths.
 using Evaluator = std::function<void(const DirectionPair& pair, std::span<double> values)>;
@@ -36,7 +33,7 @@ const spectral::WavelengthGrid& wavelengths() {
 struct ChartSurface {
     const char* title;
     Surface surface;
-    const char* material;
+    const char* substance;
     double diffuse_albedo;
 };
 
@@ -47,16 +44,22 @@ std::vector<ChartSurface> surfaces() {
             {"very rough: σ₀ 2.5 µm, τ 16 µm, copper", {2.5, 16.0}, "Cu", 0}};
 }
 
-spectral::Reflector reflector(const ChartSurface& chosen) {
-    return {chosen.title, chosen.surface, spectral::built_in_material(chosen.material),
-            spectral::DiffuseAlbedo{chosen.diffuse_albedo}};
+spectral::Material material(const ChartSurface& chosen) {
+    return spectral::he_torrance_material(chosen.title, chosen.surface,
+                                          spectral::built_in_optical_constants(chosen.substance),
+                                          spectral::DiffuseAlbedo{chosen.diffuse_albedo});
+}
+
+/// As exact as it can be.
+spectral::Reflectance exact(const spectral::Material& material) {
+    return material.at(wavelengths(), {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 /// He-Torrance on a surface, its pairs for fitting and for judging, and the peak of the lobe for each incidence.
 class Truth {
   public:
     Truth(const ChartSurface& chosen, std::size_t fitted, std::size_t judged, std::uint64_t seed)
-        : surface_{chosen}, exact_{reflector(chosen), wavelengths()} {
+        : surface_{chosen}, exact_{exact(material(chosen))} {
         Random random{seed};
         for (std::size_t i = 0; i < fitted + judged; ++i) pairs_.push_back(pair(random, i % 2 == 0));
         values_.resize(pairs_.size());
@@ -127,7 +130,7 @@ class Truth {
     }
 
     ChartSurface surface_;
-    spectral::SpectralReflectance exact_;
+    spectral::Reflectance exact_;
     std::vector<DirectionPair> pairs_;
     std::vector<Spectrum> values_, peaks_;
     std::size_t fitted_ = 0;
@@ -197,9 +200,9 @@ constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann"},
                             Rival{"oren_nayar", "Oren-Nayar"},
                             Rival{"lambert", "Lambert"}};
 
-Evaluator evaluator_of(std::shared_ptr<const tables::SpectralBrdf> brdf) {
-    return [brdf = std::move(brdf)](const DirectionPair& pair, std::span<double> values) {
-        brdf->brdf(pair, values);
+Evaluator evaluator_of(spectral::Reflectance reflectance) {
+    return [reflectance = std::move(reflectance)](const DirectionPair& pair, std::span<double> values) {
+        reflectance.brdf(pair, values);
     };
 }
 
@@ -209,7 +212,7 @@ std::string index_of(const Rival& rival, const ChartSurface& chosen) {
     const auto family =
         std::find_if(families.begin(), families.end(),
                      [&](const validation::FitFamily& each) { return each.name == rival.family; });
-    return family != families.end() && family->has_index ? '"' + std::string{chosen.material} + '"'
+    return family != families.end() && family->has_index ? '"' + std::string{chosen.substance} + '"'
                                                          : std::string{};
 }
 
@@ -219,27 +222,23 @@ Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const val
     request.residual = validation::Residual::weighted;
     request.followed_starts = quick ? 2 : 8;
     const validation::Fit fit = validation::fitted(request, data);
-    return evaluator_of(tables::model_brdf(validation::fitted_reflector(fit), wavelengths()));
+    return evaluator_of(exact(validation::fitted_material(fit)));
 }
 
 void add_rungs(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
     for (const Rung& rung : rungs) {
         const Tolerance tolerance{rung.tolerance};
-        const spectral::SpectralReflectance brdf{reflector(chosen), wavelengths(),
-                                                 spectral::OutsideRange::error, tolerance, rung.lobe};
-        const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
-            brdf.brdf(pair, values);
-        };
-        chart.points.push_back(point(truth, chosen.title, rung.name, evaluator,
+        const auto form = material(chosen).at(wavelengths(), {.tolerance = tolerance, .lobe = rung.lobe});
+        chart.points.push_back(point(truth, chosen.title, rung.name, evaluator_of(form),
                                      rung.lobe == DiffuseLobe::full ? phi_table_bytes(tolerance) : 0));
     }
 }
 
 void add_tables(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
-    const auto exact = tables::model_brdf(spectral::AnyReflector{reflector(chosen)}, wavelengths());
+    const auto model = exact(material(chosen));
     for (const auto& [title, tolerance] : table_tolerances) {
         const tables::Table table =
-            tables::build_table(*exact, {exact->name(), "", ""}, {.tolerance = tolerance});
+            tables::build_table(model, {model.name(), "", ""}, {.tolerance = tolerance});
         const auto evaluator = [&](const DirectionPair& pair, std::span<double> values) {
             table.brdf(pair, values);
         };

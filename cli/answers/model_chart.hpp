@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/report/figure.hpp"
+#include "validation/report/report.hpp"
 
 namespace hts::cli {
 

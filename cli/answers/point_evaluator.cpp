@@ -6,6 +6,11 @@
 
 #include "cli/io/usage.hpp"
 #include "hts/error.hpp"
+#include "hts/terms.hpp"
+#include "spectral/models/compensated.hpp"
+#include "spectral/models/he_torrance_material.hpp"
+#include "spectral/models/reflected_terms.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::cli {
 namespace {
@@ -15,7 +20,7 @@ constexpr std::array known_columns{
     "rms_roughness_um", "correlation_length_um", "albedo"};
 
 double cell(const CsvRow& row, std::size_t column, const char* name) {
-    return number(row.fields[column], name);
+    return spectral::number_in(row.fields[column], name);
 }
 
 Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const std::string& name) {
@@ -28,23 +33,29 @@ Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const
     }
 }
 
-}  // namespace
-
-const spectral::EnergyCompensation& CompensationCache::at(const Surface& surface,
-                                                          const Wavelength& wavelength) {
-    std::unique_lock lock{mutex_};
-    Entry& entry =
-        entries_[{surface.rms_roughness(), surface.correlation_length(), wavelength.micrometres()}];
-    lock.unlock();
-    std::call_once(entry.once, [&] { entry.solved.emplace(surface, wavelength); });
-    return *entry.solved;
+/// A material of which each row says all but the albedo.
+spectral::Material told_by_rows() {
+    return spectral::he_torrance_material("", Surface{0, 1}, spectral::OpticalConstants::constant({1, 0}));
 }
 
+/// Of a rough surface: what its lobe is made of, by the exact formulas.
+void add_detail(const spectral::Reflectance& of, const DirectionPair& pair, std::span<Evaluation> result) {
+    const PairFactors factors{*of.properties().surface, pair.in, pair.out};
+    const auto samples = of.samples();
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i].detail = directional_diffuse(factors, samples[i].wavelength, samples[i].index);
+        result[i].effective_roughness = factors.effective_roughness();
+        result[i].shadowing = factors.shadowing();
+    }
+}
+
+}  // namespace
+
 PairColumns::PairColumns(const CsvReader& points)
-    : theta_i_{points.required_column("theta_i_deg")},
-      phi_i_{points.required_column("phi_i_deg")},
-      theta_r_{points.required_column("theta_r_deg")},
-      phi_r_{points.required_column("phi_r_deg")} {}
+    : theta_i_{points.column("theta_i_deg")},
+      phi_i_{points.column("phi_i_deg")},
+      theta_r_{points.column("theta_r_deg")},
+      phi_r_{points.column("phi_r_deg")} {}
 
 DirectionPair PairColumns::pair(const CsvRow& row) const {
     const Direction in = direction(row, theta_i_, phi_i_, "i");
@@ -53,35 +64,33 @@ DirectionPair PairColumns::pair(const CsvRow& row) const {
 
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
     : directions{points},
-      wavelength{needs_wavelength ? points.required_column("wavelength_um") : points.column("wavelength_um")},
-      n{points.column("n")},
-      k{points.column("k")},
-      rms_roughness{points.column("rms_roughness_um")},
-      correlation_length{points.column("correlation_length_um")},
-      albedo{points.column("albedo")} {}
+      wavelength{needs_wavelength ? points.column("wavelength_um") : points.find_column("wavelength_um")},
+      n{points.find_column("n")},
+      k{points.find_column("k")},
+      rms_roughness{points.find_column("rms_roughness_um")},
+      correlation_length{points.find_column("correlation_length_um")},
+      albedo{points.find_column("albedo")} {}
 
-PointEvaluator::PointEvaluator(const CsvReader& points,
-                               const std::optional<spectral::AnyReflector>& reflector,
+bool PointEvaluator::Columns::any_of_material() const noexcept {
+    return n || k || rms_roughness || correlation_length || albedo;
+}
+
+PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spectral::Material>& material,
                                std::optional<spectral::WavelengthGrid> wavelengths,
-                               spectral::OutsideRange policy, bool compensate_energy)
-    : columns_{points, !wavelengths}, wavelengths_{std::move(wavelengths)}, policy_{policy} {
-    if (compensate_energy) compensation_ = std::make_shared<CompensationCache>();
+                               const spectral::EvaluationOptions& how)
+    : columns_{points, !wavelengths},
+      material_{material.value_or(told_by_rows())},
+      wavelengths_{std::move(wavelengths)},
+      how_{how},
+      by_wavelength_{std::make_shared<ReflectanceCache>()} {
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
     }
-    if (reflector && !reflector->he_torrance()) {
-        require_no_material_columns(points);
-        other_ = reflector;
-        if (wavelengths_) spectrum_ = other_->spectrum(*wavelengths_, policy_);
-        return;
-    }
-    if (reflector) reflector_ = *reflector->he_torrance();
-    if (!reflector_) require_material(points);
-    if (compensation_ && wavelengths_ && !columns_.rms_roughness && !columns_.correlation_length)
-        compensations_ = spectral::EnergyCompensation::of(reflector_->surface, *wavelengths_);
-    if (!same_for_all_rows()) return;
-    for (std::size_t i = 0; i < wavelengths_->size(); ++i)
-        samples_.push_back(sample(nullptr, (*wavelengths_)[i]));
+    if (!material) require_material(points);
+    if (!of_rough_surfaces()) require_no_material_columns(points);
+    if (wavelengths_ && !columns_.any_of_material()) same_for_all_ = material_.at(*wavelengths_, how_);
+    if (how_.compensate_energy) compensation_ = std::make_shared<CompensationCache>();
+    how_.compensate_energy = false;  // that of rows comes from the cache
 }
 
 void PointEvaluator::require_material(const CsvReader& points) const {
@@ -103,14 +112,10 @@ void PointEvaluator::require_material(const CsvReader& points) const {
 
 void PointEvaluator::require_no_material_columns(const CsvReader& points) const {
     for (const char* name : {"n", "k", "rms_roughness_um", "correlation_length_um", "albedo"}) {
-        if (!points.column(name)) continue;
+        if (!points.find_column(name)) continue;
         throw Error{points.where_header() + "column " + name +
                     ": must not be in the header where the material's model is not he"};
     }
-}
-
-bool PointEvaluator::same_for_all_rows() const noexcept {
-    return wavelengths_ && !columns_.n && !columns_.k && !columns_.albedo;
 }
 
 std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points) {
@@ -123,103 +128,70 @@ std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points)
     return unused;
 }
 
-void PointEvaluator::evaluate(const CsvRow& row, bool with_mueller, std::span<Evaluation> result,
+void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Evaluation> result,
                               ValidityWarning& warning) const {
-    const auto [in, out] = columns_.directions.pair(row);
-    if (other_) return evaluate_other(row, {in, out}, result);
-    const Surface rough = surface(row);
-    const View light = view(rough, in);
-    const View seen = view(rough, out);
-    const PairFactors pair{rough, light, seen};
-    const spectral::CompensationPair lobe{{in, out}}, mirror{{in, in.mirror()}};
+    const DirectionPair pair = columns_.directions.pair(row);
+    const spectral::Reflectance of = reflectance(row);
+    const auto terms = reflected_terms(of, pair);
     for (std::size_t i = 0; i < result.size(); ++i) {
-        const Sample at = samples_.empty() ? sample(&row, wavelength(row, i)) : samples_[i];
-        DirectionalDiffuse directional = directional_diffuse(pair, at.wavelength, at.index);
-        double specular = specular_reflectance(rough, light, at.wavelength, at.index).value();
-        if (compensation_) {
-            const auto& s =
-                compensations_.empty() ? compensation_->at(rough, at.wavelength) : compensations_[i];
-            const double factor = s.factor(lobe);
-            directional.lobe *= factor;
-            directional.brdf *= factor;
-            specular *= s.factor(mirror);
-        }
-        result[i] = {at.wavelength.micrometres(), directional,      at.uniform_diffuse, specular,
-                     pair.effective_roughness(),  pair.shadowing(), Mueller{},          0};
-        warning.note(spectral::validity(rough, light, seen, at));
-        if (with_mueller) result[i].mueller = directional_diffuse_mueller(in, out, directional);
+        result[i] = {.wavelength = of.wavelengths().micrometres()[i],
+                     .directional_diffuse = terms.directional_diffuse[i],
+                     .uniform_diffuse = terms.uniform_diffuse[i],
+                     .specular_reflectance = terms.specular_reflectance[i]};
     }
-}
-
-void PointEvaluator::evaluate_other(const CsvRow& row, const spectral::DirectionPair& pair,
-                                    std::span<Evaluation> result) const {
-    const auto own = spectrum_
-                         ? std::nullopt
-                         : std::optional{spectral::AnySpectrum{{other_->at(wavelength(row, 0), policy_)}}};
-    const spectral::AnySpectrum& model = spectrum_ ? *spectrum_ : *own;
-    std::vector<double> brdf(result.size()), specular(result.size());
-    model.brdf(pair, brdf);
-    model.specular_reflectance(pair.in, specular);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const double uniform = std::min(brdf[i], model.uniform_diffuse()[i]);
-        result[i] = {};
-        result[i].wavelength = wavelength(row, i).micrometres();
-        result[i].directional.brdf = brdf[i] - uniform;
-        result[i].uniform_diffuse = uniform;
-        result[i].specular_reflectance = specular[i];
+    if (wish.mueller) {
+        const auto matrices = of.directional_diffuse_mueller(pair);
+        for (std::size_t i = 0; i < result.size(); ++i) result[i].mueller = matrices[i];
     }
+    if (wish.detail) add_detail(of, pair, result);
+    warning.note(of, pair);
 }
 
 void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const {
-    const auto [in, behind] = columns_.directions.pair(row);
+    const DirectionPair pair = columns_.directions.pair(row);
+    const spectral::Reflectance of = reflectance(row);
+    const auto micrometres = of.wavelengths().micrometres();
     for (std::size_t i = 0; i < result.size(); ++i) {
-        const Wavelength at = wavelength(row, i);
-        if (const auto through = other_ ? std::optional{model(at, i)} : std::nullopt;
-            through && through->transmits()) {
-            result[i] = {};
-            result[i].wavelength = at.micrometres();
-            result[i].btdf = through->btdf(in, behind);
-            continue;
-        }
-        throw Error{"transmission at " + shortest(at.micrometres()) +
+        if (of.transmits(i)) continue;
+        throw Error{"transmission at " + shortest(micrometres[i]) +
                     " um: the surface is opaque: must be of model walter and transparent (k = 0)"};
     }
+    const auto btdf = of.btdf(pair);
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = {.wavelength = micrometres[i], .btdf = btdf[i]};
 }
 
-spectral::AnyModel PointEvaluator::model(const Wavelength& wavelength, std::size_t i) const {
-    return spectrum_ ? spectrum_->models()[i] : other_->at(wavelength, policy_);
+spectral::Reflectance PointEvaluator::reflectance(const CsvRow& row) const {
+    if (same_for_all_) return *same_for_all_;
+    const spectral::WavelengthGrid grid = wavelengths(row);
+    const auto compensated = [&](const spectral::Reflectance& of) {
+        if (!compensation_) return of;
+        return spectral::compensated(of, compensation_->at(*of.properties().surface, grid));
+    };
+    if (!columns_.any_of_material()) {
+        return by_wavelength_->at(grid.micrometres()[0],
+                                  [&](double) { return compensated(material_.at(grid, how_)); });
+    }
+    spectral::EvaluationOptions how = how_;
+    how.instead = own_values(row);
+    return compensated(material_.at(grid, how));
 }
 
-Surface PointEvaluator::surface(const CsvRow& row) const {
-    if (!columns_.rms_roughness && !columns_.correlation_length) return reflector_->surface;
-    const double rms_roughness = columns_.rms_roughness
-                                     ? cell(row, *columns_.rms_roughness, "rms_roughness_um")
-                                     : reflector_->surface.rms_roughness();
-    const double correlation_length = columns_.correlation_length
-                                          ? cell(row, *columns_.correlation_length, "correlation_length_um")
-                                          : reflector_->surface.correlation_length();
-    return {rms_roughness, correlation_length};
+spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const {
+    const auto value = [&](const Column& column, const char* name) {
+        return column ? std::optional{cell(row, *column, name)} : std::nullopt;
+    };
+    return {.n = value(columns_.n, "n"),
+            .k = value(columns_.k, "k"),
+            .rms_roughness = value(columns_.rms_roughness, "rms_roughness_um"),
+            .correlation_length = value(columns_.correlation_length, "correlation_length_um"),
+            .diffuse_albedo = value(columns_.albedo, "albedo")};
 }
 
-PointEvaluator::Sample PointEvaluator::sample(const CsvRow* row, const Wavelength& wavelength) const {
-    return {wavelength, index(row, wavelength), hts::uniform_diffuse(albedo(row, wavelength))};
-}
-
-RefractiveIndex PointEvaluator::index(const CsvRow* row, const Wavelength& wavelength) const {
-    if (columns_.n && columns_.k) return {cell(*row, *columns_.n, "n"), cell(*row, *columns_.k, "k")};
-    const RefractiveIndex own = reflector_->material.index(wavelength, policy_);
-    return {columns_.n ? cell(*row, *columns_.n, "n") : own.n(),
-            columns_.k ? cell(*row, *columns_.k, "k") : own.k()};
-}
-
-double PointEvaluator::albedo(const CsvRow* row, const Wavelength& wavelength) const {
-    if (columns_.albedo) return cell(*row, *columns_.albedo, "albedo");
-    return reflector_ ? reflector_->albedo(wavelength, policy_) : 0;
-}
-
-Wavelength PointEvaluator::wavelength(const CsvRow& row, std::size_t i) const {
-    if (wavelengths_) return (*wavelengths_)[i];
-    return Wavelength::from_micrometres(cell(row, *columns_.wavelength, "wavelength_um"));
+spectral::WavelengthGrid PointEvaluator::wavelengths(const CsvRow& row) const {
+    if (wavelengths_) return *wavelengths_;
+    const auto own = Wavelength::from_micrometres(cell(row, *columns_.wavelength, "wavelength_um"));
+    return spectral::WavelengthGrid::from_micrometres({own.micrometres()});
 }
 
 }  // namespace hts::cli

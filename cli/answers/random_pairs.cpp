@@ -23,8 +23,9 @@ std::vector<spectral::DirectionPair> random_pairs(Random& random, std::uint64_t 
 
 }  // namespace
 
-RandomPairsResult evaluate_random_pairs(const BrdfBatch& batch, std::size_t wavelengths, std::uint64_t count,
+RandomPairsResult evaluate_random_pairs(const spectral::Reflectance& reflectance, std::uint64_t count,
                                         std::uint64_t seed) {
+    const std::size_t wavelengths = reflectance.size();
     Random random{seed};
     const std::uint64_t per_chunk = std::max<std::uint64_t>(1, evaluations_per_chunk / wavelengths);
     std::vector<double> values;
@@ -34,7 +35,7 @@ RandomPairsResult evaluate_random_pairs(const BrdfBatch& batch, std::size_t wave
         const auto pairs = random_pairs(random, std::min(per_chunk, count - done));
         values.resize(pairs.size() * wavelengths);
         watch.start();
-        batch(pairs, values);
+        reflectance.brdf(pairs, values);
         watch.stop();
         sum = std::accumulate(values.begin(), values.end(), sum);
     }

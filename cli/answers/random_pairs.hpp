@@ -2,16 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <span>
 
 #include "cli/io/summary.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
-
-/// BRDFs of pairs of directions into as many values times the wavelengths, all wavelengths of a pair together.
-using BrdfBatch = std::function<void(std::span<const spectral::DirectionPair>, std::span<double>)>;
 
 /// What the batch call took, and the mean of its values, by which runs can be compared.
 struct RandomPairsResult {
@@ -21,7 +16,7 @@ struct RandomPairsResult {
 
 /// BRDF spectra of `count` pairs, both directions uniform in solid angle over the hemisphere.
 ///   seed   the same pairs, and the same mean, on every machine and for any number of threads
-[[nodiscard]] RandomPairsResult evaluate_random_pairs(const BrdfBatch& batch, std::size_t wavelengths,
+[[nodiscard]] RandomPairsResult evaluate_random_pairs(const spectral::Reflectance& reflectance,
                                                       std::uint64_t count, std::uint64_t seed);
 
 }  // namespace hts::cli

@@ -16,16 +16,11 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
-void ValidityWarning::note(const Surface& surface, const spectral::DirectionPair& pair,
-                           std::span<const SpectralSample> samples) noexcept {
-    for (const SpectralSample& sample : samples) note(spectral::validity(surface, pair, sample));
-}
-
-void ValidityWarning::note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
-                           const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy) {
-    const spectral::Reflector* he = reflector.he_torrance();
-    if (he == nullptr) return;
-    note(he->surface, pair, spectral_samples(*he, wavelengths, policy));
+void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept {
+    const auto& surface = reflectance.properties().surface;
+    if (!surface) return;
+    for (const SpectralSample& sample : reflectance.samples())
+        note(spectral::validity(*surface, pair, sample));
 }
 
 void ValidityWarning::print() const {

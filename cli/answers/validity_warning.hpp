@@ -4,11 +4,9 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <span>
 #include <string>
 
 #include "spectral/energy/validity.hpp"
-#include "spectral/models/any_reflector.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
@@ -17,12 +15,8 @@ namespace hts::cli {
 class ValidityWarning {
   public:
     void note(const spectral::Validity& verdict) noexcept;
-    /// Verdicts at one pair and every sample.
-    void note(const Surface& surface, const spectral::DirectionPair& pair,
-              std::span<const SpectralSample> samples) noexcept;
-    /// The same at every wavelength, for a He-Torrance surface; of other models nothing is known.
-    void note(const spectral::AnyReflector& reflector, const spectral::DirectionPair& pair,
-              const spectral::WavelengthGrid& wavelengths, spectral::OutsideRange policy);
+    /// Verdicts at one pair and every wavelength, of rough surfaces; of others nothing is known.
+    void note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept;
     /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if none is.
     void print() const;
 

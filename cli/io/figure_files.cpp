@@ -1,7 +1,7 @@
 #include "cli/io/figure_files.hpp"
 
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/table_writer.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 namespace hts::cli {
 namespace {
@@ -25,12 +25,12 @@ void write_table(const std::filesystem::path& path, Format format, const validat
 std::filesystem::path write_figure(const std::filesystem::path& folder, const validation::Figure& figure,
                                    bool json) {
     auto picture = folder / (figure.stem + ".svg");
-    require_gnuplot(picture.string());
+    output::require_gnuplot(picture.string());
     for (const validation::FigureTable& table : figure.tables) {
         write_table(folder / (table.stem + ".csv"), Format::csv, table);
         if (json) write_table(folder / (table.stem + ".json"), Format::json, table);
     }
-    draw(picture.string(), figure.script);
+    output::draw(picture.string(), figure.script);
     return picture;
 }
 

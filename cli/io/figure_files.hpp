@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "validation/report/figure.hpp"
+#include "validation/report/report.hpp"
 
 namespace hts::cli {
 

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <limits>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/usage.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
@@ -16,7 +15,7 @@ std::vector<double> numbers(const std::string& text, const std::string& quantity
     std::vector<double> values;
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t end = std::min(text.find(',', start), text.size());
-        values.push_back(number(text.substr(start, end - start), quantity));
+        values.push_back(spectral::number_in(text.substr(start, end - start), quantity));
         start = end + 1;
     }
     return values;
@@ -45,6 +44,11 @@ bool within(const std::string& text, Number first, Number last) {
     const bool plus = text.starts_with('+') && !text.starts_with("+-");
     const auto [stop, problem] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
     return problem == std::errc{} && stop == end && value >= first && value <= last;
+}
+
+[[noreturn]] void refuse_model(const spectral::Material& material, const std::string& option) {
+    throw UsageError{option + ": must come with a material of model he; " + material.name() + " has model " +
+                     material.model_name()};
 }
 
 }  // namespace
@@ -110,18 +114,28 @@ CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
     return verb.add_option("--material,-m", path, "material file (JSON)");
 }
 
-spectral::AnyReflector MaterialOptions::read() const {
-    auto reflector = spectral::read_any_reflector(path, tables::models_with_files());
-    for (const std::string& warning : reflector.warnings())
+spectral::Material MaterialOptions::read() const {
+    auto material = spectral::read_material(path, tables::models_with_files());
+    for (const std::string& warning : material.warnings())
         std::cerr << "hts: " << path << ": " << warning << '\n';
-    return reflector;
+    return material;
 }
 
-const spectral::Reflector& MaterialOptions::he_torrance(const spectral::AnyReflector& reflector,
-                                                        const std::string& option) {
-    if (const spectral::Reflector* he = reflector.he_torrance()) return *he;
-    throw UsageError{option + ": must come with a material of model he; " + reflector.name() + " has model " +
-                     reflector.model_name()};
+void require_rough_surface(const spectral::Material& material, const std::string& option) {
+    if (!material.properties().surface) refuse_model(material, option);
+}
+
+void require_polarised(const spectral::Material& material, const std::string& option) {
+    if (!material.properties().polarised) refuse_model(material, option);
+}
+
+void ToleranceOption::add_to(CLI::App& verb) {
+    verb.add_option("--tolerance", value, "relative error of materials of model he, 1e-12 (default) ... 1")
+        ->check(number_within(hts::accuracy::finest_tolerance, hts::accuracy::coarsest_tolerance));
+}
+
+Tolerance ToleranceOption::tolerance() const {
+    return Tolerance{value.value_or(hts::accuracy::finest_tolerance)};
 }
 
 Stokes stokes_from_option(const std::string& text) {
@@ -137,10 +151,10 @@ void require_angles(const std::string& option, const std::vector<double>& degree
     }
 }
 
-spectral::AnySpectrum spectrum_from_option(const std::string& option, const spectral::AnyReflector& reflector,
-                                           const spectral::WavelengthGrid& wavelengths,
-                                           spectral::OutsideRange policy) {
-    return spectral::located(option, [&] { return reflector.spectrum(wavelengths, policy); });
+spectral::Reflectance reflectance_from_option(const std::string& option, const spectral::Material& material,
+                                              const spectral::WavelengthGrid& wavelengths,
+                                              const spectral::EvaluationOptions& how) {
+    return spectral::located(option, [&] { return material.at(wavelengths, how); });
 }
 
 Wavelength wavelength_from_option(double um) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hts/polarisation.hpp"
-#include "spectral/models/any_reflector.hpp"
-#include "spectral/models/reflectance.hpp"
+#include "hts/tolerance.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::cli {
 
@@ -44,13 +44,27 @@ struct MaterialOptions {
     /// The option of the file, for `required()`.
     CLI::Option* add_to(CLI::App& verb);
     /// Reads the file; what it warns of goes to standard error.
-    [[nodiscard]] spectral::AnyReflector read() const;
-    /// The same for what only the He-Torrance model has; UsageError that names `option` for others.
-    [[nodiscard]] static const spectral::Reflector& he_torrance(const spectral::AnyReflector& reflector,
-                                                                const std::string& option);
+    [[nodiscard]] spectral::Material read() const;
     [[nodiscard]] spectral::OutsideRange policy() const noexcept {
         return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
     }
+    /// Evaluation as exact as it can be, by this policy outside the material's range.
+    [[nodiscard]] spectral::EvaluationOptions evaluation() const {
+        return {.tolerance = Tolerance{hts::accuracy::finest_tolerance}, .outside = policy()};
+    }
+};
+
+/// UsageError that names `option` where it asks for what only rough surfaces, or only polarised models, can.
+void require_rough_surface(const spectral::Material& material, const std::string& option);
+void require_polarised(const spectral::Material& material, const std::string& option);
+
+/// --tolerance of what is evaluated.
+struct ToleranceOption {
+    std::optional<double> value{};
+
+    void add_to(CLI::App& verb);
+    /// The finest where it was not given.
+    [[nodiscard]] Tolerance tolerance() const;
 };
 
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
@@ -70,11 +84,11 @@ struct MaterialOptions {
 /// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
 void require_angles(const std::string& option, const std::vector<double>& degrees);
 
-/// The model at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
-[[nodiscard]] spectral::AnySpectrum spectrum_from_option(const std::string& option,
-                                                         const spectral::AnyReflector& reflector,
-                                                         const spectral::WavelengthGrid& wavelengths,
-                                                         spectral::OutsideRange policy);
+/// A material at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
+[[nodiscard]] spectral::Reflectance reflectance_from_option(const std::string& option,
+                                                            const spectral::Material& material,
+                                                            const spectral::WavelengthGrid& wavelengths,
+                                                            const spectral::EvaluationOptions& how);
 
 /// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
 Wavelength wavelength_from_option(double um);

@@ -7,13 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/summary.hpp"
 #include "cli/io/table_writer.hpp"
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/text/csv.hpp"
 
 namespace hts::cli {
+
+using spectral::CsvReader;
+using spectral::CsvRow;
 
 /// Turns every input row into `each` output rows: the input's cells and what `append` adds. Works on a chunk
 /// at a time, so memory does not grow with the table; the output is the same for any number of threads.

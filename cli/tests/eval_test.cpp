@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "comparison.hpp"
-#include "hts/he_torrance.hpp"
+#include "hts/terms.hpp"
 
 using hts::cli::testing::cells;
 using hts::cli::testing::Workplace;
@@ -41,7 +41,7 @@ TEST_CASE("hts eval agrees with 80 digits of the printed equations") {
     const auto result = place.hts("eval --points points.csv --mueller --output values.csv");
     REQUIRE(result.exit_code == 0);
     const auto values = cells(place.read("values.csv"));
-    const ReferenceTable table{"model.csv"};
+    const ReferenceTable table{"tests/reference/model.csv"};
     REQUIRE(values.size() == table.size() + 1);
     WorstCase diffuse{"hts eval: directional_diffuse", 1e-10};
     WorstCase specular{"hts eval: specular_reflectance", 1e-10};
@@ -196,4 +196,33 @@ TEST_CASE("energy compensation scales the lobe and the mirror term alike whereve
     const std::string random = "eval --material al.json --wavelengths 0.5 --random-pairs 500";
     CHECK(number(cells(place.hts(random + " --compensate-energy").output), 1, 3) >
           1.02 * number(cells(place.hts(random).output), 1, 3));
+}
+
+TEST_CASE("hts eval and hts spectrum keep the tolerance that is asked for") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    place.file("pairs.csv",
+               "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n30,0,40,170\n70,0,65,150\n5,0,80,20\n");
+    const std::string of = "eval --material al.json --points pairs.csv --wavelengths 0.4:0.7:7";
+    const auto exact = cells(place.hts(of).output);
+    CHECK(exact == cells(place.hts(of + " --tolerance 1e-12").output));
+    for (const double tolerance : {1e-6, 1e-3}) {
+        const auto coarse = cells(place.hts(of + " --tolerance " + std::to_string(tolerance)).output);
+        REQUIRE(coarse.size() == exact.size());
+        bool differs = false;
+        for (std::size_t row = 1; row < exact.size(); ++row) {
+            for (const std::size_t column : {5U, 7U, 8U}) {
+                CHECK(std::stod(coarse[row][column]) ==
+                      Approx(std::stod(exact[row][column])).epsilon(tolerance).margin(1e-280));
+                differs = differs || coarse[row][column] != exact[row][column];
+            }
+        }
+        CHECK(differs);
+    }
+    const std::string spectrum =
+        "spectrum --material al.json --theta-i 30 --theta-r 40 --phi 170 --wavelengths 0.4:0.7:7";
+    const auto fine = cells(place.hts(spectrum).output);
+    const auto coarse = cells(place.hts(spectrum + " --tolerance 1e-6").output);
+    CHECK(std::stod(coarse[1][3]) == Approx(std::stod(fine[1][3])).epsilon(1e-6));
+    CHECK(coarse[1][3] == cells(place.hts(of + " --tolerance 1e-6").output)[1][7]);
 }

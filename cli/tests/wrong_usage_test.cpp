@@ -58,6 +58,9 @@ constexpr std::array cases{
     Case{"eval --material m.json --wavelengths 0.4,0.5 --random-pairs 9 --mueller", "both given"},
     Case{"eval --material m.json --random-pairs 9", "--wavelengths"},
     Case{"eval --plan plan.json @point", "--plan"},
+    Case{"eval --material m.json @point --tolerance 1e-13",
+         "--tolerance: \"1e-13\": must be a number from 1e-12 to 1"},
+    Case{"eval --material m.json @point --tolerance 1e-6 --detail", "--detail and --tolerance both given"},
 
     Case{"phi", "--g"},
     Case{"phi --g 1", "--t"},
@@ -70,6 +73,7 @@ constexpr std::array cases{
     Case{"spectrum --material m.json --theta-i 30", "--theta-r"},
     Case{"spectrum --material m.json @pair --illuminant X", "--illuminant"},
     Case{"spectrum --material m.json @pair --wavelengths 0.4:0.4:5", "--wavelengths"},
+    Case{"spectrum --material m.json @pair --tolerance 2", "--tolerance: \"2\""},
     Case{"spectrum --material m.json @pair --plot -", "--plot: \"-\": must be a file .svg"},
 
     Case{"polar --material m.json --wavelength 0.5", "--theta-i"},

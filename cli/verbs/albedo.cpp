@@ -3,13 +3,13 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
-#include "spectral/energy/compensation.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/parallel.hpp"
 
@@ -30,8 +30,8 @@ and for materials of model he:
 By reciprocity the columns are the hemispherical-directional reflectance too.
 
 Examples:
-  hts albedo --material aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
-  hts albedo --material plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195)";
+  hts albedo --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
+  hts albedo --material cli/data/smooth-plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195)";
 
 struct AlbedoOptions {
     MaterialOptions material;
@@ -45,9 +45,8 @@ struct AlbedoOptions {
 
 /// What is asked of the library, checked.
 struct AlbedoQuery {
-    spectral::AnyReflector reflector;
-    spectral::OutsideRange policy;
-    spectral::WavelengthGrid grid;
+    spectral::Reflectance reflectance;
+    std::optional<spectral::Reflectance> compensated;
     std::vector<Direction> in;
     double steepest;  ///< [rad]
 };
@@ -55,7 +54,7 @@ struct AlbedoQuery {
 /// All rows of one wavelength.
 struct AlbedoSpectralRow {
     std::vector<spectral::HemisphericalReflectance> terms;
-    std::optional<spectral::DiffuseAlbedoLimit> limit{};  // of model he
+    std::optional<spectral::DiffuseAlbedoLimit> limit{};  // of rough surfaces
     std::vector<double> compensated;
 };
 
@@ -71,46 +70,34 @@ AlbedoQuery query(const AlbedoOptions& options) {
     if (options.measured && (grid.size() != 1 || in.size() != 1)) {
         throw UsageError{"--measured: must come with one wavelength and one --theta-i"};
     }
-    auto reflector = options.material.read();
-    if (options.measured) static_cast<void>(MaterialOptions::he_torrance(reflector, "--measured"));
-    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(reflector, "--compensate-energy"));
-    static_cast<void>(spectrum_from_option("--wavelengths", reflector, grid, options.material.policy()));
-    return {std::move(reflector), options.material.policy(), grid, in,
-            options.steepest * std::numbers::pi / 180};
+    const auto material = options.material.read();
+    if (options.measured) require_rough_surface(material, "--measured");
+    if (options.compensate) require_rough_surface(material, "--compensate-energy");
+    auto how = options.material.evaluation();
+    AlbedoQuery result{reflectance_from_option("--wavelengths", material, grid, how), std::nullopt,
+                       std::move(in), options.steepest * std::numbers::pi / 180};
+    how.compensate_energy = true;
+    if (options.compensate) result.compensated = material.at(grid, how);
+    return result;
 }
 
-/// Total of the compensated lobes and the uniform-diffuse term.
-std::vector<double> compensated_totals(const AlbedoQuery& query, const spectral::Reflector& reflector,
-                                       const Wavelength& wavelength) {
-    const Surface& surface = reflector.surface;
-    const spectral::EnergyCompensation compensation{surface, wavelength};
-    const auto index = reflector.material.index(wavelength, query.policy);
-    const double albedo = reflector.albedo(wavelength, query.policy);
-    std::vector<double> totals;
-    for (const Direction& in : query.in) {
-        totals.push_back(
-            spectral::directional_hemispherical_reflectance(compensation, surface, index, wavelength, in)
-                .total() +
-            albedo);
-    }
-    return totals;
-}
-
-AlbedoSpectralRow evaluated(const AlbedoQuery& query, const Wavelength& wavelength, bool compensate) {
+AlbedoSpectralRow evaluated(const AlbedoQuery& query, std::size_t wavelength) {
     AlbedoSpectralRow row;
-    const spectral::AnyModel model = query.reflector.at(wavelength, query.policy);
-    for (const Direction& in : query.in) row.terms.push_back(model.albedo(in));
-    const spectral::Reflector* he = query.reflector.he_torrance();
-    if (he == nullptr) return row;
-    row.limit = spectral::largest_diffuse_albedo(*he, wavelength, query.steepest, query.policy);
-    if (compensate) row.compensated = compensated_totals(query, *he, wavelength);
+    for (const Direction& in : query.in) {
+        row.terms.push_back(query.reflectance.albedo(in, wavelength));
+        if (query.compensated) row.compensated.push_back(query.compensated->albedo(in, wavelength).total());
+    }
+    const auto& surface = query.reflectance.properties().surface;
+    if (!surface) return row;
+    const SpectralSample& at = query.reflectance.samples()[wavelength];
+    row.limit = spectral::largest_diffuse_albedo(*surface, at.index, at.wavelength, query.steepest);
     return row;
 }
 
-std::vector<std::string> columns(const AlbedoOptions& options, bool he) {
+std::vector<std::string> columns(const AlbedoOptions& options, bool rough) {
     std::vector<std::string> names{"wavelength_um",       "theta_i_deg",     "specular",
                                    "directional_diffuse", "uniform_diffuse", "total"};
-    if (he) names.insert(names.end(), {"largest_albedo", "limited_at_deg"});
+    if (rough) names.insert(names.end(), {"largest_albedo", "limited_at_deg"});
     if (options.measured) names.emplace_back("measured_albedo");
     if (options.compensate) names.emplace_back("compensated_total");
     return names;
@@ -126,24 +113,26 @@ void append(TableWriter::Row& row, const AlbedoSpectralRow& values, std::size_t 
 
 void run(const AlbedoOptions& options) {
     const AlbedoQuery asked = query(options);
+    const auto& surface = asked.reflectance.properties().surface;
     std::optional<double> albedo;
     if (options.measured) {
-        albedo = spectral::diffuse_albedo_from(*options.measured, *asked.reflector.he_torrance(),
-                                               asked.grid[0], asked.in[0], asked.policy);
+        const SpectralSample& at = asked.reflectance.samples().front();
+        albedo = spectral::diffuse_albedo_from(*options.measured, *surface, at.index, at.wavelength,
+                                               asked.in.front());
     }
-    std::vector<AlbedoSpectralRow> rows(asked.grid.size());
+    std::vector<AlbedoSpectralRow> rows(asked.reflectance.size());
     spectral::parallel_for(
-        rows.size(), [&](std::size_t i) { rows[i] = evaluated(asked, asked.grid[i], options.compensate); },
-        1);
+        rows.size(), [&](std::size_t i) { rows[i] = evaluated(asked, i); }, 1);
 
     Output output{options.output.path};
     TableWriter table{output, format_of(options.output.path, options.output.json),
-                      columns(options, asked.reflector.he_torrance() != nullptr)};
+                      columns(options, surface.has_value())};
     std::string text;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (std::size_t j = 0; j < asked.in.size(); ++j) {
             TableWriter::Row row{table, text};
-            row.field(shortest(asked.grid.micrometres()[i])).field(shortest(options.theta_i[j]));
+            row.field(shortest(asked.reflectance.wavelengths().micrometres()[i]))
+                .field(shortest(options.theta_i[j]));
             append(row, rows[i], j);
             if (albedo) row.number(*albedo);
             if (options.compensate) row.number(rows[i].compensated[j]);

@@ -12,10 +12,10 @@
 #include "cli/answers/model_chart.hpp"
 #include "cli/io/figure_files.hpp"
 #include "cli/io/folder.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 namespace hts::cli {
 namespace {
@@ -59,10 +59,10 @@ bench::ChartProgress progress() {
 
 /// The picture and what stands beside it.
 void write_chart(const fs::path& path, const bench::ChartTable& table, const std::string& script) {
-    require_gnuplot(path.string());
+    output::require_gnuplot(path.string());
     write_file(fs::path{path}.replace_extension(".csv").string(), table.csv());
     write_file(fs::path{path}.replace_extension(".json").string(), table.json());
-    draw(path.string(), script);
+    output::draw(path.string(), script);
     std::cout << path.string() << '\n';
 }
 

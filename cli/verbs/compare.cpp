@@ -29,8 +29,8 @@ standard error, and a criterion that fails makes the exit code 1. With --output 
 their scripts and numbers go into a folder.
 
 Examples:
-  hts compare mwir-aluminium-sandblasted --material sandblasted.json --output out
-  hts compare my-curves.json --material m.json --detector-solid-angle 2e-3)";
+  hts compare mwir-aluminium-sandblasted --material cli/data/very-rough-aluminium.json --output out
+  hts compare curet-sandpaper --material cli/data/sandpaper.json --detector-solid-angle 2e-3)";
 
 struct CompareOptions {
     std::string curves, folder;
@@ -69,9 +69,9 @@ void run(const CompareOptions& options) {
     if (options.detector) set.detector_solid_angle = options.detector;
     set = from_option("--source-solid-angle, --detector-solid-angle",
                       [&] { return validation::checked(std::move(set), "curves"); });
-    const auto reflector = options.material.read();
-    const Section section = validation::comparison_section(set, reflector,
-                                                           {.model = validation::described(reflector),
+    const auto material = options.material.read();
+    const Section section = validation::comparison_section(set, material,
+                                                           {.model = validation::described(material),
                                                             .policy = options.material.policy(),
                                                             .nodes = {options.wavelengths, options.rings}});
     Output output{"-"};

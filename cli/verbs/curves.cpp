@@ -26,7 +26,7 @@ imported file does not, are described in validation/curves/data/README.md.
 Examples:
   hts curves list
   hts curves show mwir-brass --output brass.csv
-  hts curves import mwir-brass.csv --recipe mwir.json --surface brass --output brass.json)";
+  hts curves import brass.csv --recipe cli/data/brass-recipe.json --output brass.json)";
 
 struct ImportOptions {
     std::string file, recipe, surface, output = "-";

@@ -10,8 +10,7 @@
 #include "cli/io/transform.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
-#include "spectral/models/spectral_brdf.hpp"
-#include "spectral/parallel.hpp"
+#include "spectral/models/material.hpp"
 
 namespace hts::cli {
 namespace {
@@ -34,11 +33,12 @@ sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_gr
 specular_blue of the specular reflectance.
 
 Examples:
-  hts eval --material aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
-  hts eval --material aluminium.json --points points.csv --output values.csv --detail
-  hts eval --material aluminium.json --points - --wavelengths 0.4:0.7:31 < pairs.csv
-  hts eval --material aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
-  hts eval --plan plan.json --material "copper sphere" --points pairs.csv)";
+  hts eval --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 30 --theta-r 30 --phi 180
+  hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv --output values.csv --detail
+  hts eval --material cli/data/rough-aluminium.json --points - --wavelengths 0.4:0.7:31 < cli/data/pairs.csv
+  hts eval --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
+  hts plan cli/data/figure-14.json --output plan.json
+  hts eval --plan plan.json --material "copper sphere" --points cli/data/pairs.csv)";
 
 struct EvalOptions {
     MaterialOptions material;
@@ -49,6 +49,17 @@ struct EvalOptions {
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
     bool mueller = false, detail = false, transmission = false, compensate = false;
+    ToleranceOption tolerance;
+
+    /// How the material is to be evaluated, without energy compensation.
+    [[nodiscard]] spectral::EvaluationOptions plain() const {
+        return {.tolerance = tolerance.tolerance(), .outside = material.policy()};
+    }
+    [[nodiscard]] spectral::EvaluationOptions evaluation() const {
+        auto how = plain();
+        how.compensate_energy = compensate;
+        return how;
+    }
 };
 
 std::optional<spectral::WavelengthGrid> wavelengths(const EvalOptions& options) {
@@ -84,27 +95,25 @@ void warn_of_unused(const CsvReader& points) {
         std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
 }
 
-std::optional<spectral::AnyReflector> reflector(const EvalOptions& options) {
+std::optional<spectral::Material> material(const EvalOptions& options) {
     if (options.material.path.empty()) return std::nullopt;
     auto described = options.material.read();
-    if (options.compensate) static_cast<void>(MaterialOptions::he_torrance(described, "--compensate-energy"));
-    if (options.mueller) static_cast<void>(MaterialOptions::he_torrance(described, "--mueller"));
-    if (!options.polarisation.empty())
-        static_cast<void>(MaterialOptions::he_torrance(described, "--polarisation"));
+    if (options.compensate) require_rough_surface(described, "--compensate-energy");
+    if (options.mueller) require_polarised(described, "--mueller");
+    if (!options.polarisation.empty()) require_polarised(described, "--polarisation");
     return described;
 }
 
-/// The model at the wavelengths that the options give, none if the points bring theirs.
-std::optional<spectral::AnySpectrum> spectrum(const EvalOptions& options,
-                                              const spectral::AnyReflector& reflector) {
+/// hts::Error that names the option if the material is not known at the wavelengths that it gives.
+void require_known(const EvalOptions& options, const spectral::Material& material) {
     const auto grid = wavelengths(options);
-    if (!grid) return std::nullopt;
+    if (!grid) return;
     const char* option = options.wavelength ? "--wavelength" : "--wavelengths";
-    return spectrum_from_option(option, reflector, *grid, options.material.policy());
+    static_cast<void>(reflectance_from_option(option, material, *grid, options.plain()));
 }
 
 bool has_own_constants(const CsvReader& points) {
-    return points.column("n") || points.column("k") || points.column("albedo");
+    return points.find_column("n") || points.find_column("k") || points.find_column("albedo");
 }
 
 CsvReader points_of(const EvalOptions& options) {
@@ -113,10 +122,10 @@ CsvReader points_of(const EvalOptions& options) {
 
 void evaluate_as_planned(const EvalOptions& options) {
     if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
-        options.compensate || !options.polarisation.empty()) {
+        options.compensate || !options.polarisation.empty() || options.tolerance.value) {
         throw UsageError{
             "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
-            "--compensate-energy, --polarisation"};
+            "--compensate-energy, --polarisation, --tolerance"};
     }
     CsvReader points = points_of(options);
     evaluate_planned({options.plan, options.material.path, options.mueller}, points, options.output);
@@ -126,12 +135,12 @@ void evaluate_points(const EvalOptions& options) {
     CsvReader points = points_of(options);
     const bool own_wavelength = options.points.empty() && options.wavelength;
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
-    const auto described = reflector(options);
-    if (described && !has_own_constants(points)) static_cast<void>(spectrum(options, *described));
-    const PointEvaluator evaluator{points, described, grid, options.material.policy(), options.compensate};
+    const auto described = material(options);
+    if (described && !has_own_constants(points)) require_known(options, *described);
+    const PointEvaluator evaluator{points, described, grid, options.evaluation()};
     warn_of_unused(points);
-    const bool he = !described || described->he_torrance() != nullptr;
-    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && he, options.transmission};
+    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && evaluator.of_rough_surfaces(),
+                      options.transmission};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -142,7 +151,7 @@ void evaluate_points(const EvalOptions& options) {
     const Summary summary = Transform<Evaluation>{points, table, evaluator.wavelengths()}.run(
         [&](const CsvRow& row, std::span<Evaluation> result) {
             if (answer.transmission) return evaluator.evaluate_transmission(row, result);
-            evaluator.evaluate(row, answer.needs_mueller(), result, warning);
+            evaluator.evaluate(row, answer.wish(), result, warning);
         },
         [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
     output.commit();
@@ -150,36 +159,16 @@ void evaluate_points(const EvalOptions& options) {
     if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
 }
 
-/// The library's batch call, in blocks on all cores.
-BrdfBatch batch_of(const spectral::AnyReflector& reflector, const EvalOptions& options,
-                   const spectral::WavelengthGrid& grid) {
-    const auto policy = options.material.policy();
-    const std::shared_ptr<const spectral::SpectralBrdf> brdf =
-        options.compensate ? compensated_brdf(*reflector.he_torrance(), grid, policy)
-                           : model_brdf(reflector, grid, policy);
-    return [brdf](std::span<const spectral::DirectionPair> pairs, std::span<double> result) {
-        constexpr std::size_t block = 256;
-        const std::size_t width = brdf->wavelengths().size();
-        spectral::parallel_for(
-            (pairs.size() + block - 1) / block,
-            [&](std::size_t i) {
-                const std::size_t first = i * block, count = std::min(block, pairs.size() - first);
-                brdf->brdf_batch(pairs.subspan(first, count), result.subspan(first * width, count * width));
-            },
-            1);
-    };
-}
-
 void evaluate_random(const EvalOptions& options) {
     const auto grid = wavelengths(options);
-    const auto described = reflector(options);
+    const auto described = material(options);
     if (!grid || !described) throw UsageError{"--random-pairs: must come with --material and --wavelengths"};
-    static_cast<void>(spectrum(options, *described));  // names the option where the material is not known
+    require_known(options, *described);
+    const auto reflectance = described->at(*grid, options.evaluation());
     const Direction normal = Direction::from_degrees(0, 0);
     ValidityWarning warning;
-    warning.note(*described, {normal, normal}, *grid, options.material.policy());
-    const auto [summary, mean_brdf] = evaluate_random_pairs(
-        batch_of(*described, options, *grid), grid->size(), *options.random_pairs, options.seed);
+    warning.note(reflectance, {normal, normal});
+    const auto [summary, mean_brdf] = evaluate_random_pairs(reflectance, *options.random_pairs, options.seed);
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
@@ -206,6 +195,7 @@ void run(const EvalOptions& options) {
     require_one_of(!options.points.empty(), options.random_pairs.has_value(), "--points and --random-pairs");
     require_one_of(options.directions.any(), options.random_pairs.has_value(),
                    "--random-pairs and a direction");
+    require_one_of(options.detail, options.tolerance.value.has_value(), "--detail and --tolerance");
     require_one_of(options.mueller || !options.polarisation.empty(), options.random_pairs.has_value(),
                    "--random-pairs and --mueller or --polarisation");
     if (options.transmission &&
@@ -247,6 +237,7 @@ void add_eval(CLI::App& program) {
         "--polarisation", options->polarisation,
         "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
         "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
+    options->tolerance.add_to(*verb);
     verb->add_option("--random-pairs", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
                      "the BRDF at all wavelengths in one call; prints mean and speed")

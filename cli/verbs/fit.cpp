@@ -34,9 +34,9 @@ no material has; --report writes everything.
 
 Examples:
   hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
-  hts fit curves.json --model kurt --lobes 2 --residual cosine --largest-theta 80
-  hts fit curves.json --model he --free scale,k --fix a=0 --start sigma0=0.3 --json
-  hts fit --all-models curves-a.json curves-b.json --residual cosine)";
+  hts fit curet-sandpaper --model kurt --lobes 2 --residual cosine --largest-theta 80
+  hts fit mwir-brass --model he --free scale,k --fix a=0 --start sigma0=0.3 --json
+  hts fit --all-models mwir-brass curet-sandpaper --residual cosine)";
 
 struct FitOptions {
     std::vector<std::string> curves, fixed, freed, starts;

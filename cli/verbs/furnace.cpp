@@ -9,12 +9,12 @@
 
 #include "cli/answers/furnace_script.hpp"
 #include "cli/io/folder.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/energy/compensation.hpp"
+#include "spectral/output/gnuplot.hpp"
 #include "spectral/parallel.hpp"
 
 namespace hts::cli {
@@ -126,7 +126,7 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
               const std::string& title, Total&& total) {
     std::vector<double> totals;
     for (const FurnacePoint& point : points) totals.push_back(total(point));
-    draw(path.string(),
+    output::draw(path.string(),
          furnace_script(grid, totals, title,
                         "Total reflectance of a rough surface whose facets reflect everything, |F|² = 1; "
                         "energy is conserved where it is 1."));
@@ -136,7 +136,7 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
 void run(const FurnaceOptions& options) {
     const fs::path folder{options.folder};
     make_folder(folder);
-    require_gnuplot((folder / "furnace.svg").string());
+    output::require_gnuplot((folder / "furnace.svg").string());
     const FurnaceGrid grid = furnace_grid(options.quick);
     const auto points = furnace_map(grid, options.compensate);
     for (const char* name : {"furnace.csv", "furnace.json"}) {

@@ -26,8 +26,8 @@ be wrong with the material.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.
 
 Examples:
-  hts info aluminium.json
-  hts info aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output aluminium-info.csv)";
+  hts info cli/data/rough-aluminium.json
+  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output info.csv)";
 
 struct InfoOptions {
     std::string material, wavelengths = "0.38:0.78:9";
@@ -54,12 +54,12 @@ void run(const InfoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     require_angles("--theta", options.theta);
     const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
-    const auto reflector = spectral::read_any_reflector(options.material, tables::models_with_files());
-    static_cast<void>(spectrum_from_option("--wavelengths", reflector, grid, policy));
-    if (const spectral::Reflector* he = reflector.he_torrance()) {
-        report(options.output, MaterialInfo{*he, grid, options.theta, policy});
+    const auto material = spectral::read_material(options.material, tables::models_with_files());
+    static_cast<void>(reflectance_from_option("--wavelengths", material, grid, {.outside = policy}));
+    if (material.properties().surface) {
+        report(options.output, MaterialInfo{material, grid, options.theta, policy});
     } else {
-        report(options.output, EnergyInfo{reflector, grid, options.theta, policy});
+        report(options.output, EnergyInfo{material, grid, options.theta, policy});
     }
 }
 

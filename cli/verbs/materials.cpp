@@ -7,7 +7,6 @@
 #include <memory>
 #include <regex>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
@@ -18,7 +17,7 @@
 namespace hts::cli {
 namespace {
 
-using spectral::Material;
+using spectral::OpticalConstants;
 
 constexpr int sample_size = 11;
 
@@ -30,7 +29,7 @@ and n, k over the range, or at --wavelengths, as data.
 Examples:
   hts materials
   hts materials Al --wavelengths 0.4:0.7:7
-  hts materials Rakic.yml --json)";
+  hts materials spectral/materials/data/Al.yml --json)";
 
 struct MaterialsOptions {
     std::string name, wavelengths;
@@ -47,8 +46,8 @@ std::string short_source(const std::string& source) {
 }
 
 void list(TableWriter& table) {
-    for (const std::string& name : spectral::built_in_material_names()) {
-        const Material material = spectral::built_in_material(name);
+    for (const std::string& name : spectral::optical_constants_names()) {
+        const OpticalConstants material = spectral::built_in_optical_constants(name);
         std::string text;
         TableWriter::Row row{table, text};
         row.field(name).field(shortest(material.range().shortest)).field(shortest(material.range().longest));
@@ -63,28 +62,30 @@ bool looks_like_a_path(const std::string& name) {
     return name.find_first_of("./") != std::string::npos || std::filesystem::exists(name);
 }
 
-Material material_of(const std::string& name) {
-    const auto names = spectral::built_in_material_names();
-    if (std::find(names.begin(), names.end(), name) != names.end()) return spectral::built_in_material(name);
-    if (looks_like_a_path(name)) return spectral::read_material(name);
-    return from_option("material", [&] { return spectral::built_in_material(name); });
+OpticalConstants material_of(const std::string& name) {
+    const auto names = spectral::optical_constants_names();
+    if (std::find(names.begin(), names.end(), name) != names.end())
+        return spectral::built_in_optical_constants(name);
+    if (looks_like_a_path(name)) return spectral::read_optical_constants(name);
+    return from_option("material", [&] { return spectral::built_in_optical_constants(name); });
 }
 
 /// Equal ratios over the range of a table, rounded between its ends; the visible for a constant.
-spectral::WavelengthGrid sample_grid(const Material& material) {
+spectral::WavelengthGrid sample_grid(const OpticalConstants& material) {
     const auto [first, last] = material.range();
     if (last >= longest_length) return spectral::WavelengthGrid::linear(0.4, 0.7, sample_size);
     std::vector<double> um{first};
     for (int i = 1; i < sample_size; ++i) {
         const double exact = first * std::pow(last / first, static_cast<double>(i) / (sample_size - 1));
-        const double next = number(brief(exact), "wavelength");
+        const double next = spectral::number_in(brief(exact));
         if (next > um.back() && next < last) um.push_back(next);
     }
     if (last > first) um.push_back(last);
     return spectral::WavelengthGrid::from_micrometres(std::move(um));
 }
 
-void sample(TableWriter& table, const Material& material, const spectral::WavelengthGrid& grid, bool clamp) {
+void sample(TableWriter& table, const OpticalConstants& material, const spectral::WavelengthGrid& grid,
+            bool clamp) {
     const auto policy = clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const RefractiveIndex index = material.index(grid[i], policy);
@@ -100,7 +101,7 @@ void sample(TableWriter& table, const Material& material, const spectral::Wavele
 }
 
 void describe(Output& output, Format format, const MaterialsOptions& options) {
-    const Material material = material_of(options.name);
+    const OpticalConstants material = material_of(options.name);
     const auto grid =
         options.wavelengths.empty() ? sample_grid(material) : wavelengths_from_option(options.wavelengths);
     const std::string shortest_um = shortest(material.range().shortest);

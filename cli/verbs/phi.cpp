@@ -21,7 +21,7 @@ columns g and t in any order; the answer repeats its columns and adds phi, log_p
 
 Examples:
   hts phi --g 100 --t 30
-  hts phi --points gt.csv --output phi.csv)";
+  hts phi --points cli/data/g-and-t.csv --output phi.csv)";
 
 struct PhiOptions {
     std::optional<double> g, t;
@@ -49,11 +49,11 @@ void run(const PhiOptions& options) {
         throw UsageError{"--points: must not come with --g or --t"};
     }
     CsvReader points = options.points.empty() ? single_point(options) : CsvReader{options.points};
-    const std::size_t g = points.required_column("g");
-    const std::size_t t = points.required_column("t");
+    const std::size_t g = points.column("g");
+    const std::size_t t = points.column("t");
     const auto evaluate = [g, t](const CsvRow& row, std::span<Phi> result) {
-        const double g_value = number(row.fields[g], "g");
-        const double t_value = number(row.fields[t], "t");
+        const double g_value = spectral::number_in(row.fields[g], "g");
+        const double t_value = spectral::number_in(row.fields[t], "t");
         require_in_domain(g_value, t_value);
         result[0] = phi(g_value, t_value);
     };

@@ -1,5 +1,6 @@
 // hts plan: for every material of a scene the cheapest evaluator that is exact enough, as measured.
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -13,7 +14,6 @@
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
-#include "spectral/models/reflectance.hpp"
 #include "spectral/plans/plan.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/plans/plan_cost.hpp"
@@ -39,8 +39,8 @@ directions of the scene against the full model; spectral/plans/plan.hpp defines 
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
 
 Examples:
-  hts plan figure-14.json
-  hts plan figure-14.json --tolerance 1e-6 --output plan.json
+  hts plan cli/data/figure-14.json
+  hts plan cli/data/figure-14-spectral.json --tolerance 1e-6 --output plan.json
   hts plan --check plan.json --seed 2)";
 
 struct PlanOptions {
@@ -63,9 +63,9 @@ std::string wavelengths_in_words(const Rung& rung) {
     return std::to_string(count) + (count == 1 ? " wavelength" : " wavelengths");
 }
 
-std::string in_words(const Rung& rung, const spectral::AnyReflector& material) {
+std::string in_words(const Rung& rung, const spectral::Material& material) {
     if (!rung.table.empty()) return "table " + rung.table.file + ", " + wavelengths_in_words(rung);
-    if (material.he_torrance() == nullptr) {
+    if (!material.properties().surface) {
         const bool whole = rung.lobe == DiffuseLobe::full;
         return (whole ? "all of " + material.model_name() : std::string{"uniform term alone"}) + ", " +
                wavelengths_in_words(rung);
@@ -102,29 +102,29 @@ std::vector<MaterialCost> costs(const Plan& plan) {
     std::vector<MaterialCost> result;
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         const spectral::MaterialForms forms{plan.scene, plan.scene.materials[i]};
-        result.push_back({tables::plan_cost(plan.scene, forms, plan.materials[i].evaluator),
+        result.push_back({tables::plan_cost(plan.scene, forms, plan.materials[i].form),
                           tables::plan_cost(plan.scene, forms, forms.full_model())});
     }
     return result;
 }
 
-/// What model he has besides the forms of a rung.
-std::string other_terms(const spectral::Scene& scene, const spectral::AnyReflector& material) {
-    const spectral::Reflector* he = material.he_torrance();
-    if (he == nullptr) return "";
-    bool uniform = false;
-    for (const SpectralSample& sample : spectral_samples(*he, scene.wavelengths, scene.outside_range))
-        uniform = uniform || sample.uniform_diffuse > 0;
+/// What a rough surface has besides the forms of a rung.
+std::string other_terms(const spectral::Scene& scene, const spectral::Material& material) {
+    if (!material.properties().surface) return "";
+    const auto reflectance = material.at(scene.wavelengths, {.outside = scene.outside_range});
+    const bool uniform = std::ranges::any_of(
+        reflectance.samples(), [](const SpectralSample& sample) { return sample.uniform_diffuse > 0; });
     return std::string{uniform ? ", uniform term" : ", no uniform term (a = 0)"} +
            (scene.polarised ? ", Mueller" : ", scalar") +
            (scene.compensate_energy ? ", energy compensated" : "");
 }
 
 /// Where the time of the diffuse terms goes.
-std::string parts(const tables::PlanCost& cost, bool analytic_he) {
-    return analytic_he ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
-                                   cost.directions, cost.phi, cost.rest, cost.interpolation)
-                       : formatted("values %.0f, interpolation %.0f", cost.rest, cost.interpolation);
+std::string parts(const tables::PlanCost& cost, bool rough_surface) {
+    return rough_surface
+               ? formatted("directions %.0f, Phi %.0f, Fresnel and the rest %.0f, interpolation %.0f",
+                           cost.directions, cost.phi, cost.rest, cost.interpolation)
+               : formatted("values %.0f, interpolation %.0f", cost.rest, cost.interpolation);
 }
 
 /// What a plan says besides: for each material what came of a table, nothing unless tables were tried.
@@ -133,20 +133,20 @@ using TableVerdicts = std::vector<std::string>;
 std::string report(const Plan& plan, std::size_t i, const MaterialCost& cost, const TableVerdicts& tables) {
     const spectral::PlannedMaterial& material = plan.materials[i];
     const tables::PlanCost &now = cost.chosen, &full = cost.full;
-    const spectral::AnyReflector& described = plan.scene.materials[i];
-    const bool he = described.he_torrance() != nullptr;
+    const spectral::Material& described = plan.scene.materials[i];
+    const bool rough = described.properties().surface.has_value();
     std::string text = material.name + ": " + in_words(material.choice.rung, described) +
                        other_terms(plan.scene, described) + "\n";
     text += "  error     " + in_words(material.choice.error) + "\n";
     text += formatted("  diffuse   %.0f ns a pair of directions, full model %.0f ns: %.1f times\n",
                       now.diffuse, full.diffuse, full.diffuse / now.diffuse);
-    text += "            " + parts(now, he && material.choice.rung.table.empty());
+    text += "            " + parts(now, rough && material.choice.rung.table.empty());
     text += plan.scene.illuminant ? formatted("; colour %.0f more\n", now.colour) : "\n";
-    if (he) {
+    if (rough) {
         text += formatted("  mirror    %.0f ns a direction of light, full model %.0f ns\n", now.mirror,
                           full.mirror);
     }
-    text += "  memory    " + std::to_string(material.evaluator.bytes()) + " bytes\n";
+    text += "  memory    " + std::to_string(material.form.bytes()) + " bytes\n";
     if (!tables.empty()) text += "  table     " + tables[i] + "\n";
     for (const MeasuredRung& rung : material.rejected) {
         text += (&rung == &material.rejected.front() ? "  rejected  " : "            ") +
@@ -180,7 +180,7 @@ std::string json_report(const Plan& plan, const fs::path& folder, const TableVer
     const auto cost = costs(plan);
     for (std::size_t i = 0; i < cost.size(); ++i) {
         costs_of_all.push_back({{"name", plan.materials[i].name},
-                                {"bytes", plan.materials[i].evaluator.bytes()},
+                                {"bytes", plan.materials[i].form.bytes()},
                                 {"chosen", object(cost[i].chosen)},
                                 {"full_model", object(cost[i].full)}});
         if (!tables.empty()) costs_of_all.back()["table"] = tables[i];
@@ -197,13 +197,14 @@ void plan_scene(const PlanOptions& options) {
     spectral::PlanSampling sampling;
     sampling.seed = options.seed.value_or(sampling.seed);
     sampling.pairs = options.pairs.value_or(sampling.pairs);
-    for (const spectral::AnyReflector& material : scene.materials) {
+    for (const spectral::Material& material : scene.materials) {
         for (const std::string& warning : material.warnings())
             std::cerr << "hts: " << material.name() << ": " << warning << '\n';
     }
     Plan plan = make_plan(scene, sampling, tolerance);
     const fs::path folder = fs::path{options.output}.parent_path();
-    auto [verdicts, files] = options.tables ? tables::try_tables(plan, options.output) : tables::TriedTables{};
+    auto [verdicts, files] =
+        options.tables ? tables::try_tables(plan, options.output) : tables::TriedTables{};
     if (!options.output.empty()) files.push_back({options.output, plan_text(plan, folder)});
     spectral::write_files(files);
     write_file("-", options.json ? json_report(plan, folder, verdicts) : report(plan, verdicts));

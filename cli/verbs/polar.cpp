@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/output/gnuplot.hpp"
 #include "validation/papers/polar_script.hpp"
 
 namespace hts::cli {
@@ -36,9 +36,10 @@ acos(1 - w / 2 pi), one about the mirror direction, one about the view. The diff
 are not averaged over the cones. The paper has w = pi/1024 sr = 0.0030679616.
 
 Examples:
-  hts polar --material aluminium.json --wavelength 0.5 --theta-i 10,30,45,60,75 \
+  hts polar --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 10,30,45,60,75 \
       --solid-angle 0.0030679616 --output figure.svg
-  hts polar --material aluminium.json --wavelength 2 --theta-i 45 --absolute --log -o log.svg)";
+  hts polar --material cli/data/rough-aluminium.json --wavelength 2 --theta-i 45 --absolute --log \
+      --output log.svg)";
 
 struct PolarOptions {
     MaterialOptions material;
@@ -58,10 +59,10 @@ std::optional<EqualCones> cones(const PolarOptions& options) {
     return from_option("--solid-angle", [&] { return EqualCones{*options.solid_angle}; });
 }
 
-std::vector<PolarCurve> curves(const PolarOptions& options, const spectral::AnyModel& model) {
+std::vector<PolarCurve> curves(const PolarOptions& options, const spectral::Reflectance& reflectance) {
     std::vector<PolarCurve> result;
     for (const double theta_i : options.theta_i) {
-        result.push_back(polar_curve(model, theta_i, options.phi_i, cones(options), options.radius()));
+        result.push_back(polar_curve(reflectance, theta_i, options.phi_i, cones(options), options.radius()));
     }
     return result;
 }
@@ -106,27 +107,27 @@ PolarStyle style(const PolarOptions& options, const std::string& name, const std
 }
 
 /// About the specular direction of each curve, where the lobe is.
-void warn(const PolarOptions& options, const spectral::AnyReflector& reflector,
-          const spectral::WavelengthGrid& grid) {
+void warn(const PolarOptions& options, const spectral::Reflectance& reflectance) {
     ValidityWarning warning;
     for (const double degrees : options.theta_i) {
         const Direction in = Direction::from_degrees(degrees, 0);
-        warning.note(reflector, {in, in.mirror()}, grid, options.material.policy());
+        warning.note(reflectance, {in, in.mirror()});
     }
     warning.print();
 }
 
-void write(const PolarOptions& options, const std::string& name, const spectral::AnyModel& model) {
-    const auto drawn = curves(options, model);
+void write(const PolarOptions& options, const spectral::Reflectance& reflectance) {
+    const auto drawn = curves(options, reflectance);
     const std::filesystem::path path{options.output.path};
     if (path.extension() != ".svg") {
         write_table(options.output.path, format_of(options.output.path, options.output.json), drawn);
         return;
     }
-    require_gnuplot(options.output.path);
+    output::require_gnuplot(options.output.path);
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
-    draw(options.output.path, polar_script(drawn, style(options, name, data.filename().string())));
+    output::draw(options.output.path,
+         polar_script(drawn, style(options, reflectance.name(), data.filename().string())));
 }
 
 void run(const PolarOptions& options) {
@@ -137,11 +138,11 @@ void run(const PolarOptions& options) {
         throw UsageError{"--json: must not come with an output .svg"};
     }
     from_option("--phi-i", [&] { return Direction::from_degrees(0, options.phi_i); });
-    const auto reflector = options.material.read();
     const auto grid = spectral::WavelengthGrid::from_micrometres({options.wavelength});
-    const auto model = spectrum_from_option("--wavelength", reflector, grid, options.material.policy());
-    write(options, reflector.name(), model.models().front());
-    warn(options, reflector, grid);
+    const auto reflectance =
+        reflectance_from_option("--wavelength", options.material.read(), grid, options.material.evaluation());
+    write(options, reflectance);
+    warn(options, reflectance);
 }
 
 }  // namespace

@@ -69,12 +69,12 @@ Gallery chosen(const RenderOptions& options) {
         return *named(validation::galleries(), options.scene);
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
-    const auto reflector = options.material.read();
-    static_cast<void>(spectrum_from_option("hts render", reflector, validation::picture_wavelengths(),
-                                           options.material.policy()));
-    Scene scene = shape->of(validation::Appearance{reflector});
+    const auto material = options.material.read();
+    static_cast<void>(reflectance_from_option("hts render", material, validation::picture_wavelengths(),
+                                              {.outside = options.material.policy()}));
+    Scene scene = shape->of(validation::Appearance{material});
     for (auto& object : scene.objects) object.turn = options.turn * std::numbers::pi / 180;
-    return {options.scene, reflector.name(), 1, 1, [scene] { return std::vector{scene}; }};
+    return {options.scene, material.name(), 1, 1, [scene] { return std::vector{scene}; }};
 }
 
 void run(const RenderOptions& options) {

@@ -1,21 +1,20 @@
 // hts sample: outgoing directions drawn in proportion to what a material reflects.
 
-#include "hts/sampling.hpp"
-
 #include <array>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <sstream>
 
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "hts/sampling/random.hpp"
+#include "spectral/output/gnuplot.hpp"
+#include "spectral/output/script.hpp"
 
 namespace hts::cli {
 namespace {
@@ -30,8 +29,10 @@ the hemisphere. The same seed gives the same draws. Models other than he draw on
 called uniform_diffuse where that part is all there is.
 
 Examples:
-  hts sample --material aluminium.json --wavelength 0.5 --theta-i 45 --count 100000 --output dirs.csv
-  hts sample --material aluminium.json --wavelength 2 --theta-i 75 --count 20000 --plot dirs.svg --output dirs.csv)";
+  hts sample --material cli/data/rough-aluminium.json --wavelength 0.5 --theta-i 45 --count 100000 \
+      --output directions.csv
+  hts sample --material cli/data/rough-aluminium.json --wavelength 2 --theta-i 75 --count 20000 \
+      --plot directions.svg --output directions.csv)";
 
 struct SampleOptions {
     MaterialOptions material;
@@ -47,7 +48,7 @@ struct Statistics {
     std::array<std::size_t, 4> lobes{};  // by Lobe
     std::size_t count = 0;
 
-    void add(const WeightedDirection& drawn) {
+    void add(const Draw& drawn) {
         sum += drawn.weight;
         squares += drawn.weight * drawn.weight;
         ++lobes[static_cast<std::size_t>(drawn.lobe)];
@@ -76,59 +77,30 @@ Degrees degrees(const Direction& direction) {
     return {std::atan2(direction.sin_theta(), direction.cos_theta()) * per_radian, phi < 0 ? phi + 360 : phi};
 }
 
-spectral::AnyModel model(const SampleOptions& options) {
+spectral::Sampler sampler(const SampleOptions& options) {
     const auto grid = spectral::WavelengthGrid::from_micrometres(
         {wavelength_from_option(options.wavelength).micrometres()});
-    return spectrum_from_option("--wavelength", options.material.read(), grid, options.material.policy())
-        .models()
-        .front();
-}
-
-Uniforms uniforms(std::mt19937_64& random) {
-    Uniforms u{};
-    for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return u;
-}
-
-/// Directions as seen from above the surface, each lobe in a colour.
-std::string plot_script(const std::string& title, const std::string& points) {
-    return "set title " + gnuplot_string(title) + R"( noenhanced
-$draws << EOD
-)" + points +
-           R"(EOD
-set size ratio -1
-set xrange [-1.15:1.15]
-set yrange [-1.15:1.15]
-unset border
-unset tics
-set key outside right top samplen 1
-set for [s=1:3] object s circle at 0,0 size sin(30*s*pi/180) fc rgb '#999999' fs empty border rgb '#bbbbbb'
-set for [s=1:3] label s sprintf('%d°', 30*s) at 0,-sin(30*s*pi/180)-0.03 center tc rgb '#777777' font ',11'
-plot $draws using 1:($3==2 ? $2 : 1/0) with dots lc rgb '#0072b2' notitle, \
-     '' using 1:($3==3 ? $2 : 1/0) with dots lc rgb '#009e73' notitle, \
-     '' using 1:($3==1 ? $2 : 1/0) with points pt 7 ps 1 lc rgb '#d55e00' title 'specular', \
-     NaN with points pt 7 lc rgb '#0072b2' title 'directional diffuse', \
-     NaN with points pt 7 lc rgb '#009e73' title 'uniform diffuse', \
-     '' using 1:($3==4 ? $2 : 1/0) with points pt 2 ps 1.5 lc rgb '#000000' title 'light'
-)";
+    return reflectance_from_option("--wavelength", options.material.read(), grid,
+                                   options.material.evaluation())
+        .sampler(0);
 }
 
 void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
-    const spectral::AnyModel prepared = model(options);
-    if (!options.plot.empty()) require_gnuplot(options.plot);
-    std::mt19937_64 random{options.seed};
+    const spectral::Sampler prepared = sampler(options);
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
+    Random random{options.seed};
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
                       {"theta_r_deg", "phi_r_deg", "lobe", "pdf", "weight"}};
     Statistics statistics;
-    std::ostringstream points;
+    output::Rows points;
     const Vector3 light = in.vector();
-    points << light.x << ' ' << light.y << " 4\n";
+    points.push_back({light.x, light.y, 4});
     for (std::uint64_t i = 0; i < options.count; ++i) {
-        const WeightedDirection drawn = prepared.sample(in, uniforms(random));
+        const Draw drawn = prepared.sample(in, random.uniforms());
         const Degrees out = degrees(drawn.out);
         std::string text;
         TableWriter::Row row{table, text};
@@ -142,16 +114,16 @@ void run(const SampleOptions& options) {
         statistics.add(drawn);
         if (options.plot.empty() || drawn.lobe == Lobe::none) continue;
         const Vector3 v = drawn.out.vector();
-        points << v.x << ' ' << v.y << ' ' << static_cast<int>(drawn.lobe) << '\n';
+        points.push_back({v.x, v.y, static_cast<double>(drawn.lobe)});
     }
     table.finish();
     output.commit();
     std::cerr << "hts: " << statistics.text() << '\n';
     if (options.plot.empty()) return;
-    draw(options.plot,
-         plot_script(std::to_string(options.count) + " draws, theta_i " + shortest(options.theta_i) +
-                         " deg, " + shortest(options.wavelength) + " um",
-                     points.str()));
+    output::Script script;
+    script.set("title", std::to_string(options.count) + " draws, theta_i " + shortest(options.theta_i) +
+                            " deg, " + shortest(options.wavelength) + " um");
+    output::draw(options.plot, script.data("draws", points).with("sample"));
 }
 
 }  // namespace

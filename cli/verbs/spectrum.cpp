@@ -1,20 +1,21 @@
 // hts spectrum: the BRDF spectrum of a material at one pair of directions, and its colour.
 
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include "cli/answers/spectrum_colour.hpp"
 #include "cli/answers/validity_warning.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
-#include "spectral/models/spectral_brdf.hpp"
+#include "spectral/models/reflected_terms.hpp"
+#include "spectral/output/gnuplot.hpp"
+#include "spectral/output/script.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::cli {
@@ -27,8 +28,8 @@ pi f of both diffuse terms, and that of the specular reflectance; it goes to sta
 error, in JSON beside the spectrum.
 
 Examples:
-  hts spectrum --material aluminium.json --theta-i 30 --theta-r 30 --phi 180
-  hts spectrum --material aluminium.json --theta-i 30 --theta-r 45 --phi 180 \
+  hts spectrum --material cli/data/rough-aluminium.json --theta-i 30 --theta-r 30 --phi 180
+  hts spectrum --material cli/data/rough-aluminium.json --theta-i 30 --theta-r 45 --phi 180 \
       --wavelengths 0.4:0.7:31 --illuminant E --output spectrum.csv --plot spectrum.svg)";
 
 struct SpectrumOptions {
@@ -37,6 +38,7 @@ struct SpectrumOptions {
     OutputOptions output;
     std::string wavelengths = "0.38:0.78:41", illuminant, plot;
     bool compensate = false;
+    ToleranceOption tolerance;
 };
 
 /// The three terms, one value per wavelength.
@@ -44,29 +46,19 @@ struct Spectrum {
     std::vector<double> directional_diffuse, uniform_diffuse, brdf, specular_reflectance;
 };
 
-Spectrum spectrum_of(const spectral::SpectralBrdf& model, const spectral::DirectionPair& pair) {
-    const std::vector<double> none(model.wavelengths().size());
-    Spectrum result{none, none, none, none};
-    model.directional_diffuse(pair, result.directional_diffuse);
-    model.brdf(pair, result.brdf);
-    model.specular_reflectance(pair.in, result.specular_reflectance);
-    model.uniform_diffuse(result.uniform_diffuse);
-    for (std::size_t i = 0; i < none.size(); ++i)  // on the horizon most models have none of either
-        result.uniform_diffuse[i] = std::min(result.uniform_diffuse[i], result.brdf[i]);
-    return result;
+Spectrum spectrum_of(const spectral::Reflectance& model, const spectral::DirectionPair& pair) {
+    auto terms = spectral::reflected_terms(model, pair);
+    return {std::move(terms.directional_diffuse), std::move(terms.uniform_diffuse), model.brdf(pair),
+            std::move(terms.specular_reflectance)};
 }
 
-Spectrum spectrum_of(const SpectrumOptions& options, const spectral::AnyReflector& reflector,
-                     const spectral::WavelengthGrid& grid, const spectral::DirectionPair& pair) {
-    const auto policy = options.material.policy();
-    if (!options.compensate) {
-        const auto model =
-            spectral::located("--wavelengths", [&] { return model_brdf(reflector, grid, policy); });
-        return spectrum_of(*model, pair);
-    }
-    const spectral::Reflector& he = MaterialOptions::he_torrance(reflector, "--compensate-energy");
-    const auto model = spectral::located("--wavelengths", [&] { return compensated_brdf(he, grid, policy); });
-    return spectrum_of(*model, pair);
+spectral::Reflectance reflectance_of(const SpectrumOptions& options, const spectral::Material& material,
+                                     const spectral::WavelengthGrid& grid) {
+    if (options.compensate) require_rough_surface(material, "--compensate-energy");
+    return reflectance_from_option("--wavelengths", material, grid,
+                                   {.tolerance = options.tolerance.tolerance(),
+                                    .outside = options.material.policy(),
+                                    .compensate_energy = options.compensate});
 }
 
 void write_table(Output& output, Format format, const spectral::WavelengthGrid& grid,
@@ -86,30 +78,19 @@ void write_table(Output& output, Format format, const spectral::WavelengthGrid& 
     table.finish();
 }
 
-std::string title(const spectral::AnyReflector& reflector, const DirectionOptions& directions) {
-    return reflector.name() + ", theta_i " + shortest(*directions.theta_i) + ", theta_r " +
+std::string title(const spectral::Material& material, const DirectionOptions& directions) {
+    return material.name() + ", theta_i " + shortest(*directions.theta_i) + ", theta_r " +
            shortest(*directions.theta_r) + ", phi " +
            shortest(directions.reflected_azimuth() - directions.incident_azimuth()) + " deg";
 }
 
 std::string plot_script(const std::string& title, const spectral::WavelengthGrid& grid,
                         const Spectrum& spectrum) {
-    std::ostringstream script;
-    script << "set title " << gnuplot_string(title) << " noenhanced\n"
-           << "set xlabel 'wavelength [µm]'\nset ylabel 'BRDF [1/sr]'\n"
-           << "set y2label 'specular reflectance'\nset ytics nomirror\nset y2tics\n"
-           << "set yrange [0:*]\nset y2range [0:*]\nset grid lc rgb '#dddddd'\n"
-           << "set bmargin at screen 0.18\nset key at screen 0.5,0.02 bottom center horizontal\n"
-           << "$spectrum << EOD\n";
+    output::Rows rows;
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        script << grid.micrometres()[i] << ' ' << spectrum.brdf[i] << ' ' << spectrum.specular_reflectance[i]
-               << '\n';
+        rows.push_back({grid.micrometres()[i], spectrum.brdf[i], spectrum.specular_reflectance[i]});
     }
-    script
-        << "EOD\n"
-        << "plot $spectrum using 1:2 with lines lw 2.5 lc rgb '#0072b2' title 'diffuse terms (left)', \\\n"
-        << "     '' using 1:3 axes x1y2 with lines lw 2.5 dt 2 lc rgb '#d55e00' title 'specular (right)'\n";
-    return script.str();
+    return output::Script{}.set("title", title).data("spectrum", rows).with("spectrum");
 }
 
 /// The colour, none for a grid that does not span the visible unless an illuminant was asked for.
@@ -132,26 +113,27 @@ std::optional<SpectrumColour> colour(const SpectrumOptions& options, const spect
 void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
-    const auto reflector = options.material.read();
-    if (!options.plot.empty()) require_gnuplot(options.plot);
-    const auto spectrum = spectrum_of(options, reflector, grid, pair);
+    const auto material = options.material.read();
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
+    const auto reflectance = reflectance_of(options, material, grid);
+    const auto spectrum = spectrum_of(reflectance, pair);
     const auto seen = colour(options, grid, spectrum);
 
     Output output{options.output.path};
     const Format format = format_of(options.output.path, options.output.json);
     if (format == Format::json) {
-        output.write("{\"material\": " + json_string(reflector.name()) +
+        output.write("{\"material\": " + json_string(material.name()) +
                      ",\n \"colour\": " + (seen ? seen->json() : "null") + ",\n \"spectrum\": ");
     }
     write_table(output, format, grid, spectrum);
     if (format == Format::json) output.write("}\n");
     output.commit();
     ValidityWarning warning;
-    warning.note(reflector, pair, grid, options.material.policy());
+    warning.note(reflectance, pair);
     warning.print();
-    if (seen) std::cerr << title(reflector, options.directions) << '\n' << seen->text();
+    if (seen) std::cerr << title(material, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
-        draw(options.plot, plot_script(title(reflector, options.directions), grid, spectrum));
+        output::draw(options.plot, plot_script(title(material, options.directions), grid, spectrum));
 }
 
 }  // namespace
@@ -168,6 +150,7 @@ void add_spectrum(CLI::App& program) {
         "--compensate-energy", options->compensate,
         "with the optional energy compensation, which is not part of the published model he;\nsome "
         "50 ms for each wavelength");
+    options->tolerance.add_to(*verb);
     options->output.add_to(*verb);
     verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)")->check(svg_file());
     verb->footer(help);

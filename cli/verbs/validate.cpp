@@ -17,6 +17,7 @@
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
+#include "hts/version.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/report/report_page.hpp"
 

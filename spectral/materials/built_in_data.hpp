@@ -2,16 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "spectral/text/embedded_file.hpp"
 
 namespace hts::spectral {
 
-struct BuiltInFile {
-    std::string_view name;  // of the material, the file's stem
-    std::string_view text;
-};
-
-/// Defined in a source that embed_data.cmake writes.
-[[nodiscard]] std::span<const BuiltInFile> built_in_files() noexcept;
+/// Defined in a source that embed.cmake writes.
+[[nodiscard]] std::span<const EmbeddedFile> built_in_files() noexcept;
 
 }  // namespace hts::spectral

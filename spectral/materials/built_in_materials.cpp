@@ -11,11 +11,9 @@
 namespace hts::spectral {
 namespace {
 
-const BuiltInFile& built_in_file(std::string_view name) {
-    const auto files = built_in_files();
-    const auto found =
-        std::find_if(files.begin(), files.end(), [name](const auto& f) { return f.name == name; });
-    if (found == files.end()) {
+const EmbeddedFile& built_in_file(std::string_view name) {
+    const EmbeddedFile* found = find_embedded(built_in_files(), name);
+    if (found == nullptr) {
         throw Error{"no built-in material " + in_quotes(name) + ": must be one of " +
                     joined(optical_constants_names())};
     }
@@ -25,16 +23,13 @@ const BuiltInFile& built_in_file(std::string_view name) {
 }  // namespace
 
 std::vector<std::string> optical_constants_names() {
-    std::vector<std::string> names;
-    for (const auto& file : built_in_files()) names.emplace_back(file.name);
-    std::sort(names.begin(), names.end());
-    return names;
+    return embedded_names(built_in_files());
 }
 
 OpticalConstants built_in_optical_constants(std::string_view name) {
     static std::mutex mutex;
     static std::map<std::string_view, OpticalConstants> parsed;
-    const BuiltInFile& file = built_in_file(name);
+    const EmbeddedFile& file = built_in_file(name);
     const std::lock_guard lock{mutex};
     auto found = parsed.find(file.name);
     if (found == parsed.end()) {

@@ -1,17 +1,16 @@
 #include "spectral/text/csv.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
 
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
 namespace {
-
-std::string place(const std::string& name, std::size_t line) {
-    return name + ":" + std::to_string(line);
-}
 
 // Takes a field in quotation marks off the front of the line and returns what it holds.
 std::string take_quoted(std::string_view& line) {
@@ -33,9 +32,8 @@ std::string take_plain(std::string_view& line) {
     return field;
 }
 
-}  // namespace
-
-std::vector<std::string> csv_fields(std::string_view line) {
+/// What the fields of one line hold, without the white space and quotation marks around them.
+std::vector<std::string> fields_of(std::string_view line) {
     std::vector<std::string> fields;
     for (;;) {
         line = trimmed(line);
@@ -47,74 +45,119 @@ std::vector<std::string> csv_fields(std::string_view line) {
     }
 }
 
-CsvTable CsvTable::read(const std::filesystem::path& path) {
-    return parse(read_text_file(path), path.string());
+std::unique_ptr<std::istream> opened(const std::string& path) {
+    if (path == "-") return std::make_unique<std::istream>(std::cin.rdbuf());
+    require_file(path);
+    auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+    if (!*file) throw Error{path + ": cannot be read: " + std::strerror(errno)};
+    if (file->peek() == std::istream::traits_type::eof()) throw Error{path + ": file is empty"};
+    return file;
 }
 
-CsvTable CsvTable::parse(std::string_view text, std::string name) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    CsvTable table{std::move(name)};
-    std::size_t number = 0;
-    for (std::string_view line : split(text, '\n')) {
-        ++number;
-        line = trimmed(line);
-        if (line.empty() || line.front() == '#') continue;
-        auto fields = located(place(table.name_, number), [line] { return csv_fields(line); });
-        if (table.columns_.empty()) {
-            table.add_header(std::move(fields), number);
-        } else {
-            table.add_row(std::move(fields), number);
-        }
+}  // namespace
+
+std::optional<std::size_t> CsvHeader::find_column(std::string_view column) const {
+    const auto found = std::find(columns_.begin(), columns_.end(), column);
+    if (found == columns_.end()) return std::nullopt;
+    if (std::find(found + 1, columns_.end(), column) != columns_.end()) {
+        throw Error{where_header() + "column " + in_quotes(column) + ": stands twice"};
     }
-    if (table.columns_.empty()) throw Error{table.name_ + ": no header line with the names of the columns"};
-    return table;
+    return static_cast<std::size_t>(found - columns_.begin());
 }
 
-void CsvTable::add_header(std::vector<std::string> columns, std::size_t line) {
-    for (auto name = columns.begin(); name != columns.end(); ++name) {
-        if (name->empty()) {
-            throw Error{place(name_, line) + ": column " + std::to_string(name - columns.begin() + 1) +
-                        " has no name"};
-        }
-        if (std::find(columns.begin(), name, *name) != name) {
-            throw Error{place(name_, line) + ": column " + in_quotes(*name) + ": stands twice"};
-        }
+std::size_t CsvHeader::column(std::string_view column) const {
+    const auto found = find_column(column);
+    if (!found) throw Error{where_header() + "column " + in_quotes(column) + ": missing"};
+    return *found;
+}
+
+void CsvHeader::require_known_columns(const std::vector<std::string>& known) const {
+    for (const auto& name : columns_) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        throw Error{where_header() + "column " + in_quotes(name) + ": not known; must be one of " +
+                    joined(known)};
     }
+}
+
+std::string CsvHeader::where(std::size_t line) const {
+    return name_.empty() ? "" : name_ + ":" + std::to_string(line) + ": ";
+}
+
+void CsvHeader::set_columns(std::vector<std::string> columns, std::size_t line) {
     columns_ = std::move(columns);
     header_line_ = line;
 }
 
-void CsvTable::add_row(std::vector<std::string> fields, std::size_t line) {
-    if (fields.size() != columns_.size()) {
-        throw Error{place(name_, line) + ": " + std::to_string(fields.size()) + " fields: must be " +
-                    std::to_string(columns_.size()) + " as in the header"};
+CsvReader::CsvReader(const std::string& path) : CsvReader{path == "-" ? "<stdin>" : path, opened(path)} {}
+
+CsvReader CsvReader::from_text(std::string_view text, const std::string& name) {
+    return {name, std::make_unique<std::istringstream>(std::string{text})};
+}
+
+CsvReader::CsvReader(std::string name, std::unique_ptr<std::istream> stream)
+    : CsvHeader{std::move(name)}, stream_{std::move(stream)} {
+    std::optional<CsvRow> header = next_line();
+    if (!header) throw Error{this->name() + ": no header line with the names of the columns"};
+    set_columns(std::move(header->fields), header->line);
+}
+
+std::optional<CsvRow> CsvReader::next_line() {
+    std::string text;
+    while (std::getline(*stream_, text)) {
+        ++line_;
+        if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+        if (!is_text(text)) throw Error{where(line_) + "not UTF-8 text"};
+        const std::string_view line = trimmed(text);
+        if (line.empty() || line.front() == '#') continue;
+        try {
+            return CsvRow{line_, fields_of(line)};
+        } catch (const Error& error) {
+            throw Error{where(line_) + error.what()};
+        }
     }
-    std::move(fields.begin(), fields.end(), std::back_inserter(fields_));
-    lines_.push_back(line);
+    if (stream_->bad()) throw Error{name() + ": reading failed after line " + std::to_string(line_)};
+    return std::nullopt;
 }
 
-std::optional<std::size_t> CsvTable::find_column(std::string_view column) const noexcept {
-    const auto found = std::find(columns_.begin(), columns_.end(), column);
-    if (found == columns_.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - columns_.begin());
-}
-
-std::size_t CsvTable::column(std::string_view column) const {
-    const auto found = find_column(column);
-    if (!found) throw Error{place(name_, header_line_) + ": column " + in_quotes(column) + ": missing"};
-    return *found;
-}
-
-void CsvTable::require_known_columns(const std::vector<std::string>& known) const {
-    for (const auto& name : columns_) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        throw Error{place(name_, header_line_) + ": column " + in_quotes(name) +
-                    ": not known; must be one of " + joined(known)};
+std::optional<CsvRow> CsvReader::next() {
+    auto row = next_line();
+    if (row && row->fields.size() != columns().size()) {
+        throw Error{where(row->line) + std::to_string(row->fields.size()) + " fields: must be " +
+                    std::to_string(columns().size()) + " as in the header"};
     }
+    return row;
+}
+
+std::vector<CsvRow> CsvReader::read(std::size_t count) {
+    std::vector<CsvRow> rows;
+    while (rows.size() < count) {
+        auto row = next();
+        if (!row) break;
+        rows.push_back(std::move(*row));
+    }
+    return rows;
+}
+
+CsvTable CsvTable::read(const std::filesystem::path& path) {
+    return parse(read_text_file(path), path.string());
+}
+
+CsvTable CsvTable::parse(std::string_view text, const std::string& name) {
+    return CsvTable{CsvReader::from_text(text, name)};
+}
+
+CsvTable::CsvTable(CsvReader rows) : CsvHeader{rows} {
+    for (std::size_t i = 0; i < columns().size(); ++i) {
+        if (columns()[i].empty()) {
+            throw Error{where_header() + "column " + std::to_string(i + 1) + " has no name"};
+        }
+        static_cast<void>(column(columns()[i]));  // once
+    }
+    while (auto row = rows.next()) rows_.push_back(std::move(*row));
 }
 
 const std::string& CsvTable::text(std::size_t row, std::size_t column) const {
-    return fields_.at(row * columns_.size() + column);
+    return rows_.at(row).fields.at(column);
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
@@ -126,11 +169,11 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
 }
 
 Error CsvTable::error(std::size_t row, std::string_view message) const {
-    return Error{place(name_, line(row)) + ": " + std::string{message}};
+    return Error{where(line(row)) + std::string{message}};
 }
 
 Error CsvTable::error(std::size_t row, std::size_t column, std::string_view message) const {
-    return error(row, "column " + in_quotes(columns_.at(column)) + ": " + std::string{message});
+    return error(row, "column " + in_quotes(columns().at(column)) + ": " + std::string{message});
 }
 
 std::string csv_field(std::string_view text) {

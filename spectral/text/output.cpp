@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -33,14 +32,6 @@ static_assert(std::atomic<int>::is_always_lock_free);
 constexpr int slot_count = 1024;  // as many files as a process commonly may have open
 std::array<Slot, slot_count> slots{};
 
-extern "C" void remove_partials(int signal) {
-    for (const Slot& slot : slots) {
-        if (slot.state == Slot::held) ::unlink(slot.path.data());
-    }
-    static_cast<void>(std::signal(signal, SIG_DFL));
-    static_cast<void>(std::raise(signal));
-}
-
 /// The slot that now holds the path; none if it is longer than the system's longest or all are taken.
 int claimed_slot(const std::string& path) {
     if (path.size() >= slots[0].path.size()) return -1;
@@ -49,13 +40,12 @@ int claimed_slot(const std::string& path) {
         if (int expected = Slot::free; !slot.state.compare_exchange_strong(expected, Slot::claimed)) continue;
         *std::copy(path.begin(), path.end(), slot.path.begin()) = '\0';
         slot.state = Slot::held;
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-            static_cast<void>(std::signal(signal, remove_partials));
         return i;
     }
     return -1;
 }
 
+/// Where a symbolic link leads.
 std::string followed(const std::string& path) {
     std::error_code ignored;
     return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
@@ -69,24 +59,56 @@ bool is_device_or_pipe(const std::string& path) {
 
 }  // namespace
 
-Output::Output(std::string path) : path_{std::move(path)}, target_{followed(path_)} {
+void remove_partial_files() noexcept {
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::held) ::unlink(slot.path.data());
+    }
+}
+
+std::string PartialFile::path_for(const std::string& target) {
+    return target + ".partial-" + std::to_string(::getpid());
+}
+
+PartialFile::PartialFile(std::string target)
+    : target_{std::move(target)}, path_{path_for(target_)}, slot_{claimed_slot(path_)} {}
+
+PartialFile::~PartialFile() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+    forget();
+}
+
+bool PartialFile::finish() noexcept {
+    if (::rename(path_.c_str(), target_.c_str()) != 0) return false;
+    forget();
+    return true;
+}
+
+void PartialFile::forget() noexcept {
+    path_.clear();
+    if (slot_ >= 0) slots[static_cast<std::size_t>(std::exchange(slot_, -1))].state = Slot::free;
+}
+
+Output::Output(std::string path) : path_{std::move(path)} {
     if (path_ == "-") {
         descriptor_ = STDOUT_FILENO;
         return;
     }
-    if (std::error_code ignored; fs::is_directory(target_, ignored)) {
+    const std::string target = followed(path_);
+    if (std::error_code ignored; fs::is_directory(target, ignored)) {
         throw Error{path_ + ": is a directory: must be a file that can be written"};
     }
-    const bool direct = is_device_or_pipe(target_);
-    if (!direct) partial_ = target_ + ".partial-" + std::to_string(::getpid());
-    descriptor_ = direct ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC)
-                         : ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (is_device_or_pipe(target)) {
+        descriptor_ = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        const std::string partial = PartialFile::path_for(target);
+        descriptor_ = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) partial_.emplace(target);
+    }
     if (descriptor_ < 0) fail();
-    if (!direct) slot_ = claimed_slot(partial_);
 }
 
 Output::~Output() {
-    discard();
+    if (path_ != "-" && descriptor_ >= 0) ::close(descriptor_);
 }
 
 void Output::write(std::string_view text) {
@@ -98,9 +120,7 @@ void Output::commit() {
     flush();
     if (path_ == "-") return;
     if (::close(std::exchange(descriptor_, -1)) != 0) fail();
-    if (partial_.empty()) return;
-    if (::rename(partial_.c_str(), target_.c_str()) != 0) fail();
-    forget_partial();
+    if (partial_ && !partial_->finish()) fail();
 }
 
 void Output::flush() {
@@ -111,18 +131,6 @@ void Output::flush() {
         rest.remove_prefix(static_cast<std::size_t>(written));
     }
     buffer_.clear();
-}
-
-void Output::discard() noexcept {
-    if (path_ != "-" && descriptor_ >= 0) ::close(descriptor_);
-    if (partial_.empty()) return;
-    ::unlink(partial_.c_str());
-    forget_partial();
-}
-
-void Output::forget_partial() noexcept {
-    partial_.clear();
-    if (slot_ >= 0) slots[static_cast<std::size_t>(std::exchange(slot_, -1))].state = Slot::free;
 }
 
 void Output::fail() const {

@@ -1,16 +1,45 @@
 /// Output that appears complete or not at all.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hts::spectral {
 
-/// A file under construction. Text goes to a temporary file beside the target, which `commit` renames to it;
-/// an Output that is never committed, or a signal that ends the program, leaves nothing behind and an earlier
-/// file as it was. "-" is standard output; devices and pipes are written as they are. In both nothing
-/// appears before the first megabytes are full or `commit` is called.
+/// Removes the files that are under construction now, of every thread. Safe to call from a signal handler: it
+/// only reads lock-free atomics and calls unlink. The library installs no handler; a program that wants a
+/// signal to leave nothing behind installs one that calls this and then ends the program, as `hts` does.
+void remove_partial_files() noexcept;
+
+/// A file under construction beside its target, whoever writes it. The destructor removes it, and
+/// remove_partial_files, unless it was given its target's name before.
+class PartialFile {
+  public:
+    /// TARGET.partial-PROCESS.
+    [[nodiscard]] static std::string path_for(const std::string& target);
+    /// Takes charge of the file at path_for(target), which need not be there yet.
+    explicit PartialFile(std::string target);
+    ~PartialFile();
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+    /// Renames it to its target; false, and errno, if the system refuses.
+    [[nodiscard]] bool finish() noexcept;
+
+  private:
+    void forget() noexcept;
+
+    std::string target_, path_;
+    int slot_;  // where remove_partial_files finds the path, -1 if nowhere
+};
+
+/// A file under construction. Text goes to a PartialFile, which `commit` renames to the target; an Output
+/// that is never committed leaves nothing behind and an earlier file as it was. "-" is standard output;
+/// devices and pipes are written as they are. In both nothing appears before the first megabytes are full or
+/// `commit` is called.
 class Output {
   public:
     /// Throws hts::Error if the target is a directory or cannot be written.
@@ -27,16 +56,12 @@ class Output {
     void commit();
 
   private:
-    void discard() noexcept;
-    void forget_partial() noexcept;
     [[noreturn]] void fail() const;
 
     std::string path_;
-    std::string target_;   // where a symbolic link leads
-    std::string partial_;  // empty if written directly
+    std::optional<PartialFile> partial_;  // none if written directly
     std::string buffer_;
     int descriptor_ = -1;
-    int slot_ = -1;  // where a signal's handler finds partial_
 };
 
 /// Writes a whole file, as Output does.

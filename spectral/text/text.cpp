@@ -16,15 +16,6 @@ namespace hts::spectral {
 namespace {
 
 constexpr std::string_view white_space = " \t\r\n\f\v";
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-void require_file(const std::filesystem::path& path) {
-    std::error_code failure;
-    const auto status = std::filesystem::status(path, failure);
-    if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
-    if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
-    if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};
-}
 
 std::string contents(const std::filesystem::path& path) {
     errno = 0;
@@ -45,6 +36,18 @@ void require_utf8(const std::string& text, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void require_file(const std::filesystem::path& path) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(path, failure);
+    if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
+    if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
+    if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};
+}
+
+bool is_text(std::string_view bytes) noexcept {
+    return !first_bad_byte(bytes);
+}
 
 std::string read_text_file(const std::filesystem::path& path) {
     require_file(path);
@@ -94,12 +97,6 @@ std::string in_quotes(std::string_view text) {
     return line;
 }
 
-std::string gnuplot_string(std::string_view text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
-    return quoted + "'";
-}
-
 std::string brief(double value, int digits) {
     std::array<char, 32> text{};
     const auto end =
@@ -127,6 +124,10 @@ double number_in(std::string_view text) {
     }
     if (!std::isfinite(value)) throw Error{in_quotes(text) + " is not a finite number"};
     return value;
+}
+
+double number_in(std::string_view text, std::string_view quantity) {
+    return located(std::string{quantity}, [text] { return number_in(text); });
 }
 
 }  // namespace hts::spectral

@@ -14,6 +14,14 @@ namespace hts::spectral {
 /// unreadable or empty, "path:line: …" if it is not UTF-8.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
 
+/// hts::Error "path: …" if there is no such file or it is a directory.
+void require_file(const std::filesystem::path& path);
+
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Whether these bytes are UTF-8 without NUL.
+[[nodiscard]] bool is_text(std::string_view bytes) noexcept;
+
 /// Without white space at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
 
@@ -29,9 +37,6 @@ namespace hts::spectral {
 /// "text" with quotation marks around it, on one line: control characters become question marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// A text as a gnuplot string literal, taken as it is, on one line.
-[[nodiscard]] std::string gnuplot_string(std::string_view text);
-
 /// For the eye: so many significant digits, without trailing zeros.
 [[nodiscard]] std::string brief(double value, int digits = 4);
 /// "a, b, c".
@@ -39,6 +44,8 @@ namespace hts::spectral {
 
 /// The finite number that is the whole text; hts::Error "\"abc\" is not a number" otherwise.
 [[nodiscard]] double number_in(std::string_view text);
+/// The same with "quantity: " in front of the message.
+[[nodiscard]] double number_in(std::string_view text, std::string_view quantity);
 
 /// The result of `action`; an hts::Error from it gets "where: " in front.
 template <class Action>

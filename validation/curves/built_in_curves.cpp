@@ -1,6 +1,5 @@
 #include "validation/curves/built_in_curves.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "hts/error.hpp"
@@ -11,17 +10,12 @@
 namespace hts::validation {
 
 std::vector<std::string> built_in_curve_names() {
-    std::vector<std::string> names;
-    for (const EmbeddedFile& file : embedded_curves()) names.emplace_back(file.name);
-    std::sort(names.begin(), names.end());
-    return names;
+    return spectral::embedded_names(embedded_curves());
 }
 
 CurveSet built_in_curves(std::string_view name) {
-    const auto files = embedded_curves();
-    const auto found =
-        std::find_if(files.begin(), files.end(), [name](const EmbeddedFile& f) { return f.name == name; });
-    if (found == files.end()) {
+    const spectral::EmbeddedFile* found = spectral::find_embedded(embedded_curves(), name);
+    if (found == nullptr) {
         throw Error{"no curve set " + spectral::in_quotes(name) + ": must be a file or one of " +
                     spectral::joined(built_in_curve_names())};
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spectral/text/embedded_file.hpp"
 #include "validation/curves/curve.hpp"
 
 namespace hts::validation {
@@ -19,13 +20,7 @@ namespace hts::validation {
 /// One of them, or the file of that path, which wins.
 [[nodiscard]] CurveSet curves_named(const std::string& name_or_path);
 
-/// A file as it is embedded.
-struct EmbeddedFile {
-    std::string_view name;  ///< its stem
-    std::string_view text;
-};
-
-/// Defined in a source that embed_curves.cmake writes.
-[[nodiscard]] std::span<const EmbeddedFile> embedded_curves() noexcept;
+/// Defined in a source that embed.cmake writes.
+[[nodiscard]] std::span<const spectral::EmbeddedFile> embedded_curves() noexcept;
 
 }  // namespace hts::validation

@@ -1,22 +1,18 @@
 #include "validation/curves/comparison_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "spectral/output/script.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::validation {
 namespace {
 
 using spectral::brief;
-using spectral::gnuplot_string;
 
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
-constexpr const char* measured_style = "pt 7 ps 0.34 lw 0.7 lc rgb '#444444'";
-constexpr const char* model_style = "lw 2.2 lc rgb '#d55e00'";
+constexpr std::size_t most_polar_curves = 5;
 
 /// Tilt of the facet that mirrors light into view [deg].
 double facet_tilt(const CurvePoint& point) {
@@ -61,11 +57,6 @@ FigureTable lines_table(const ComparisonPicture& picture) {
     return table;
 }
 
-std::string files(const ComparisonPicture& picture) {
-    return "points = " + gnuplot_string(picture.stem + "-points.csv") +
-           "\nlines = " + gnuplot_string(picture.stem + "-lines.csv") + "\n";
-}
-
 std::string swept_label(const CurveSet& set) {
     if (scattered(set)) return "tilt of the mirroring facet [deg]";
     return set.curves.front().sweep == Sweep::incident ? "incidence [deg], mirror side > 0"
@@ -83,19 +74,18 @@ std::string fixed_name(const Curve& curve) {
     return curve.sweep == Sweep::incident ? "viewer at " : "light at ";
 }
 
-/// Title and legend of a page.
-std::string frame(const ComparisonPicture& picture, const std::string& legend) {
-    return page_label(picture.set.surface + ", " + picture.by(), 0.03, 0.965, 15) +
-           page_label(picture.model, 0.03, 0.92, 11) + page_label(legend, 0.03, 0.025, 11);
+/// Where the numbers are, and title and legend of a page.
+output::Script begun(const ComparisonPicture& picture, const std::string& legend) {
+    output::Script script;
+    script.set("points", picture.stem + "-points.csv").set("lines", picture.stem + "-lines.csv");
+    script.set("surface", picture.set.surface + ", " + picture.by());
+    script.set("model", picture.model).set("legend", legend);
+    return script;
 }
 
 /// Powers of ten around all positive values.
 struct Decades {
     int first = 0, last = 0;
-
-    [[nodiscard]] std::string range() const {
-        return "[1e" + std::to_string(first) + ":1e" + std::to_string(last) + "]";
-    }
 };
 
 /// Around what was measured of a curve, within eight decades of the largest.
@@ -111,44 +101,6 @@ Decades decades_of(const Curve& curve) {
     return {std::max(first, last - 8), last};
 }
 
-/// Where a panel stands on the page: `count` of them in rows below the title.
-struct Grid {
-    explicit Grid(std::size_t count)
-        : columns{count == 1
-                      ? 1
-                      : static_cast<std::size_t>(std::ceil(std::sqrt(1.3 * static_cast<double>(count))))},
-          rows{(count + columns - 1) / columns} {}
-    void place(std::ostream& script, std::size_t i) const {
-        const double width = 0.97 / static_cast<double>(columns), height = 0.82 / static_cast<double>(rows);
-        script << "set size " << width << ',' << height << "\nset origin "
-               << 0.015 + width * static_cast<double>(i % columns) << ','
-               << 0.895 - height * static_cast<double>(i / columns + 1) << '\n';
-    }
-    std::size_t columns, rows;
-};
-
-void panel(std::ostream& script, const ComparisonPicture& picture, std::size_t number) {
-    const Curve& curve = picture.set.curves[number];
-    const bool uncertain = !picture.set.uncertainty.empty(), lines = curve.sweep != Sweep::scattered;
-    const std::string of_curve = "($1==" + std::to_string(number) + " ? $" + (lines ? "3" : "4") + " : NaN)";
-    const std::string title = lines ? fixed_name(curve) + brief(curve.fixed_angle()) + "°" : "";
-    script << "set title " << gnuplot_string(title) << " offset 0,-0.7 font ',11'\nset yrange "
-           << decades_of(curve).range() << "\nplot ";
-    if (lines) {
-        script << "lines every ::1 using ($1==" << number << " ? $3 : NaN):4 with lines " << model_style;
-    } else {
-        script << "points every ::1 using " << of_curve << ":7 with points pt 2 ps 0.6 " << model_style;
-    }
-    script << " notitle, \\\n     ";
-    // bars and dots apart: gnuplot's own error bars wipe out what lies about each dot
-    if (uncertain)
-        script << "points every ::1 using " << of_curve
-               << ":($5 > $6 ? $5 - $6 : $5 / 100):(0):($5 > $6 ? 2*$6 : $5 + $6) "
-               << "with vectors nohead lw 0.8 lc rgb '#999999' notitle, \\\n     ";
-    script << "points every ::1 using " << of_curve << ":5 with points " << measured_style
-           << " notitle\nunset label\n";
-}
-
 // ---- polar
 
 /// Up to five curves, from the first to the last; those at grazing angles, whose peaks dwarf all else, only if there are no
@@ -159,7 +111,7 @@ std::vector<std::size_t> few_curves(const CurveSet& set) {
     for (std::size_t i = 0; i < set.curves.size(); ++i)
         if (set.curves[i].fixed_angle() < grazing) candidates.push_back(i);
     if (candidates.empty()) candidates.push_back(0);
-    const std::size_t few = std::min(candidates.size(), colours.size());
+    const std::size_t few = std::min(candidates.size(), most_polar_curves);
     for (std::size_t i = 0; i < few; ++i)
         result.push_back(candidates[few == 1 ? 0 : i * (candidates.size() - 1) / (few - 1)]);
     return result;
@@ -171,12 +123,6 @@ struct Radius {
     int decades = 0;  // 0: linear
 
     static constexpr int rings = 4;
-    [[nodiscard]] std::string function() const {
-        const std::string over = "(v / " + shortest(largest) + ")";
-        const std::string linear =
-            decades == 0 ? over : "(v > 0 ? 1 + log10" + over + " / " + std::to_string(decades) + " : 0)";
-        return "L(v) = " + linear + "\nR(v) = L(v) < 0 ? 0 : L(v) > 1.08 ? 1.08 : L(v)\n";
-    }
     [[nodiscard]] std::string label(int ring) const {
         const double part = static_cast<double>(ring) / rings;
         return brief(decades == 0 ? largest * part : largest * std::pow(10, decades * (part - 1)), 2);
@@ -197,22 +143,6 @@ Radius radius_of(const CurveSet& set, const std::vector<std::size_t>& shown) {
     const double most = values.back(), low = values[values.size() / 20];
     if (most < 30 * values[values.size() / 2]) return {most, 0};
     return {most, std::clamp(static_cast<int>(std::ceil(std::log10(most / low))) + 1, 1, 8)};
-}
-
-void polar_frame(std::ostream& script, const Radius& radius) {
-    script << "unset border\nunset tics\nunset grid\nset angles degrees\nset size ratio -1\nset samples 181\n"
-           << "set xrange [-1.2:1.2]\nset yrange [-0.12:1.12]\nset lmargin at screen 0.03\nset rmargin at "
-              "screen 0.97\n"
-           << "set tmargin at screen 0.89\nset bmargin at screen 0.13\n";
-    for (int angle = -90; angle <= 90; angle += 15) {
-        script << "set arrow from 0,0 to sin(" << angle << "),cos(" << angle
-               << ") nohead lc rgb '#dddddd' back\n"
-               << "set label '" << angle << "°' at 1.06*sin(" << angle << "),1.06*cos(" << angle
-               << ") center tc rgb '#555555' font ',12'\n";
-    }
-    for (int ring = 1; ring <= Radius::rings; ++ring)
-        script << "set label '" << radius.label(ring) << "' at " << 0.25 * ring
-               << ",-0.05 center tc rgb '#555555' font ',12'\n";
 }
 
 }  // namespace
@@ -248,22 +178,26 @@ std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& ma
 Figure log_overlay(const ComparisonPicture& picture) {
     const CurveSet& set = picture.set;
     const bool pairs = scattered(set);
-    std::ostringstream script;
-    script << figure_style << files(picture)
-           << frame(picture, std::string{"dots: "} + name(set.kind) + "     " +
-                                 (pairs ? "crosses" : "lines") + ": model     x: " + swept_label(set) +
-                                 "     y: " + value_label(set))
-           << "set multiplot\nset logscale y\nset format y '10^{%L}'\nset xtics 30\nunset mytics"
-           << "\nset tics font ',10'\nset bmargin 1.8\nset tmargin 1.6\nset lmargin 5\nset rmargin 1\n";
-    const Grid grid{set.curves.size()};
-    for (std::size_t i = 0; i < set.curves.size(); ++i) {
-        grid.place(script, i);
-        panel(script, picture, i);
+    auto script = begun(picture, std::string{"dots: "} + name(set.kind) + "     " +
+                                     (pairs ? "crosses" : "lines") + ": model     x: " + swept_label(set) +
+                                     "     y: " + value_label(set));
+    std::vector<std::string> panels;
+    std::vector<int> scattered_curves, least, most;
+    for (const Curve& curve : set.curves) {
+        scattered_curves.push_back(curve.sweep == Sweep::scattered ? 1 : 0);
+        panels.push_back(curve.sweep == Sweep::scattered
+                             ? ""
+                             : fixed_name(curve) + brief(curve.fixed_angle()) + "°");
+        const Decades decades = decades_of(curve);
+        least.push_back(decades.first);
+        most.push_back(decades.last);
     }
-    script << "unset multiplot\n";
+    script.set("scattered", scattered_curves);
+    script.set("uncertain", static_cast<int>(!set.uncertainty.empty()));
+    script.set("panel", panels).set("least", least).set("most", most);
     return {picture.stem + "-log",
             {points_table(picture), lines_table(picture)},
-            script.str(),
+            script.with("comparison-log"),
             set.surface + ": points " + picture.by() + " (" + set.source + "), " +
                 (pairs ? "crosses " : "lines ") + picture.model + "."};
 }
@@ -271,53 +205,32 @@ Figure log_overlay(const ComparisonPicture& picture) {
 Figure polar_overlay(const ComparisonPicture& picture) {
     const auto shown = few_curves(picture.set);
     const Radius radius = radius_of(picture.set, shown);
-    std::ostringstream script;
-    script << figure_style << files(picture) << radius.function()
-           << frame(picture, std::string{"dots: "} + name(picture.set.kind) +
-                                 "     lines: model     radius: " + value_label(picture.set) + radius.text());
-    polar_frame(script, radius);
-    script << "set key at screen 0.5,0.075 bottom center horizontal samplen 2 font ',12'\nplot sample \\\n";
-    for (int ring = 1; ring <= Radius::rings; ++ring)
-        script << "  [a=0:180] '+' using (" << 0.25 * ring << "*cos(a)):(" << 0.25 * ring
-               << "*sin(a)) with lines lc rgb '#dddddd' notitle, \\\n";
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const Curve& curve = picture.set.curves[shown[i]];
-        const std::string pick = "($1==" + std::to_string(shown[i]) + " ? R(";
-        script << "  points every ::1 using " << pick
-               << "$5)*sin($3) : NaN):(R($5)*cos($3)) with points pt 7 ps 0.42 lc rgb '" << colours[i]
-               << "' notitle, \\\n  lines every ::1 using " << pick
-               << "$4)*sin($3) : NaN):(R($4)*cos($3)) with lines lw 2 lc rgb '" << colours[i] << "' title '"
-               << fixed_name(curve) << brief(curve.fixed_angle()) << "°'"
-               << (i + 1 < shown.size() ? ", \\\n" : "\n");
+    auto script = begun(picture, std::string{"dots: "} + name(picture.set.kind) +
+                                     "     lines: model     radius: " + value_label(picture.set) +
+                                     radius.text());
+    std::vector<std::string> names, rings;
+    for (const std::size_t number : shown) {
+        const Curve& curve = picture.set.curves[number];
+        names.push_back(fixed_name(curve) + brief(curve.fixed_angle()) + "°");
     }
+    for (int ring = 1; ring <= Radius::rings; ++ring) rings.push_back(radius.label(ring));
+    script.set("curve", shown).set("name", names).set("ring", rings);
+    script.set("largest", radius.largest).set("decades", radius.decades);
     return {picture.stem + "-polar",
             {points_table(picture), lines_table(picture)},
-            script.str(),
+            script.with("comparison-polar"),
             picture.set.surface + ", in the plane of incidence: points " + picture.by() + ", lines " +
                 picture.model + "."};
 }
 
 Figure residual_plot(const ComparisonPicture& picture) {
-    const bool pairs = scattered(picture.set);
-    std::ostringstream script;
-    script << figure_style << files(picture)
-           << frame(picture, "above 0 where the model is too bright; beyond ±3 drawn at the edge")
-           << "set tmargin at screen 0.88\nset bmargin at screen 0.2\nset lmargin at screen 0.09\nset "
-              "rmargin at screen "
-           << (pairs ? 0.97 : 0.86) << "\nset xlabel " << gnuplot_string(swept_label(picture.set))
-           << "\nset ylabel 'ln(model / measured)'\nset xzeroaxis lc rgb '#444444' lw 1\n"
-           << "set palette defined (0 '#0072b2', 0.5 '#009e73', 1 '#e69f00')\nset cblabel '"
-           << (picture.set.curves.front().sweep == Sweep::incident ? "viewer" : "light") << " [deg]'\n"
-           << "set yrange [-3.1:3.1]\nr(v) = v > 3 ? 3 : v < -3 ? -3 : v\nf(x) = 0.25\ng(x) = -0.25\nplot "
-              "f(x) with lines dt 2 lc rgb '#999999' title '±0.25', g(x) "
-              "with lines dt 2 lc rgb '#999999' notitle, \\\n"
-           << "     points every ::1 using "
-           << (pairs ? "4:(r($8)) with points pt 7 ps 0.6 lc rgb '#0072b2'"
-                     : "3:(r($8)):2 with points pt 7 ps 0.45 lc palette")
-           << " notitle\n";
+    auto script = begun(picture, "above 0 where the model is too bright; beyond ±3 drawn at the edge");
+    script.set("scattered", static_cast<int>(scattered(picture.set))).set("swept", swept_label(picture.set));
+    script.set("fixed",
+               picture.set.curves.front().sweep == Sweep::incident ? "viewer [deg]" : "light [deg]");
     return {picture.stem + "-residuals",
             {points_table(picture), lines_table(picture)},
-            script.str(),
+            script.with("comparison-residuals"),
             "ln(model / measured) of every point; " + picture.set.surface + ", " + picture.by() + "."};
 }
 

@@ -7,6 +7,7 @@
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/curves/reciprocity.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -149,10 +150,7 @@ std::vector<MeasurementSlot> measurement_slots() {
 Section slots_section(const std::filesystem::path& folder) {
     Section all{.stem = "measurements-of-the-paper",
                 .title = "Measured curves of He et al. 1991, Figures 7 to 11",
-                .text =
-                    "The dashed curves of the paper were never published as numbers. A digitised one is "
-                    "compared here as soon as its file "
-                    "stands in the folder of curves; until then nothing is shown in their place.",
+                .text = prose("measurements-of-the-paper"),
                 .checks = {},
                 .figures = {},
                 .images = {},

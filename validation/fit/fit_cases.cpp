@@ -78,32 +78,4 @@ std::vector<FitCase> fit_cases() {
     return cases;
 }
 
-std::string fits_text() {
-    return "Every set is fitted with rms roughness sigma0, correlation length tau and uniform-diffuse albedo "
-           "a; where the optical "
-           "constants of a surface are not known, a constant index n with k = 0 is fitted too. Brass is "
-           "given those of "
-           "copper and stainless steel those of iron, which they only resemble. Predictions "
-           "are averaged over the "
-           "band and the cones of the instrument, and residuals are logarithms, so that every decade counts "
-           "alike. Standard "
-           "errors take residuals for independent noise: where reduced chi squared is far above 1 the model "
-           "itself is wrong "
-           "somewhere and they are too small.\n\n"
-           "Sandblasted aluminium is fitted twice. Aluminium's own optical constants make it too bright near "
-           "the normal and "
-           "push the maxima towards grazing. With an effective index and a factor on all values free, one "
-           "sigma0 and tau are fitted to "
-           "all ten camera angles; the criteria are asked of this fit. The factor stands for light that is "
-           "lost between "
-           "facets, and for whatever a blasted surface has that clean metal has not; curves alone do not "
-           "tell which.\n\n"
-           "Two oxides have an rms roughness measured by an optical profiler. The table "
-           "below shows sigma0 fitted freely beside it; the rows where it is held at "
-           "the measured value "
-           "show by how much worse the curves are met then. A profiler's rms takes in waves much longer than "
-           "tau, which tilt "
-           "facets little and hardly scatter.";
-}
-
 }  // namespace hts::validation

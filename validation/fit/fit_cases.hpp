@@ -23,7 +23,4 @@ struct FitCase {
 /// Optical constants of what a set shows, JSON; "" where they are not known.
 [[nodiscard]] std::string known_index(const std::string& set);
 
-/// What the section says before its tables.
-[[nodiscard]] std::string fits_text();
-
 }  // namespace hts::validation

@@ -6,6 +6,7 @@
 #include "validation/fit/fit_cases.hpp"
 #include "validation/fit/fit_section.hpp"
 #include "validation/fit/fit_table.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -120,15 +121,7 @@ Section models_section(Effort effort) {
     const auto median = [](const Fit& fit) { return fit.statistics.median_abs_log; };
     const auto l2 = [](const Fit& fit) { return fit.statistics.l2; };
     Section section{"models", "All models fitted to all measurements", "", {}, {}, {}, {}, {}};
-    section.text =
-        "Each model is fitted to each set twice, up to 80 deg: to the BRDF times the cosine of incidence, "
-        "the metric of "
-        "Kurt et al. (their Table 3 and Fig. 6), and to its logarithm. Anisotropic models have equal widths. "
-        "He-Torrance and "
-        "the microfacet models know the index of metals and of the acrylic; elsewhere n is fitted. Theirs is "
-        "no diffuse term "
-        "in Beckmann's and GGX. Ashikhmin and Shirley's lobe has a weight ks as the others have.\n\n" +
-        wins_text(results) + " " + lobes_text(results);
+    section.text = prose("models") + "\n\n" + wins_text(results) + " " + lobes_text(results);
     section.tables = {
         table_of("l2-errors",
                  "L2 error: rms of (model - measured) cos theta_i [1/sr] after a fit to it; * the lowest",

@@ -9,6 +9,7 @@
 #include "validation/curves/comparison_section.hpp"
 #include "validation/fit/fit_cases.hpp"
 #include "validation/fit/fit_curves.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -131,7 +132,7 @@ std::vector<Section> fits_sections(Effort effort) {
     for (const FitCase& asked : fit_cases()) results.push_back(result_of(asked, effort));
     std::vector<Section> sections{{.stem = "fits",
                                    .title = "The model fitted to measurements",
-                                   .text = fits_text(),
+                                   .text = prose("fits"),
                                    .checks = {},
                                    .figures = {},
                                    .images = {},

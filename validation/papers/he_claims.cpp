@@ -10,6 +10,7 @@
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/papers/he_figures.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -258,10 +259,7 @@ Check three_kinds_of_maxima() {
 
 Section paper_figures_section(Effort /*effort*/) {
     Section section{"he-1991-figures", "The figures of He et al. 1991", {}, {}, he_figures(), {}, {}, {}};
-    section.text =
-        "Theory curves of Figs 7 to 11, computed anew with the paper's parameters in the paper's axes, and "
-        "what its text says "
-        "of them. Optical constants are those of the library; the paper gives none.";
+    section.text = prose("he-1991-figures");
     section.checks = {both_components(),      strong_specular(),       off_specular_maxima(),
                       specular_peak_at_75(),  strong_lobe(),           nearly_uniform(),
                       emerging_peak(),        peak_is_specular(),      grazing_rise(),

@@ -74,29 +74,10 @@ std::string polar_figure(const HeFigure& figure, const std::vector<PolarCurve>& 
 
 /// BRDF against the view angle, as in Fig. 11.
 std::string semilogarithmic_figure(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
-    constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499"};
-    std::string script =
-        std::string{figure_style} + "set margins 11,4,5,6\n" + page_label(title(figure), 0.03, 0.95, 17) +
-        page_label(std::string{"Peaks averaged over cones of π/1024 sr. "} + theory_only, 0.03, 0.9, 13) +
-        R"(set logscale y
-set format y '10^{%T}'
-set xlabel 'view angle [°], the mirror side positive'
-set ylabel 'BRDF [1/sr]' offset 1,0
-set xrange [-90:90]
-set xtics 15
-set yrange [0.01:1000]
-set key at graph 0.03,0.97 left top reverse Left
-plot )";
-    std::size_t first = 1;  // record 0 is the header
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const std::size_t last = first + curves[i].points.size() - 1;
-        script += spectral::gnuplot_string(stem(figure) + ".csv") + " every ::" + std::to_string(first) +
-                  "::" + std::to_string(last) + " using 2:6 with lines lw 2.4 lc rgb '" + colours.at(i) +
-                  "' title 'θ_i = " + shortest(curves[i].theta_i) + "°'" +
-                  (i + 1 < curves.size() ? ", \\\n     " : "\n");
-        first = last + 1;
-    }
-    return script;
+    output::Script script;
+    script.set("title", title(figure)).set("data", stem(figure) + ".csv");
+    script.set("caption", std::string{"Peaks averaged over cones of π/1024 sr. "} + theory_only);
+    return set_curves(script, curves).with("he-figure-11");
 }
 
 Figure drawn(const HeFigure& figure) {

@@ -6,22 +6,12 @@
 #include "hts/error.hpp"
 #include "hts/microfacet/albedo.hpp"
 #include "hts/microfacet/kurt.hpp"
+#include "spectral/output/script.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/text/text.hpp"
 #include "validation/papers/microfacet_figures.hpp"
 
 namespace hts::validation {
 namespace {
-
-/// Okabe and Ito's colours, for all kinds of colour vision.
-constexpr std::array colours{"#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#aa4499"};
-
-constexpr auto albedo_axes = R"(set xlabel 'angle of incidence [°]'
-set xrange [0:90]
-set xtics 15
-set yrange [0:1.5]
-set ytics 0.25
-)";
 
 double albedo(const KurtLobe& lobe, double degrees) {
     return directional_albedo(Kurt{0, {{1, lobe}}}, Direction::from_degrees(degrees, 0));
@@ -58,26 +48,6 @@ FigureTable albedo_table(const std::string& stem, const std::vector<std::string>
     return table;
 }
 
-/// Title and caption above the picture.
-std::string heading(const std::string& title, const std::string& caption) {
-    return page_label(title, 0.02, 0.955, 18) + page_label(caption, 0.02, 0.905, 13);
-}
-
-/// A line for the reflectance that no passive surface exceeds.
-constexpr auto unit_line =
-    "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lc rgb '#888888'\n";
-
-/// One curve per column after the first, titled.
-std::string plot(const FigureTable& table, const std::vector<std::string>& titles) {
-    std::string script = "plot ";
-    for (std::size_t i = 0; i < titles.size(); ++i) {
-        script += spectral::gnuplot_string(table.stem + ".csv") + " using 1:" + std::to_string(i + 2) +
-                  " every ::1 with lines lw 2.4 lc rgb '" + colours[i] + "' title " +
-                  spectral::gnuplot_string(titles[i]) + (i + 1 < titles.size() ? ", \\\n     " : "\n");
-    }
-    return script;
-}
-
 std::vector<std::string> texts(const std::string& before, const std::vector<double>& values,
                                const std::string& after = {}) {
     std::vector<std::string> result;
@@ -92,39 +62,25 @@ Figure figure_2() {
         {albedo_table("figure-2", texts("m_", widths),
                       [&](std::size_t i, double degrees) { return symmetric_albedo(widths[i], degrees); })},
         {}};
-    figure.script =
-        std::string{figure_style} + "set margins 9,17,4,5\n" +
-        heading("Albedo of the symmetric form (9), after Fig. 2 of Kurt et al. 2010",
-                "F = 1. A curve per width m of the slopes.") +
-        albedo_axes +
-        "set yrange [0:1.1]\nset ylabel 'albedo'\nset key at graph 1.02,0.95 left top reverse Left\n" +
-        unit_line + plot(figure.tables[0], texts("m = ", widths));
+    figure.script = output::Script{}.set("curve", texts("m = ", widths)).with("kurt-figure-2");
     return figure;
 }
 
 Figure figure_3() {
     const std::vector<double> widths{0.05, 0.2, 0.5}, alphas{0, 0.1, 0.25, 0.5, 0.75, 1};
     Figure figure{"figure-3", {}, {}};
-    figure.script =
-        std::string{figure_style} +
-        "set multiplot layout 1,3 margins 0.085,0.98,0.2,0.82 spacing 0.04,0.1\n" +
-        heading("Albedo of the form with the exponent α, after Fig. 3 of Kurt et al. 2010",
-                "F = 1. Every curve with α > 0 grows without bound at last, like (cos θ)^-α.") +
-        albedo_axes +
-        "set key at graph 0.04,0.46 left top reverse Left samplen 1.5\nset ylabel 'albedo' offset 2,0\n" +
-        unit_line;
-    for (std::size_t k = 0; k < widths.size(); ++k) {
-        const double m = widths[k];
+    std::vector<std::string> files;
+    for (const double m : widths) {
         const std::string stem = "figure-3-m-" + shortest(m);
         figure.tables.push_back(
             albedo_table(stem, texts("alpha_", alphas), [&](std::size_t i, double degrees) {
                 return albedo({1, m, m, alphas[i]}, degrees);
             }));
-        if (k == 1) figure.script += "unset key\nunset label\nunset ylabel\nset format y ''\n";
-        figure.script += "set label 9 'm = " + shortest(m) + "' at graph 0.05,0.94 font ',15'\n" +
-                         plot(figure.tables.back(), texts("α = ", alphas));
+        files.push_back(stem + ".csv");
     }
-    figure.script += "unset multiplot\n";
+    output::Script script;
+    script.set("width", widths).set("data", files).set("curve", texts("α = ", alphas));
+    figure.script = script.with("kurt-figure-3");
     return figure;
 }
 
@@ -175,19 +131,9 @@ FigureTable plausibility_table() {
 
 Figure plausibility_map() {
     Figure figure{"plausible-alpha", {plausibility_table()}, {}};
-    figure.script =
-        std::string{figure_style} + "set margins 9,17,4,5\n" +
-        heading("Where the model of Kurt et al. 2010 conserves energy",
-                "F = 1. Below a curve the albedo is at most 1 up to that angle of incidence.") +
-        "set logscale x\nset xrange [0.02:2]\nset yrange [0:1]\nset xlabel 'width m of the slopes'\n"
-        "set ylabel 'exponent α'\nset key at graph 1.02,0.95 left top reverse Left\n"
-        "set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)\n";
-    std::string curves =
-        plot(figure.tables[0], texts("to θ = ", {map_limits.begin(), map_limits.end()}, "°"));
-    curves.replace(0, 5,
-                   "plot 'plausible-alpha.csv' using 1:4 every ::1 with filledcurves x1 fs solid 0.12 "
-                   "noborder lc rgb '#009e73' notitle, \\\n     ");
-    figure.script += curves;
+    output::Script script;
+    script.set("curve", texts("to θ = ", {map_limits.begin(), map_limits.end()}, "°"));
+    figure.script = script.with("kurt-plausible-alpha");
     return figure;
 }
 

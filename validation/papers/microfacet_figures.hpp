@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "validation/report/figure.hpp"
+#include "validation/report/report.hpp"
 
 namespace hts::validation {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "spectral/output/script.hpp"
 #include "validation/papers/polar_curves.hpp"
 
 namespace hts::validation {
@@ -15,6 +16,10 @@ struct PolarStyle {
     bool logarithmic = false;           ///< radius from `decades` below the outermost circle
     int decades = 4;
 };
+
+/// The variables theta_i[], first[] and last[] of curves that stand in a CSV one after the other, a row per
+/// point.
+output::Script& set_curves(output::Script& script, const std::vector<PolarCurve>& curves);
 
 /// Surface normal up, light from the left: view angles from -90 deg (left) to 90 deg (right).
 [[nodiscard]] std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle& style);

@@ -10,6 +10,7 @@
 #include "spectral/text/text.hpp"
 #include "validation/pictures/gallery.hpp"
 #include "validation/pictures/picture.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -131,11 +132,7 @@ Check still_life_check() {
 
 Section renders_section(Effort effort) {
     Section section{"renders", "The scenes of the papers", {}, cylinder_checks(), {}, {}, {}, {}};
-    section.text =
-        "Spectral ray tracing by equation (12) of He et al. 1991: one mirror ray, area lights, an ambient "
-        "term; 31 wavelengths to "
-        "sRGB. Materials and parameters are the papers'; places, lights and camera are not given and were "
-        "chosen.";
+    section.text = prose("renders");
     section.checks.push_back(still_life_check());
     RenderSettings settings;
     settings.samples = effort == Effort::quick ? 4 : 16;

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "validation/report/figure.hpp"
+#include "spectral/output/figure.hpp"
 
 namespace hts::validation {
+
+using output::Figure;
+using output::FigureTable;
 
 /// A claim and what was measured of it.
 struct Check {

@@ -5,22 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "spectral/text/html.hpp"
+#include "spectral/output/html.hpp"
 
 namespace hts::validation {
 namespace {
 
-using spectral::html_escaped;
-
-constexpr std::string_view page_style = R"(
-figure { margin: 1rem 0; } figcaption { color: var(--soft); font-size: .9rem; max-width: 60rem; }
-figure svg, figure img { max-width: 100%; height: auto; background: #fff; border-radius: 6px; }
-.images { display: flex; flex-wrap: wrap; gap: 1rem; } .images figure { flex: 1 1 18rem; max-width: 34rem; }
-.images img { width: 100%; image-rendering: auto; }
-.wide { overflow-x: auto; } .wide td, .wide th { white-space: nowrap; padding: .15rem .6rem; }
-caption { text-align: left; color: var(--soft); padding: .3rem 0; }
-td.verdict { white-space: nowrap; font-weight: 600; }
-)";
+using output::html_escaped;
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -193,15 +183,15 @@ Tally tally(const std::vector<Section>& sections) {
 std::string report_page(const std::vector<Section>& sections, const std::string& provenance,
                         const std::function<std::string(const Figure& figure)>& svg) {
     const Tally all = tally(sections);
-    std::string page = spectral::html_head(
+    std::string page = output::html_head(
         "Validation of the He-Torrance model",
-        "The He-Torrance model against measurements, exact scattering and its paper", page_style);
+        "The He-Torrance model against measurements, exact scattering and its paper", "report");
     page += "<p>" + std::to_string(all.passed) + " of " + std::to_string(all.all) +
             " criteria are met. <span class=\"soft\">" + html_escaped(provenance) + "</span></p>\n<ol>\n";
     for (const Section& section : sections) page += link(section);
     page += "</ol>\n" + misses(sections);
     for (const Section& section : sections) page += section_html(section, svg);
-    return page.append(spectral::html_foot);
+    return page.append(output::html_foot);
 }
 
 std::string report_json(const std::vector<Section>& sections, const std::string& provenance) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -29,9 +30,7 @@ Section section() {
     return {
         "dielectric-scattering",
         "Exact scattering by glass: the method of moments",
-        "The same random profiles as a ground of refractive index 1.5: coupled integral equations above and "
-        "below it, TE and TM. The closed forms are those of the conductor times Fresnel's reflectance at "
-        "theta_d, as in the model.",
+        prose("dielectric-scattering"),
         {},
         {},
         {},

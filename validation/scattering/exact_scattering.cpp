@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "validation/report/prose.hpp"
 
 namespace hts::validation {
 namespace {
@@ -198,19 +199,7 @@ std::string horizon_remark(const std::vector<FigureTable>& tables, const std::ve
 Section section() {
     return {"exact-scattering",
             "Exact scattering: the method of moments",
-            "Electric- and magnetic-field integral equations are solved for random Gaussian profiles under a "
-            "tapered beam, "
-            "TE and TM, perfectly conducting, and the scattered intensity averaged over realisations. The "
-            "1-D analogue of "
-            "this model (its sigma and S in the 1-D Kirchhoff lobe, derived in "
-            "validation/scattering/profile_scattering.hpp) is held "
-            "against it, and so are Kirchhoff without shadowing and Smith's shadowing of correlated heights "
-            "with sigma0.\n\n"
-            "A distance in dB is the rms over the scattering angles, in bins of 5 degrees, weighted with the "
-            "exact "
-            "energy. Exact and Kirchhoff intensities of the same realisations share their speckle, so that "
-            "their ratio is "
-            "known to hundredths of a dB; the models' closed forms are compared through it.",
+            prose("exact-scattering"),
             {},
             {},
             {},

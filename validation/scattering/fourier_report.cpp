@@ -1,16 +1,14 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "hts/error.hpp"
+#include "spectral/output/script.hpp"
+#include "validation/report/prose.hpp"
 #include "validation/scattering/fourier_integral.hpp"
 
 namespace hts::validation {
 namespace {
-
-constexpr std::array colours{"#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#aa4499"};
 
 std::vector<FourierCase> cases(Effort effort) {
     if (effort == Effort::quick) return {{1, 1, 0}, {5, 2, 30}};
@@ -88,45 +86,28 @@ std::vector<Check> checks(const FigureTable& table) {
 }
 
 Figure figure(const FigureTable& table, const std::string& provenance) {
-    const auto all = groups(table);
-    std::ostringstream out;
-    out << "set terminal svg size 1000,560 font 'Helvetica,14' background '#ffffff'\nset output picture\n"
-        << figure_style
-        << page_label("The Fourier integral of explicit surfaces against the closed form", 0.015, 0.96, 19)
-        << page_label("Before shadowing. Each point is a direction; bars are standard errors of the mean.",
-                      0.015, 0.915, 13);
+    std::vector<std::string> names;
+    std::vector<output::Rows> ratios;
     std::vector<double> deviations;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        std::vector<std::vector<double>> numbers;
-        for (const auto& row : all[i]) {
-            numbers.push_back({row[9], row[7] / row[9], row[8] / row[9]});
+    for (const auto& group : groups(table)) {
+        names.push_back(case_text(group[0]));
+        ratios.emplace_back();
+        for (const auto& row : group) {
+            ratios.back().push_back({row[9], row[7] / row[9], row[8] / row[9]});
             deviations.push_back(row[10]);
         }
-        out << data_block("case" + std::to_string(i), numbers);
     }
     std::sort(deviations.begin(), deviations.end());
-    std::vector<std::vector<double>> steps;
+    output::Rows steps;
     for (std::size_t i = 0; i < deviations.size(); ++i)
         steps.push_back(
             {deviations[i], (static_cast<double>(i) + 0.5) / static_cast<double>(deviations.size())});
-    out << data_block("deviations", steps)
-        << "set multiplot layout 1,2 margins 0.075,0.975,0.12,0.86 spacing 0.08,0.05\n"
-        << "set logscale x\nset format x '10^{%L}'\nset xlabel 'closed form [1/sr]'\nset ylabel 'computed / "
-           "closed form'\n"
-        << "set yrange [0.5:1.6]\nset key inside top left Left reverse vertical maxrows 3 samplen 0.8 font "
-           "',11'\n"
-        << "set arrow from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888'\nplot ";
-    for (std::size_t i = 0; i < all.size(); ++i)
-        out << (i == 0 ? "" : ", ") << "$case" << i
-            << " using 1:2:3 with yerrorbars pt 7 ps 0.4 lw 1 lc rgb '" << colours[i % colours.size()]
-            << "' title '" << case_text(all[i][0]) << '\'';
-    out << "\nunset label\nunset arrow\nunset logscale\nset format x '%g'\nset key top left Left reverse at "
-           "graph 0.03,0.97\n"
-        << "set xrange [-4:4]\nset yrange [0:1]\nset xlabel '(computed - closed form) / standard error'\n"
-        << "set ylabel 'share of directions below'\n"
-        << "plot norm(x) with lines lw 2 lc rgb '#888888' title 'chance', "
-        << "$deviations using 1:2 with steps lw 2 lc rgb '#0072b2' title 'found'\nunset multiplot\n";
-    return {"fourier-integral", {}, out.str(), "Kirchhoff's integral over explicit surfaces. " + provenance};
+    output::Script script;
+    script.set("surface", names).data("ratios", ratios).data("deviations", steps);
+    return {"fourier-integral",
+            {},
+            script.with("fourier-integral"),
+            "Kirchhoff's integral over explicit surfaces. " + provenance};
 }
 
 void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
@@ -137,13 +118,7 @@ void add_results(Section& section, const std::vector<FigureTable>& tables, const
 Section section() {
     return {"fourier-integral",
             "The Fourier integral of explicit surfaces",
-            "Periodic random surfaces are drawn, Kirchhoff's diffraction integral is summed over each with "
-            "the surface's own "
-            "slopes, and |N|^2 averaged. The result must be the directional-diffuse term with sigma = sigma0 "
-            "and S = 1: Phi, G "
-            "and the factors between them, none of which the sum knows. Directions are drawn at random among "
-            "those with a "
-            "BRDF of at least a thousandth of the brightest, up to 85 degrees.",
+            prose("fourier-integral"),
             {},
             {},
             {},

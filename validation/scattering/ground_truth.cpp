@@ -20,9 +20,7 @@ std::string in_digits(const char* format, int digits, double value) {
 }
 
 std::string_view kept_text(std::string_view stem) {
-    for (const KeptFile& file : kept_files()) {
-        if (file.stem == stem) return file.text;
-    }
+    if (const auto* file = spectral::find_embedded(kept_files(), stem)) return file->text;
     throw Error{std::string{"ground truth "}.append(stem) + ": no such table is kept"};
 }
 

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/report/figure.hpp"
 #include "validation/report/report.hpp"
 
 namespace hts::validation {

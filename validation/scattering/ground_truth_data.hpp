@@ -2,16 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "spectral/text/embedded_file.hpp"
 
 namespace hts::validation {
 
-struct KeptFile {
-    std::string_view stem;
-    std::string_view text;
-};
-
-/// Defined in a source that spectral/embed_data.cmake writes.
-[[nodiscard]] std::span<const KeptFile> kept_files() noexcept;
+/// Defined in a source that embed.cmake writes.
+[[nodiscard]] std::span<const spectral::EmbeddedFile> kept_files() noexcept;
 
 }  // namespace hts::validation

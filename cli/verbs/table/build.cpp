@@ -1,6 +1,5 @@
 // hts table build: a table of a material, or one shard's part of it.
 
-#include <charconv>
 #include <iostream>
 #include <memory>
 
@@ -12,7 +11,7 @@
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "spectral/text/text.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {
@@ -24,12 +23,14 @@ Finished slices stand in FILE.slices meanwhile: a build that was interrupted goe
 it ended. The bytes are the same for any number of threads, shards, ranks and interruptions.
 
 Examples:
-  hts table build --material aluminium.json --wavelengths 0.38:0.78:31 --tolerance 1e-3 \
-      --output aluminium.htst
-  hts table build ... --shard 2/3 --output part.2        then: hts table merge part.* --output m.htst
-  mpirun -n 4 hts table build ...                        in a build with -DHTS_MPI=ON
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --output m.htst
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --shard 1/2 --output part.1
 
-As a Slurm array, a shard for each task (tables/table/slurm.sh):
+--shard 2/2 makes the other part, and hts table merge joins them. In a build with -DHTS_MPI=ON:
+  mpirun -n 4 hts table build ...
+As a Slurm array, a shard for each task (tables/sharing/slurm.sh):
   sbatch --array=1-64 slurm.sh --material aluminium.json --wavelengths 0.38:0.78:31)";
 
 struct BuildOptions {
@@ -38,24 +39,12 @@ struct BuildOptions {
     tables::TableRequest request;
 };
 
-std::size_t whole(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) throw Error{"not a whole number"};
-    return value;
-}
-
 tables::TableShard shard_from_option(const std::string& text) {
     try {
-        const auto parts = spectral::split(text, '/');
-        if (parts.size() == 2) {
-            const tables::TableShard shard{whole(parts[0]), whole(parts[1])};
-            if (shard.number >= 1 && shard.number <= shard.count) return shard;
-        }
+        return tables::TableShard::from_text(text);
     } catch (const Error&) {
-        // told below
+        throw UsageError{"--shard: " + spectral::in_quotes(text) + ": must be k/N, k from 1 to N"};
     }
-    throw UsageError{"--shard: " + spectral::in_quotes(text) + ": must be k/N, k from 1 to N"};
 }
 
 tables::TableJob job_from(const BuildOptions& options) {
@@ -80,11 +69,11 @@ void run(const BuildOptions& options) {
     const auto exact = tables::exact_model(job);
     Stopwatch watch;
     watch.start();
-    Ranks ranks{*exact, job};
+    Ranks ranks{exact, job};
     if (!ranks.first()) return;
     {
         Progress progress;
-        build_table_file(*exact, job, options.output, shard, ranks.worker(),
+        build_table_file(exact, job, options.output, shard, ranks.worker(),
                          [&](const std::string& step, double share) { progress.show(step, share); });
     }
     watch.stop();

@@ -4,11 +4,10 @@
 #include <memory>
 
 #include "bench/charts/table_sizes.hpp"
-#include "cli/io/gnuplot.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/table/table.hpp"
-#include "tables/formats/spectral_brdf.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 namespace hts::cli {
 namespace {
@@ -18,7 +17,7 @@ Builds tables of the material in five ways, each at six sizes, and measures the 
 error of each on the same random directions. A minute or two.
 
 Example:
-  hts table chart --material aluminium.json --plot table-sizes.svg)";
+  hts table chart --material cli/data/rough-aluminium.json --plot table-sizes.svg)";
 
 struct ChartOptions {
     MaterialOptions material;
@@ -29,12 +28,11 @@ struct ChartOptions {
 };
 
 void run(const ChartOptions& options) {
-    const auto reflector = options.material.read();
-    const auto exact =
-        tables::model_brdf(reflector, wavelengths_from_option(options.wavelengths), options.material.policy(),
-                           Tolerance{hts::accuracy::finest_lane_tolerance});
-    if (!options.plot.empty()) require_gnuplot(options.plot);
-    const auto sizes = bench::table_sizes(*exact, options.pairs, options.seed);
+    const auto exact = options.material.read().at(
+        wavelengths_from_option(options.wavelengths),
+        {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = options.material.policy()});
+    if (!options.plot.empty()) output::require_gnuplot(options.plot);
+    const auto sizes = bench::table_sizes(exact, options.pairs, options.seed);
     Output output{options.output.path};
     TableWriter writer{
         output, format_of(options.output.path, options.output.json), {"way", "bytes", "largest_error"}};
@@ -46,7 +44,7 @@ void run(const ChartOptions& options) {
     }
     writer.finish();
     output.commit();
-    if (!options.plot.empty()) draw(options.plot, bench::table_sizes_script(sizes, reflector.name()));
+    if (!options.plot.empty()) output::draw(options.plot, bench::table_sizes_script(sizes, exact.name()));
 }
 
 }  // namespace

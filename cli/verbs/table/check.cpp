@@ -6,7 +6,7 @@
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "hts/error.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {
@@ -28,7 +28,7 @@ void run(const CheckOptions& options) {
     const auto table = tables::Table::open(options.table);
     const auto& info = table.info();
     const auto exact = tables::exact_model(info.source, info.wavelengths.micrometres());
-    const auto error = tables::table_error(table, *exact, options.samples, options.seed);
+    const auto error = tables::table_error(table.reflectance(), exact, options.samples, options.seed);
     Output output{options.output.path};
     TableWriter writer{output,
                        format_of(options.output.path, options.output.json),

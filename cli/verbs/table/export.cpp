@@ -37,8 +37,8 @@ the file, as FILE.json, together with what the numbers mean. --specular box spre
 pairs of directions: the report goes to standard output.
 
 Examples:
-  hts table export aluminium.json --format rgl --output aluminium.bsdf
-  hts table export gold.json --format pbsdf --output gold.pbsdf)";
+  hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
+  hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf)";
 }
 
 const TableFormat& format_named(const std::string& name) {
@@ -49,7 +49,7 @@ const TableFormat& format_named(const std::string& name) {
 /// A table has its own wavelengths.
 Reflectance table_of(const ExportOptions& options) {
     if (!options.wavelengths.empty()) throw UsageError{"--wavelengths: must not come with a table"};
-    return std::make_shared<tables::Table>(tables::Table::open(options.source));
+    return tables::Table::open(options.source).reflectance();
 }
 
 Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
@@ -57,11 +57,9 @@ Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
     const MaterialOptions material{options.source, options.clamp};
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
-    const auto reflector = material.read();
-    return spectral::located("--wavelengths", [&] {
-        // far finer than any of these files holds
-        return tables::model_brdf(reflector, wavelengths, material.policy(), Tolerance{1e-6});
-    });
+    // far finer than any of these files holds
+    return reflectance_from_option("--wavelengths", material.read(), wavelengths,
+                                   {.tolerance = Tolerance{1e-6}, .outside = material.policy()});
 }
 
 Reflectance with_specular(const ExportOptions& options, const Reflectance& brdf) {
@@ -74,12 +72,11 @@ void run(const ExportOptions& options) {
     const Reflectance plain = source_of(options, format);
     const Reflectance boxed = with_specular(options, plain);
     const Reflectance brdf = format.as_held ? format.as_held(boxed) : boxed;
-    tables::Exported exported = format.exported(*brdf, options.output);
+    tables::Exported exported = format.exported(brdf, options.output);
     if (options.specular == "box")
         exported.sidecar.specular = "in the file, a box of " + shortest(options.solid_angle) + " sr";
-    tables::write_with_sidecar(options.output, *plain, std::move(exported));
-    const auto report =
-        tables::round_trip(*brdf, *format.read(options.output), {options.pairs, options.seed});
+    tables::write_with_sidecar(options.output, plain, std::move(exported));
+    const auto report = tables::round_trip(brdf, format.read(options.output), {options.pairs, options.seed});
     std::cout << (options.json ? report.json() + "\n" : report.text());
     std::cerr << options.output << ": " << std::filesystem::file_size(options.output) << " bytes\n";
 }

@@ -18,15 +18,19 @@ Reflectance read_back(const std::string& path) {
     return tables::read_brdf(path).brdf;
 }
 
+Reflectance read_rgl(const std::string& path) {
+    return Reflectance{tables::read_rgl(path)};
+}
+
 // Three wavelengths as they are, others as linear sRGB.
 Reflectance as_rgb(const Reflectance& brdf) {
-    if (brdf->wavelengths().size() == 3) return tables::with_channels_named(brdf, tables::rgb_wavelengths());
+    if (brdf.wavelengths().size() == 3) return tables::with_channels_named(brdf, tables::rgb_wavelengths());
     return tables::linear_srgb_brdf(brdf, spectral::Illuminant::D65);
 }
 
 // One wavelength as it is, others as luminance.
 Reflectance as_luminance(const Reflectance& brdf) {
-    if (brdf->wavelengths().size() == 1)
+    if (brdf.wavelengths().size() == 1)
         return tables::with_channels_named(brdf, tables::luminance_wavelength());
     return tables::luminance_brdf(brdf, spectral::Illuminant::D65);
 }
@@ -40,7 +44,7 @@ tables::Sidecar sidecar(const char* format, std::vector<std::string> notes) {
     return result;
 }
 
-Exported merl(const tables::SpectralBrdf& brdf, const std::string& path) {
+Exported merl(const Reflectance& brdf, const std::string& path) {
     auto result = sidecar(
         "MERL binary (.binary)",
         {"three channels: the three wavelengths as blue, green, red, or of more wavelengths linear sRGB of "
@@ -55,32 +59,32 @@ constexpr const char* radiance_channel =
     "wavelengths the "
     "luminance factor under D65, over pi";
 
-Exported klems(const tables::SpectralBrdf& brdf, const std::string& path) {
+Exported klems(const Reflectance& brdf, const std::string& path) {
     return {{{path, tables::klems_xml(brdf)}},
             sidecar("LBNL WINDOW XML, Klems full basis",
                     {radiance_channel, "means over pairs of patches, weighted by projected solid angle",
                      "Radiance loads no file that reflects more than 1.01 of the light of a patch"})};
 }
 
-Exported tensor_tree(const tables::SpectralBrdf& brdf, const std::string& path) {
+Exported tensor_tree(const Reflectance& brdf, const std::string& path) {
     return {{{path, tables::tensor_tree_xml(brdf)}},
             sidecar("Radiance XML, tensor tree",
                     {radiance_channel, "constant in cells of 1/64 in direction cosines and larger"})};
 }
 
-Exported zemax(const tables::SpectralBrdf& brdf, const std::string& path) {
+Exported zemax(const Reflectance& brdf, const std::string& path) {
     return {tables::zemax_files(brdf, path),
             sidecar("OpticStudio tabular BSDF (.bsdf), a file per wavelength",
                     {"angles about the mirror direction; 0 below the horizon",
                      "TIS: reflectance per angle of incidence"})};
 }
 
-Exported csv(const tables::SpectralBrdf& brdf, const std::string& path) {
-    return {{{path, tables::scatter_csv(brdf, tables::csv_grid(tables::is_isotropic(brdf)))}},
+Exported csv(const Reflectance& brdf, const std::string& path) {
+    return {{{path, tables::scatter_csv(brdf, tables::csv_grid(brdf.properties().isotropic))}},
             sidecar("CSV, a row per pair of directions, a column per wavelength", {})};
 }
 
-Exported pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
+Exported pbsdf(const Reflectance& brdf, const std::string& path) {
     return tables::exported_pbsdf(brdf, path);
 }
 
@@ -89,7 +93,7 @@ Exported pbsdf(const tables::SpectralBrdf& brdf, const std::string& path) {
 const std::vector<TableFormat>& table_formats() {
     static const std::vector<TableFormat> formats{
         {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.38:0.78:21",
-         tables::exported_rgl, tables::read_rgl},
+         tables::exported_rgl, read_rgl},
         {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
          pbsdf, tables::read_pbsdf},
         {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31", merl,

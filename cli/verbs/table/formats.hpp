@@ -2,16 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "spectral/models/reflectance.hpp"
 #include "tables/formats/sidecar.hpp"
-#include "tables/formats/spectral_brdf.hpp"
 
 namespace hts::cli {
 
-using Reflectance = std::shared_ptr<const tables::SpectralBrdf>;
+using spectral::Reflectance;
 
 /// A format: what is written, and how the project's own reader reads it.
 struct TableFormat {
@@ -19,7 +18,7 @@ struct TableFormat {
     std::string what;         ///< a line of help
     std::string wavelengths;  ///< [um] where the user gives none, as WavelengthGrid::parse takes them
     /// What is to stand in the file, and in those beside it, for tables::write_with_sidecar.
-    std::function<tables::Exported(const tables::SpectralBrdf& brdf, const std::string& path)> exported;
+    std::function<tables::Exported(const Reflectance& brdf, const std::string& path)> exported;
     std::function<Reflectance(const std::string& path)> read;
     /// What of a reflectance the file can hold at all, which is written and compared: none for all of it, or, say, red,
     /// green and blue.

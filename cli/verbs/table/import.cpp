@@ -34,7 +34,7 @@ each wavelength [um]. --output writes a material file with the model "measured",
 eval, polar, sample and the others take.
 
 Examples:
-  hts table import nickel.binary --output nickel.json
+  hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
   hts table import scan.csv --wavelengths 0.633 --output scan.json)";
 }
 
@@ -53,7 +53,7 @@ std::string material_text(const ImportOptions& options, const tables::BrdfFile& 
     if (!options.format.empty()) text.append(",\n  \"format\": ").append(json_string(file.format));
     if (!options.wavelengths.empty()) {
         std::string list;
-        for (const double um : file.brdf->wavelengths().micrometres())
+        for (const double um : file.brdf.wavelengths().micrometres())
             list.append(list.empty() ? "" : ", ").append(shortest(um));
         text.append(",\n  \"wavelengths_um\": [").append(list).append("]");
     }
@@ -61,7 +61,7 @@ std::string material_text(const ImportOptions& options, const tables::BrdfFile& 
 }
 
 // Directional-hemispherical reflectance per wavelength, to some 1e-3.
-std::vector<double> albedo(const tables::SpectralBrdf& brdf, const Direction& in) {
+std::vector<double> albedo(const spectral::Reflectance& brdf, const Direction& in) {
     std::vector<double> sums(brdf.wavelengths().size(), 0), values(sums.size());
     for (const auto& view : tables::lobe_quadrature(in, tables::lobe_slope(brdf), 20'000)) {
         brdf.brdf({in, view.out}, values);
@@ -77,11 +77,11 @@ void write_summary(const ImportOptions& options, const tables::BrdfFile& file) {
         output, format_of("-", options.json), {"wavelength_um", "albedo_0", "albedo_30", "albedo_60"}};
     std::vector<std::vector<double>> albedos;
     for (const double theta : {0.0, 30.0, 60.0})
-        albedos.push_back(albedo(*file.brdf, Direction::from_degrees(theta, 0)));
-    for (std::size_t i = 0; i < file.brdf->wavelengths().size(); ++i) {
+        albedos.push_back(albedo(file.brdf, Direction::from_degrees(theta, 0)));
+    for (std::size_t i = 0; i < file.brdf.wavelengths().size(); ++i) {
         std::string text;
         TableWriter::Row row{table, text};
-        row.field(shortest(file.brdf->wavelengths().micrometres()[i]));
+        row.field(shortest(file.brdf.wavelengths().micrometres()[i]));
         for (const auto& at_angle : albedos) row.field(brief(at_angle[i]));
         row.end();
         table.add(text);
@@ -92,14 +92,14 @@ void write_summary(const ImportOptions& options, const tables::BrdfFile& file) {
 
 void run(const ImportOptions& options) {
     const auto file = tables::read_brdf(options.source, wavelengths_of(options), options.format);
-    std::cerr << options.source << ": " << file.format << ", " << file.brdf->wavelengths().size()
-              << " wavelengths, " << (tables::is_isotropic(*file.brdf) ? "isotropic" : "not isotropic")
+    std::cerr << options.source << ": " << file.format << ", " << file.brdf.wavelengths().size()
+              << " wavelengths, " << (file.brdf.properties().isotropic ? "isotropic" : "not isotropic")
               << '\n';
     for (const std::string& note : file.notes) std::cerr << options.source << ": " << note << '\n';
     if (!options.output.empty()) write_file(options.output, material_text(options, file));
     if (!options.csv.empty()) {
-        const auto grid = tables::csv_grid(tables::is_isotropic(*file.brdf));
-        write_file(options.csv, tables::scatter_csv(*file.brdf, grid));
+        const auto grid = tables::csv_grid(file.brdf.properties().isotropic);
+        write_file(options.csv, tables::scatter_csv(file.brdf, grid));
     }
     write_summary(options, file);
 }

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/transform.hpp"
@@ -23,8 +22,10 @@ phi_r_deg. Added: directional_diffuse, uniform_diffuse, brdf [1/sr], specular_re
 and diffuse_albedo [1], the last the share of light that both diffuse terms reflect.
 A wavelength that is not in the table, or a polar angle above 88 degrees, stops the run.
 
-Example:
-  hts table lookup m.htst --points points.csv --output values.csv)";
+Examples:
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:4 --tolerance 0.02 \
+      --output m.htst
+  hts table lookup m.htst --points cli/data/points.csv --output values.csv)";
 
 struct LookupOptions {
     std::string table, points;
@@ -39,7 +40,7 @@ struct Value {
 class Points {
   public:
     explicit Points(const CsvReader& reader) {
-        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.required_column(names[i]);
+        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.column(names[i]);
     }
     [[nodiscard]] double wavelength(const CsvRow& row) const { return cell(row, 0); }
     [[nodiscard]] DirectionPair pair(const CsvRow& row) const {
@@ -51,7 +52,7 @@ class Points {
     static constexpr std::array names{"wavelength_um", "theta_i_deg", "phi_i_deg", "theta_r_deg",
                                       "phi_r_deg"};
     [[nodiscard]] double cell(const CsvRow& row, std::size_t i) const {
-        return number(row.fields[places_[i]], names[i]);
+        return spectral::number_in(row.fields[places_[i]], names[i]);
     }
     std::array<std::size_t, names.size()> places_{};
 };

@@ -5,7 +5,7 @@
 
 #include "cli/io/options.hpp"
 #include "cli/verbs/table/table.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 namespace {
@@ -22,7 +22,13 @@ void add_table_merge(CLI::App& table) {
     auto options = std::make_shared<MergeOptions>();
     verb->add_option("parts", options->parts, "files of all shards, in any order")->required();
     verb->add_option("--output,-o", options->output, "table to write")->required()->check(path_to_write());
-    verb->footer("\nExample:\n  hts table merge part.1 part.2 part.3 --output m.htst");
+    verb->footer(R"(
+Examples:
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.5 --tolerance 0.02 \
+      --shard 1/2 --output part.1
+  hts table build --material cli/data/rough-aluminium.json --wavelengths 0.5 --tolerance 0.02 \
+      --shard 2/2 --output part.2
+  hts table merge part.1 part.2 --output m.htst)");
     verb->callback([options] {
         tables::merge_table_file({options->parts.begin(), options->parts.end()}, options->output);
     });

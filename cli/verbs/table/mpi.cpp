@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "tables/table/slice_file.hpp"
+#include "tables/sharing/slice_file.hpp"
 #endif
 
 namespace hts::cli {
@@ -41,7 +41,7 @@ std::string shared(std::string text) {
 }
 
 /// One slice for each rank, the own of which is computed here; all of them arrive at the first. `first` is of the whole list.
-std::vector<double> gathered(const tables::SpectralBrdf& exact, const tables::TablePlan& plan,
+std::vector<double> gathered(const spectral::Reflectance& exact, const tables::TablePlan& plan,
                              const std::vector<std::uint64_t>& slices, std::size_t first,
                              std::size_t values) {
     const std::size_t own = first + static_cast<std::size_t>(rank());
@@ -55,7 +55,7 @@ std::vector<double> gathered(const tables::SpectralBrdf& exact, const tables::Ta
 
 /// What every rank does once the first has told it plan and slices.
 template <class Keep>
-void compute(const tables::SpectralBrdf& exact, const tables::TablePlan& plan,
+void compute(const spectral::Reflectance& exact, const tables::TablePlan& plan,
              const std::vector<std::uint64_t>& slices, Keep&& keep) {
     const std::size_t values = plan.nodes.ratio * plan.nodes.turn * (plan.basis.size() / plan.floor.size());
     const auto step = static_cast<std::size_t>(ranks());
@@ -73,7 +73,7 @@ std::vector<std::uint64_t> shared(std::vector<std::uint64_t> list) {
 
 }  // namespace
 
-Ranks::Ranks(const tables::SpectralBrdf& exact, const tables::TableJob& job) : exact_{exact}, job_{job} {
+Ranks::Ranks(const spectral::Reflectance& exact, const tables::TableJob& job) : exact_{exact}, job_{job} {
     MPI_Init(nullptr, nullptr);
     first_ = rank() == 0;
     if (first_) return;
@@ -115,7 +115,7 @@ tables::SliceWorker Ranks::worker() {
 
 #else
 
-Ranks::Ranks(const tables::SpectralBrdf& exact, const tables::TableJob& job) : exact_{exact}, job_{job} {}
+Ranks::Ranks(const spectral::Reflectance& exact, const tables::TableJob& job) : exact_{exact}, job_{job} {}
 
 Ranks::~Ranks() = default;
 

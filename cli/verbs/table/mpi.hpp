@@ -1,7 +1,7 @@
 /// Several processes at one table: MPI ranks where the program was built with -DHTS_MPI=ON and started by mpirun, else one.
 #pragma once
 
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 
@@ -9,7 +9,7 @@ namespace hts::cli {
 /// constructors and are done.
 class Ranks {
   public:
-    Ranks(const tables::SpectralBrdf& exact, const tables::TableJob& job);
+    Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);
     ~Ranks();
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
@@ -19,7 +19,7 @@ class Ranks {
     [[nodiscard]] tables::SliceWorker worker();
 
   private:
-    const tables::SpectralBrdf& exact_;
+    const spectral::Reflectance& exact_;
     const tables::TableJob& job_;
     bool first_ = true;
 };

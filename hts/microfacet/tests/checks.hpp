@@ -22,10 +22,6 @@ inline Direction random_direction(Random& random) {
     return Direction::from_degrees(theta, random.uniform(0, 360));
 }
 
-inline Uniforms random_uniforms(Random& random) {
-    return random.uniforms();
-}
-
 inline std::string text(const Direction& d) {
     const double degree = 180 / std::numbers::pi;
     return "theta " + shortest(std::atan2(d.sin_theta(), d.cos_theta()) * degree) + ", phi " +
@@ -45,7 +41,7 @@ void check_values(const std::string& name, const Model& model, double reciprocit
         reciprocity.note(relative_error(there, model.brdf(out, in)),
                          [&] { return text(in) + "; " + text(out); });
         const double pdf = model.pdf(in, out);
-        const hts::Draw drawn = model.sample(in, random_uniforms(random));
+        const hts::Draw drawn = model.sample(in, random.uniforms());
         const bool good = there >= 0 && std::isfinite(there) && pdf >= 0 && std::isfinite(pdf) &&
                           drawn.weight >= 0 && std::isfinite(drawn.weight) &&
                           (drawn.pdf == 0 || drawn.pdf == model.pdf(in, drawn.out));
@@ -78,7 +74,7 @@ void check_sampling(const std::string& name, const Model& model) {
         Random random{11};
         double sum = 0, squares = 0, weights = 0;
         const auto draw = [&]() -> std::optional<Angles> {
-            const hts::Draw drawn = model.sample(in, random_uniforms(random));
+            const hts::Draw drawn = model.sample(in, random.uniforms());
             sum += drawn.weight;
             squares += drawn.weight * drawn.weight;
             ++weights;

@@ -12,7 +12,6 @@ using namespace hts;
 using namespace hts::testing::walter;
 using hts::testing::Angles;
 using hts::testing::Random;
-using hts::testing::random_uniforms;
 using hts::testing::relative_error;
 using hts::testing::WorstCase;
 
@@ -65,7 +64,7 @@ TEST_CASE("Walter: draws fall as their density says, reflected and refracted, fr
                     const SidedDirection in{side, Direction::from_degrees(theta, 250)};
                     const WalterBsdf glass{facets, 1, 1.5, which};
                     const auto draw = [&]() -> hts::testing::Draw {
-                        const auto drawn = glass.sample(in, random_uniforms(random));
+                        const auto drawn = glass.sample(in, random.uniforms());
                         if (drawn.pdf == 0) return {};
                         return {Angles{polar_angle(drawn.out),
                                        std::remainder(azimuth(drawn.out.direction) - centre, 2 * pi)}};
@@ -100,7 +99,7 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
         const SidedDirection known{random.uniform(0, 1) < 0.5 ? Side::front : Side::back,
                                    off_grazing(random)};
         const WalterBsdf glass{facets, 1.1, 1.6, which};
-        const auto drawn = glass.sample(known, random_uniforms(random), from);
+        const auto drawn = glass.sample(known, random.uniforms(), from);
         if (drawn.weight > 1e-9 && drawn.out.direction.cos_theta() > 1e-4) {
             const double f =
                 from == PathFrom::light ? glass.bsdf(known, drawn.out) : glass.bsdf(drawn.out, known);
@@ -111,7 +110,7 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
             lengths.note(std::abs(dot(v, v) - 1), where);
         }
         const WalterBrdf metal{facets, {0.2, 3}, which};
-        const auto mirrored = metal.sample(known.direction, random_uniforms(random));
+        const auto mirrored = metal.sample(known.direction, random.uniforms());
         if (mirrored.weight > 1e-9 && mirrored.out.cos_theta() > 1e-4) {
             const double f = metal.brdf(known.direction, mirrored.out);
             weights.note(relative_error(mirrored.weight, f * mirrored.out.cos_theta() / mirrored.pdf), where);
@@ -133,7 +132,7 @@ TEST_CASE("Walter: weights stay within the bounds of the paper and of visible no
         const double alpha = random.logarithmic(0.01, 1);
         const auto in = Direction::from_degrees(
             i % 2 == 0 ? random.uniform(0, 90) : 90 - random.logarithmic(1e-3, 30), 0);
-        const auto u = random_uniforms(random);
+        const auto u = random.uniforms();
         const auto weight = [&](const FacetDistribution& facets, NormalDraw which) {
             return WalterBrdf{facets, perfect, which}.sample(in, u).weight;
         };

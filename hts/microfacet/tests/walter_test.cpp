@@ -25,7 +25,6 @@ using hts::Uniforms;
 using hts::WalterBrdf;
 using hts::WalterBsdf;
 using hts::testing::Random;
-using hts::testing::random_uniforms;
 using hts::testing::ReferenceTable;
 using hts::testing::relative_error;
 using hts::testing::WorstCase;
@@ -215,7 +214,7 @@ TEST_CASE("Walter: as alpha goes to 0 light goes the way of Snell with the share
                 const auto back = Direction::from_degrees(90, 220).vector();
                 int astray = 0;
                 for (int i = 0; i < 4000; ++i) {
-                    const auto drawn = glass.sample(in, random_uniforms(random));
+                    const auto drawn = glass.sample(in, random.uniforms());
                     const auto v = drawn.out.direction.vector();
                     const bool mirror = drawn.out.side == side;
                     (mirror ? reflected : transmitted) += drawn.weight / 4000;

@@ -223,3 +223,28 @@ TEST_CASE("files that are no JSON object are refused with path and line") {
     CHECK_THROWS_WITH(read_material(folder.path() / "d.json"), Catch::EndsWith("is a directory, not a file"));
     CHECK_THROWS_WITH(read_material(folder.path() / "none.json"), Catch::EndsWith("none.json: no such file"));
 }
+
+TEST_CASE("values that a caller gives go before the material's") {
+    const TemporaryFolder folder;
+    const auto written = [&folder](double roughness, double length, const std::string& index, double albedo) {
+        return read_material(folder.write(
+            "m.json", R"({"model": "he", "rms_roughness_um": )" + std::to_string(roughness) +
+                          R"(, "correlation_length_um": )" + std::to_string(length) + R"(, "index": )" +
+                          index + R"(, "diffuse_albedo": )" + std::to_string(albedo) + "}"));
+    };
+    const Material own = written(0.28, 1.77, R"({"table": [[0.5, 1.5, 1], [0.6, 1.6, 2]]})", 0.1);
+    const Material wanted = written(0.5, 2.5, R"({"n": 2, "k": 3})", 0.25);
+    const hts::DirectionPair pair{hts::Direction::from_degrees(30, 0), hts::Direction::from_degrees(40, 170)};
+    const hts::spectral::RoughSurfaceValues all{
+        .n = 2, .k = 3, .rms_roughness = 0.5, .correlation_length = 2.5, .diffuse_albedo = 0.25};
+    CHECK(own.at(green, {.instead = all}).brdf(pair) == wanted.at(green).brdf(pair));
+    const auto one = own.at(green, {.instead = {.n = 2}});
+    CHECK(one.samples()[0].index.n() == 2);
+    CHECK(one.samples()[0].index.k() == own.at(green).samples()[0].index.k());
+
+    const auto infrared = Wavelength::from_micrometres(10);
+    CHECK(own.at(infrared, {.instead = all}).brdf(pair) == wanted.at(infrared).brdf(pair));
+    CHECK_THROWS_WITH(own.at(infrared, {.instead = {.n = 2}}), Catch::Contains("must be from 0.5 to 0.6 um"));
+    CHECK_THROWS_WITH(own.at(green, {.instead = {.diffuse_albedo = 1.5}}), Catch::Contains("albedo 1.5"));
+    CHECK_THROWS_WITH(own.at(green, {.instead = {.rms_roughness = -1}}), Catch::Contains("rms roughness -1"));
+}

@@ -130,11 +130,16 @@ TEST_CASE("polarised reflection adds up to the BRDF") {
         rough_aluminium(0.3).at(WavelengthGrid::linear(0.4, 0.7, 4), {.tolerance = exactly});
     const auto brdf = reflectance.brdf(forward);
     const auto mueller = reflectance.mueller(forward);
+    const auto of_lobe = reflectance.directional_diffuse_mueller(forward);
+    const auto lobe = reflectance.directional_diffuse(forward);
     const auto specular = reflectance.specular_reflectance(forward.in);
     const auto specular_mueller = reflectance.specular_mueller(forward.in);
     for (std::size_t i = 0; i < brdf.size(); ++i) {
         CHECK(mueller[i](0, 0) == Approx(brdf[i]).epsilon(1e-13));
         CHECK((mueller[i] * Stokes::unpolarised()).intensity() == Approx(brdf[i]).epsilon(1e-13));
+        CHECK(of_lobe[i](0, 0) == Approx(lobe[i]).epsilon(1e-13));
+        CHECK(of_lobe[i](2, 2) == mueller[i](2, 2));
+        CHECK((of_lobe[i] * Stokes::s_polarised()).degree_of_polarisation() == Approx(1).epsilon(1e-13));
         const Stokes lit = mueller[i] * Stokes::s_polarised();
         CHECK(lit.degree_of_polarisation() < 1);  // the uniform-diffuse term depolarises
         CHECK(lit.degree_of_polarisation() > 0.1);

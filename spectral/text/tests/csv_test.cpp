@@ -9,6 +9,7 @@
 #include "temporary_folder.hpp"
 
 using hts::spectral::csv_field;
+using hts::spectral::CsvReader;
 using hts::spectral::CsvTable;
 using hts::testing::complaint;
 using hts::testing::TemporaryFolder;
@@ -63,6 +64,55 @@ TEST_CASE("CSV that cannot be read is refused with path and line") {
         {"n\n\"1\"2\n", "a.csv:2: a comma must follow the closing quotation mark"},
     };
     for (const auto& [text, message] : cases) CHECK_THROWS_WITH(CsvTable::parse(text, "a.csv"), message);
+}
+
+TEST_CASE("a CSV reader gives row after row, by the same rules") {
+    auto reader = CsvReader::from_text(
+        "\xEF\xBB\xBF# made by hand\n t , \"a,b\"\r\n1,2\n\n  # half way\n3,4\n5,6", "a.csv");
+    CHECK(reader.columns() == std::vector<std::string>{"t", "a,b"});
+    CHECK(reader.where_header() == "a.csv:2: ");
+    const auto rows = reader.read(2);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1].line == 6);
+    CHECK(rows[1].fields == std::vector<std::string>{"3", "4"});
+    CHECK(reader.next().value().fields.front() == "5");
+    CHECK_FALSE(reader.next());
+    CHECK(reader.read(2).empty());
+}
+
+TEST_CASE("a CSV reader passes columns through that nobody asks for") {
+    auto reader = CsvReader::from_text(",t,n,n\n0,1,2,3\n", "a.csv");
+    CHECK(reader.column("t") == 1);
+    CHECK_FALSE(reader.find_column("k"));
+    CHECK_THROWS_WITH(reader.find_column("n"), "a.csv:1: column \"n\": stands twice");
+    CHECK_THROWS_WITH(reader.column("k"), "a.csv:1: column \"k\": missing");
+    CHECK(reader.next().value().fields.size() == 4);
+}
+
+TEST_CASE("a CSV reader refuses rows with path and line") {
+    const auto complaint = [](const std::string& text) {
+        try {
+            auto reader = CsvReader::from_text(text, "a.csv");
+            while (reader.next()) continue;
+        } catch (const hts::Error& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    CHECK(complaint("#\n") == "a.csv: no header line with the names of the columns");
+    CHECK(complaint("n,k\n1,2\n1\n") == "a.csv:3: 1 fields: must be 2 as in the header");
+    CHECK(complaint("n\n\"1\n") == "a.csv:2: quotation mark without its partner");
+    CHECK(complaint("n\n1 # \xB5m\n") == "a.csv:2: not UTF-8 text");
+    CHECK(CsvReader::from_text("n\n1\n").where(2).empty());
+    const TemporaryFolder folder;
+    folder.write("empty.csv", "");
+    const auto read = [&folder](const std::string& name) {
+        return hts::testing::complaint(
+            folder, [&] { static_cast<void>(CsvReader{(folder.path() / name).string()}); });
+    };
+    CHECK(read("none.csv") == "none.csv: no such file");
+    CHECK(read(".") == ".: is a directory, not a file");
+    CHECK(read("empty.csv") == "empty.csv: file is empty");
 }
 
 TEST_CASE("fields that are no number are refused with path, line and column") {

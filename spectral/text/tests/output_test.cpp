@@ -14,11 +14,18 @@ using namespace hts::spectral;
 using hts::testing::TemporaryFolder;
 namespace fs = std::filesystem;
 
-TEST_CASE("a signal leaves none of the files that are under construction, and those that are done") {
+extern "C" void remove_and_end(int signal) {
+    remove_partial_files();
+    static_cast<void>(std::signal(signal, SIG_DFL));
+    static_cast<void>(std::raise(signal));
+}
+
+TEST_CASE("a program's signal handler removes the files under construction, and leaves those that are done") {
     const TemporaryFolder folder;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
+        static_cast<void>(std::signal(SIGTERM, remove_and_end));
         Output a{(folder / "a").string()}, b{(folder / "b").string()}, c{(folder / "c").string()};
         for (Output* each : {&a, &b, &c}) {
             each->write("half");
@@ -34,6 +41,29 @@ TEST_CASE("a signal leaves none of the files that are under construction, and th
     CHECK(WTERMSIG(status) == SIGTERM);
     CHECK(fs::remove((folder / "b").string()));
     CHECK(folder.size() == 0);
+}
+
+TEST_CASE("writing a file changes no signal's handler") {
+    const TemporaryFolder folder;
+    const auto handler = [](int signal) {
+        struct sigaction action {};
+        REQUIRE(::sigaction(signal, nullptr, &action) == 0);
+        return action.sa_handler;
+    };
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const auto before = handler(signal);
+        const Output output{(folder / "a").string()};
+        CHECK(handler(signal) == before);
+    }
+}
+
+TEST_CASE("an output that another one writes is refused and left alone") {
+    const TemporaryFolder folder;
+    Output first{(folder / "a").string()};
+    first.write("1");
+    CHECK_THROWS_AS(Output{(folder / "a").string()}, hts::Error);
+    first.commit();
+    CHECK(fs::file_size((folder / "a").string()) == 1);
 }
 
 TEST_CASE("several files are written all or none") {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hts/error.hpp"
-#include "tables/table/table_parts.hpp"
+#include "tables/sharing/table_parts.hpp"
 
 namespace hts::tables::testing {
 

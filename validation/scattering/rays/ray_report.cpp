@@ -1,18 +1,17 @@
 #include "validation/scattering/rays/ray_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
 
 #include "hts/error.hpp"
+#include "spectral/output/script.hpp"
+#include "validation/report/prose.hpp"
 #include "validation/scattering/rays/facet_tracing.hpp"
 
 namespace hts::validation {
 namespace {
 
-constexpr std::array colours{"#0072b2", "#009e73", "#e69f00", "#d55e00", "#aa4499"};
 std::vector<double> seen_deg() {
     return {30, 45, 60, 65, 70, 75, 80, 85};
 }
@@ -116,12 +115,6 @@ std::vector<Check> checks(const std::vector<FigureTable>& tables) {
     return found;
 }
 
-std::string head(const std::string& title, const std::string& subtitle, int width, int height) {
-    return "set terminal svg size " + std::to_string(width) + "," + std::to_string(height) +
-           " font 'Helvetica,14' background '#ffffff'\nset output picture\n" + figure_style +
-           page_label(title, 0.015, 0.965, 19) + page_label(subtitle, 0.015, 0.93, 13);
-}
-
 /// Rows of a table with given first numbers, without those.
 std::vector<Row> rows_with(const FigureTable& table, const Row& first) {
     std::vector<Row> rows;
@@ -133,30 +126,13 @@ std::vector<Row> rows_with(const FigureTable& table, const Row& first) {
 }
 
 Figure shadowing_figure(const FigureTable& table) {
-    const auto all = different(table, 0);
-    std::ostringstream out;
-    out << head("How much of a rough surface is lit, and lit and seen",
-                "Rays on explicit surfaces (dots) against Smith's functions (lines); seen from the mirror "
-                "direction.",
-                1000, 720)
-        << "set multiplot layout 2,3 margins 0.06,0.98,0.08,0.86 spacing 0.05,0.1\n"
-        << "set xrange [28:88]\nset xtics 15\n"
-        << "set yrange [0:1.05]\nset ytics 0.25\n"
-        << "set key at graph 0.03,0.04 left bottom Left reverse samplen 2 font ',13'\n";
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string name = "$s" + std::to_string(i);
-        out << data_block(name.substr(1), rows_with(table, {all[i]})) << "set title 'σ_0/τ = " << all[i]
-            << "' font ',14' offset 0,-0.7\n"
-            << (i + 3 >= all.size() ? "set xlabel 'angle [°]' offset 0,0.5\n" : "") << "plot " << name
-            << " using 1:5 with lines lw 2.2 lc rgb '#0072b2' title 'Smith S_1', " << name
-            << " using 1:6 with lines lw 2.2 lc rgb '#e69f00' title 'S of He et al.', " << name
-            << " using 1:7 with lines lw 2.2 dt 2 lc rgb '#d55e00' title 'heights correlated', " << name
-            << " using 1:2:3 with yerrorbars pt 7 ps 0.6 lc rgb '#000000' title 'lit', " << name
-            << " using 1:4 with points pt 6 ps 0.7 lc rgb '#000000' title 'lit and seen'\nset key off\nunset "
-               "label\n";
-    }
-    out << "unset multiplot\n";
-    return {"ray-shadowing", {}, out.str(), "Shadowing of explicit Gaussian surfaces."};
+    const auto slopes = different(table, 0);
+    std::vector<output::Rows> shares;
+    for (const double slope : slopes) shares.push_back(rows_with(table, {slope}));
+    return {"ray-shadowing",
+            {},
+            output::Script{}.set("slope", slopes).data("shares", shares).with("ray-shadowing"),
+            "Shadowing of explicit Gaussian surfaces."};
 }
 
 /// Angles of incidence of which the lobes are drawn.
@@ -170,65 +146,27 @@ Figure lobe_figure(const FigureTable& table) {
     auto steepness = different(table, 0);
     std::erase_if(steepness, [](double slope) { return slope != 0.1 && slope != 0.25 && slope != 0.5; });
     const auto angles = drawn_angles(table);
-    std::ostringstream out;
-    out << head("Light reflected once by explicit surfaces of perfect mirrors",
-                "BRDF x cos θr [1/sr] within 15° of the plane of incidence; negative angles: the side of "
-                "the source.",
-                1000, 120 + 240 * static_cast<int>(steepness.size()))
-        << "set multiplot layout " << steepness.size() << ',' << angles.size()
-        << " margins 0.06,0.98,0.09,0.87 spacing 0.06,0.1\nset xrange [-90:90]\nset xtics 30\nset yrange "
-           "[0:*]\n"
-        << "set key at screen 0.985,0.985 right top vertical samplen 2 font ',12'\n";
-    std::size_t number = 0;
+    std::vector<output::Rows> lobes;
     for (const double slope : steepness) {
-        for (const double theta : angles) {
-            const std::string name = "$l" + std::to_string(number++);
-            out << data_block(name.substr(1), rows_with(table, {slope, theta}))
-                << "set title 'σ_0/τ = " << slope << ", θ_i = " << theta << "°' font ',13' offset 0,-0.8\n"
-                << (slope == steepness.back() ? "set xlabel 'angle of reflection [°]' offset 0,0.5\n" : "")
-                << "plot " << name << " using 1:2 with points pt 7 ps 0.45 lc rgb '#000000' title 'traced', "
-                << name << " using 1:3 with lines lw 2.4 lc rgb '#0072b2' title 'this model, rough limit', "
-                << name
-                << " using 1:4 with lines lw 2 dt 2 lc rgb '#d55e00' title 'Beckmann facets of σ_0, heights "
-                   "correlated'\n"
-                << "set key off\nunset label\n";
-        }
+        for (const double theta : angles) lobes.push_back(rows_with(table, {slope, theta}));
     }
-    out << "unset multiplot\n";
-    return {"ray-lobes", {}, out.str(), "Single reflection in geometric optics."};
+    output::Script script;
+    script.set("slope", steepness).set("theta_i", angles).data("lobes", lobes);
+    return {"ray-lobes", {}, script.with("ray-lobes"), "Single reflection in geometric optics."};
 }
 
 Figure bounce_figure(const FigureTable& table) {
     const auto angles = different(table, 1);
-    std::ostringstream out;
-    out << head("Light reflected more than once, and what the model leaves out",
-                "Perfect mirrors, rough limit. Dots: rays that leave after two or more reflections. Lines: 1 "
-                "- the model's lobe.",
-                900, 560)
-        << "set margins 9,3,4,5\nset xrange [0:1.05]\nset yrange [0:1]\nset xlabel 'σ_0/τ'\n"
-        << "set ylabel 'share of the light'\nset key bottom right Left reverse samplen 2\n";
-    std::string plots;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        std::vector<Row> rows;
+    std::vector<output::Rows> shares;
+    for (const double angle : angles) {
+        shares.emplace_back();
         for (const Row& row : table.rows) {
-            if (row[1] == angles[i]) rows.push_back({row[0], row[4], 1 - row[6]});
+            if (row[1] == angle) shares.back().push_back({row[0], row[4], 1 - row[6]});
         }
-        const std::string name = "$b" + std::to_string(i), colour = colours[i % colours.size()];
-        out << data_block(name.substr(1), rows);
-        plots.append(i == 0 ? "plot " : ", ")
-            .append(name)
-            .append(" using 1:2 with points pt 7 ps 0.9 lc rgb '");
-        plots.append(colour)
-            .append("' title 'θ_i = ")
-            .append(shortest(angles[i]))
-            .append("°', ")
-            .append(name);
-        plots.append(" using 1:3 with lines lw 2 lc rgb '").append(colour).append("' notitle");
     }
-    out << plots << '\n';
     return {"ray-bounces",
             {},
-            out.str(),
+            output::Script{}.set("theta_i", angles).data("shares", shares).with("ray-bounces"),
             "Multiple reflection: the energy that the model leaves to a(lambda), and what its shadowing "
             "loses besides."};
 }
@@ -244,13 +182,7 @@ void add_results(Section& section, const std::vector<FigureTable>& tables, const
 Section section() {
     return {"ray-tracing",
             "Rays through explicit surfaces",
-            "Gaussian height fields of perfect mirrors, triangulated at 16 samples per correlation length, "
-            "are lit by parallel "
-            "rays that are followed until they leave. Where geometric optics holds this is exact: shadowing "
-            "with the "
-            "correlation of heights, the lobe of a single reflection, and all that is reflected more often, "
-            "which the model "
-            "neglects and leaves to a(lambda).",
+            prose("ray-tracing"),
             {},
             {},
             {},

@@ -1,0 +1,35 @@
+#include "cli/answers/reflectance_cache.hpp"
+
+namespace hts::cli {
+
+spectral::Reflectance ReflectanceCache::at(
+    double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make) {
+    {
+        const std::lock_guard lock{mutex_};
+        if (const auto found = made_.find(micrometres); found != made_.end()) return found->second;
+    }
+    const spectral::Reflectance made = make(micrometres);
+    const std::lock_guard lock{mutex_};
+    if (made_.size() >= most) made_.clear();
+    return made_.emplace(micrometres, made).first->second;
+}
+
+std::vector<spectral::EnergyCompensation> CompensationCache::at(const Surface& surface,
+                                                                const spectral::WavelengthGrid& wavelengths) {
+    std::vector<spectral::EnergyCompensation> all;
+    all.reserve(wavelengths.size());
+    for (std::size_t i = 0; i < wavelengths.size(); ++i) all.push_back(at(surface, wavelengths[i]));
+    return all;
+}
+
+const spectral::EnergyCompensation& CompensationCache::at(const Surface& surface,
+                                                          const Wavelength& wavelength) {
+    std::unique_lock lock{mutex_};
+    Entry& entry =
+        entries_[{surface.rms_roughness(), surface.correlation_length(), wavelength.micrometres()}];
+    lock.unlock();
+    std::call_once(entry.once, [&] { entry.solved.emplace(surface, wavelength); });
+    return *entry.solved;
+}
+
+}  // namespace hts::cli

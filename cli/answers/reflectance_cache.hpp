@@ -1,0 +1,50 @@
+/// What rows of a points file share, made once. Any thread may ask.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "spectral/energy/compensation.hpp"
+#include "spectral/models/reflectance.hpp"
+
+namespace hts::cli {
+
+/// Reflectances of one material by wavelength.
+class ReflectanceCache {
+  public:
+    /// The one at a wavelength, made where it is not there yet.
+    [[nodiscard]] spectral::Reflectance at(
+        double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make);
+
+  private:
+    static constexpr std::size_t most =
+        4096;  ///< before it starts anew: a file may have a wavelength of its own in each row
+    std::mutex mutex_;
+    std::map<double, spectral::Reflectance> made_;
+};
+
+/// The energy compensation of surfaces and wavelengths, each solved once.
+class CompensationCache {
+  public:
+    /// One per wavelength.
+    [[nodiscard]] std::vector<spectral::EnergyCompensation> at(const Surface& surface,
+                                                               const spectral::WavelengthGrid& wavelengths);
+
+  private:
+    struct Entry {
+        std::once_flag once;
+        std::optional<spectral::EnergyCompensation> solved;
+    };
+    [[nodiscard]] const spectral::EnergyCompensation& at(const Surface& surface,
+                                                         const Wavelength& wavelength);
+
+    std::mutex mutex_;
+    std::map<std::array<double, 3>, Entry> entries_;
+};
+
+}  // namespace hts::cli
