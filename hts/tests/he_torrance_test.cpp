@@ -20,7 +20,6 @@ using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
 using hts::Tolerance;
-using hts::Uniforms;
 using hts::Wavelength;
 using hts::testing::Angles;
 using hts::testing::Draw;
