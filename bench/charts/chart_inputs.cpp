@@ -1,9 +1,10 @@
 // The regimes of accuracy_sweep.hpp and their random inputs.
 
+#include <array>
 #include <cmath>
 
 #include "bench/phi/accuracy_sweep.hpp"
-#include "bench/random.hpp"
+#include "hts/sampling/random.hpp"
 #include "hts/terms.hpp"
 
 namespace hts::bench {
@@ -64,39 +65,14 @@ Input input(Regime regime, Random& random) {
 }  // namespace
 
 const char* key(Regime regime) noexcept {
-    switch (regime) {
-        case Regime::smooth:
-            return "g-below-1";
-        case Regime::moderate:
-            return "g-1-to-20";
-        case Regime::rough:
-            return "g-20-to-200";
-        case Regime::very_rough:
-            return "g-above-200";
-        case Regime::grazing:
-            return "grazing";
-        case Regime::far_tail:
-            return "far-tail";
-    }
-    return "";
+    constexpr std::array names{"g-below-1", "g-1-to-20", "g-20-to-200", "g-above-200", "grazing", "far-tail"};
+    return names[static_cast<std::size_t>(regime)];
 }
 
 const char* title(Regime regime) noexcept {
-    switch (regime) {
-        case Regime::smooth:
-            return "g < 1  (smooth)";
-        case Regime::moderate:
-            return "g = 1 … 20";
-        case Regime::rough:
-            return "g = 20 … 200";
-        case Regime::very_rough:
-            return "g > 200  (rough; to 10⁶)";
-        case Regime::grazing:
-            return "grazing, 80 … 89.9°";
-        case Regime::far_tail:
-            return "far tail, t/g = 50 … 700";
-    }
-    return "";
+    constexpr std::array names{"g < 1  (smooth)",          "g = 1 … 20",          "g = 20 … 200",
+                               "g > 200  (rough; to 10⁶)", "grazing, 80 … 89.9°", "far tail, t/g = 50 … 700"};
+    return names[static_cast<std::size_t>(regime)];
 }
 
 PhiInputs random_inputs(Regime regime, std::size_t count, std::uint64_t seed) {

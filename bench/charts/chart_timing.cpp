@@ -1,9 +1,9 @@
 #include "bench/charts/chart_timing.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "spectral/processor_time.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::bench {
 namespace {
@@ -46,8 +46,7 @@ double nanoseconds(const ChartMethod& method, const PhiInputs& inputs, double se
     if (taken > seconds) return taken * 1e9 / static_cast<double>(count);
     std::array<double, passes> times{};
     for (double& time : times) time = walk.seconds(count);
-    std::nth_element(times.begin(), times.begin() + passes / 2, times.end());
-    return times[passes / 2] * 1e9 / static_cast<double>(count);
+    return spectral::median({times.begin(), times.end()}) * 1e9 / static_cast<double>(count);
 }
 
 }  // namespace hts::bench

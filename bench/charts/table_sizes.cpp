@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "spectral/output/script.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
 #include "tables/table/table_lobe.hpp"
@@ -116,9 +117,7 @@ std::vector<double> node_values(const spectral::Reflectance& exact, const Exact&
                                 std::size_t n, bool logarithm) {
     const std::size_t width = probes.wavelengths.size(), padded = n + tables::spline_ghosts;
     std::vector<double> block(padded * padded * padded * width);
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(n); ++s) {
-        const auto i = static_cast<std::size_t>(s);
+    spectral::parallel_for(n, [&](std::size_t i) {
         std::vector<double> values(exact.wavelengths().size());
         const auto last = static_cast<double>(n - 1);
         for (std::size_t j = 0; j < n; ++j) {
@@ -134,7 +133,7 @@ std::vector<double> node_values(const spectral::Reflectance& exact, const Exact&
                 }
             }
         }
-    }
+    });
     return block;
 }
 
@@ -190,7 +189,8 @@ double grid_error(const spectral::Reflectance& exact, const Exact& probes, const
 
 }  // namespace
 
-std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs, std::uint64_t seed) {
+std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs,
+                                   std::uint64_t seed) {
     const Exact probes = exact_values(exact, pairs, seed);
     const auto wavelengths = static_cast<double>(exact.wavelengths().size());
     struct Way {

@@ -1,9 +1,8 @@
 #include "bench/micro/bench_inputs.hpp"
 
 #include <cmath>
-#include <random>
 
-#include "bench/random.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 
@@ -47,11 +46,9 @@ const std::vector<spectral::DirectionPair>& bench_pairs() {
 
 const std::vector<std::array<double, 3>>& bench_uniforms() {
     static const auto numbers = [] {
-        std::mt19937_64 random{20240603};
+        Random random{20240603};
         std::vector<std::array<double, 3>> drawn(bench_inputs);
-        for (auto& u : drawn) {
-            for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
-        }
+        for (auto& u : drawn) u = random.uniforms();
         return drawn;
     }();
     return numbers;

@@ -4,39 +4,27 @@
 #include <cmath>
 #include <numeric>
 
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
+
 namespace hts::bench {
 namespace {
 
 /// A method's values, its work shared by all cores in blocks.
 std::vector<double> values(const ChartMethod& method, const PhiInputs& inputs) {
-    constexpr std::size_t block = 16;
     std::vector<double> result(inputs.size());
-    const auto blocks = static_cast<std::ptrdiff_t>((inputs.size() + block - 1) / block);
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t i = 0; i < blocks; ++i) {
-        const std::size_t first = static_cast<std::size_t>(i) * block;
-        const std::size_t count = std::min(block, inputs.size() - first);
+    spectral::parallel_blocks(inputs.size(), 16, [&](std::size_t first, std::size_t count) {
         method.values(std::span{inputs.g}.subspan(first, count), std::span{inputs.t}.subspan(first, count),
                       std::span{result}.subspan(first, count));
-    }
+    });
     return result;
 }
 
 std::vector<PhiReference> references(const PhiInputs& inputs) {
     std::vector<PhiReference> result(inputs.size());
-#pragma omp parallel for schedule(dynamic, 16)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(inputs.size()); ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        result[k] = phi_reference(inputs.g[k], inputs.t[k]);
-    }
+    const auto refer = [&](std::size_t i) { result[i] = phi_reference(inputs.g[i], inputs.t[i]); };
+    spectral::parallel_for(inputs.size(), refer, 16);
     return result;
-}
-
-/// The value that all but 0.1 % of the errors stay below.
-double quantile_999(std::vector<double> errors) {
-    const std::size_t rank = std::min(errors.size() - 1, errors.size() * 999 / 1000);
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(rank), errors.end());
-    return errors[rank];
 }
 
 }  // namespace
@@ -72,7 +60,7 @@ ErrorSummary errors(const ChartMethod& method, const ReferencePoints& points) {
         summary.worst_t = points.inputs.t[i];
     }
     if (all.empty()) return summary;
-    summary.quantile = quantile_999(std::move(all));
+    summary.quantile = spectral::in_order(std::move(all), computed.size() * 999 / 1000);
     summary.energy = energy_wrong / energy;
     return summary;
 }

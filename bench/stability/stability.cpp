@@ -1,6 +1,7 @@
 #include "bench/stability/stability.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "bench/stability/stability_rows.hpp"
@@ -37,27 +38,9 @@ std::size_t rival_failures(const std::vector<StabilityResult>& results) {
 }
 
 const char* name(Verdict verdict) noexcept {
-    switch (verdict) {
-        case Verdict::ok:
-            return "ok";
-        case Verdict::model:
-            return "model";
-        case Verdict::too_slow:
-            return "too slow";
-        case Verdict::wrong:
-            return "wrong";
-        case Verdict::underflow:
-            return "underflow";
-        case Verdict::no_convergence:
-            return "no convergence";
-        case Verdict::infinite:
-            return "infinity";
-        case Verdict::not_a_number:
-            return "NaN";
-        case Verdict::silent:
-            return "silent";
-    }
-    return "";
+    constexpr std::array names{"ok",       "model", "too slow", "wrong", "underflow", "no convergence",
+                               "infinity", "NaN",   "silent"};
+    return names[static_cast<std::size_t>(verdict)];
 }
 
 }  // namespace hts::bench

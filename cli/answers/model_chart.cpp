@@ -4,15 +4,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "bench/charts/machine.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/processor_time.hpp"
-#include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 #include "validation/fit/fit.hpp"
 
@@ -60,7 +60,7 @@ class Truth {
   public:
     Truth(const ChartSurface& chosen, std::size_t fitted, std::size_t judged, std::uint64_t seed)
         : surface_{chosen}, exact_{exact(material(chosen))} {
-        std::mt19937_64 random{seed};
+        Random random{seed};
         for (std::size_t i = 0; i < fitted + judged; ++i) pairs_.push_back(pair(random, i % 2 == 0));
         values_.resize(pairs_.size());
         peaks_.resize(pairs_.size());
@@ -75,7 +75,7 @@ class Truth {
         return std::span{pairs_}.subspan(fitted_);
     }
 
-    /// |f - f_he|/(f_he + peak/100) of all judged pairs and wavelengths, sorted.
+    /// |f - f_he|/(f_he + peak/100) of all judged pairs and wavelengths.
     [[nodiscard]] std::vector<double> errors(const Evaluator& model) const {
         std::vector<double> errors;
         Spectrum spectrum{};
@@ -85,7 +85,6 @@ class Truth {
                 errors.push_back(std::abs(spectrum[k] - values_[i][k]) / floor_of(i, k));
             }
         }
-        std::sort(errors.begin(), errors.end());
         return errors;
     }
 
@@ -106,13 +105,12 @@ class Truth {
     }
 
     /// Half of them near the mirror direction, where the light is.
-    static DirectionPair pair(std::mt19937_64& random, bool near_mirror) {
+    static DirectionPair pair(Random& random, bool near_mirror) {
         constexpr double lowest = 0.1736;  // 80 deg
-        const Direction in = spectral::random_direction(random, lowest);
-        if (!near_mirror) return {in, spectral::random_direction(random, lowest)};
-        const Vector3 off = spectral::random_direction(random).vector();
-        const Vector3 out =
-            in.mirror().vector() + 0.3 * spectral::uniform(random) * (off - Vector3{0, 0, 0.5});
+        const Direction in = random.direction(lowest);
+        if (!near_mirror) return {in, random.direction(lowest)};
+        const Vector3 off = random.direction().vector();
+        const Vector3 out = in.mirror().vector() + 0.3 * random.uniform() * (off - Vector3{0, 0, 0.5});
         if (out.z <= lowest * std::sqrt(dot(out, out))) return {in, in.mirror()};
         return {in, Direction::from_vector(out)};
     }
@@ -152,8 +150,7 @@ double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs)
         }
         time = (spectral::thread_seconds() - start) * 1e9 / static_cast<double>(pairs.size());
     }
-    std::sort(times.begin(), times.end());
-    return std::isnan(sum) ? 0 : times[passes / 2];
+    return std::isnan(sum) ? 0 : spectral::median({times.begin(), times.end()});
 }
 
 ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
@@ -161,8 +158,8 @@ ModelPoint point(const Truth& truth, const std::string& surface, const std::stri
     const std::vector<double> errors = truth.errors(evaluator);
     return {surface,
             model,
-            errors[errors.size() / 2],
-            errors[errors.size() * 99 / 100],
+            spectral::in_order(errors, errors.size() / 2),
+            spectral::in_order(errors, errors.size() * 99 / 100),
             nanoseconds(evaluator, truth.judged_pairs()),
             bytes};
 }

@@ -4,14 +4,14 @@
 #include <numeric>
 #include <vector>
 
-#include "bench/random.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace hts::cli {
 namespace {
 
 constexpr std::uint64_t evaluations_per_chunk = 1 << 20;  // bounds the memory, some 10 MB
 
-std::vector<spectral::DirectionPair> random_pairs(bench::Random& random, std::uint64_t count) {
+std::vector<spectral::DirectionPair> random_pairs(Random& random, std::uint64_t count) {
     std::vector<spectral::DirectionPair> pairs;
     pairs.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ std::vector<spectral::DirectionPair> random_pairs(bench::Random& random, std::ui
 RandomPairsResult evaluate_random_pairs(const spectral::Reflectance& reflectance, std::uint64_t count,
                                         std::uint64_t seed) {
     const std::size_t wavelengths = reflectance.size();
-    bench::Random random{seed};
+    Random random{seed};
     const std::uint64_t per_chunk = std::max<std::uint64_t>(1, evaluations_per_chunk / wavelengths);
     std::vector<double> values;
     Stopwatch watch;

@@ -43,18 +43,20 @@ class Transform {
 
   private:
     static constexpr std::size_t values_per_chunk = 1 << 15;  // some 30 MB
+    static constexpr int rows_at_once = 16;                   // by one thread
 
     template <class Evaluate>
     std::vector<Value> values(const std::vector<CsvRow>& rows, const Evaluate& evaluate) {
         std::vector<Value> values(rows.size() * each_);
         watch_.start();
-        spectral::parallel_for(rows.size(), [&](std::size_t i) {
+        const auto evaluate_row = [&](std::size_t i) {
             try {
                 evaluate(rows[i], std::span{values}.subspan(i * each_, each_));
             } catch (const Error& error) {
                 throw Error{input_.where(rows[i].line) + error.what()};
             }
-        });
+        };
+        spectral::parallel_for(rows.size(), evaluate_row, rows_at_once);
         watch_.stop();
         return values;
     }
@@ -62,14 +64,15 @@ class Transform {
     template <class Append>
     void write(const std::vector<CsvRow>& rows, const std::vector<Value>& values, const Append& append) {
         std::vector<std::string> lines(rows.size());
-        spectral::parallel_for(rows.size(), [&](std::size_t i) {
+        const auto write_row = [&](std::size_t i) {
             for (std::size_t j = i * each_; j < (i + 1) * each_; ++j) {
                 TableWriter::Row row{output_, lines[i]};
                 for (const std::string& field : rows[i].fields) row.field(field);
                 append(row, values[j]);
                 row.end();
             }
-        });
+        };
+        spectral::parallel_for(rows.size(), write_row, rows_at_once);
         for (const std::string& line : lines) output_.add(line);
     }
 

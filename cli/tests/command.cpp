@@ -1,6 +1,5 @@
 #include "command.hpp"
 
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -24,38 +23,29 @@ std::string contents(const fs::path& path) {
 }  // namespace
 
 Workplace::Workplace() {
-    std::string pattern = (fs::temp_directory_path() / "hts-test-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    folder_ = pattern;
-    fs::create_directory(folder_ / "work");
-}
-
-Workplace::~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    fs::create_directory(folder());
 }
 
 Result Workplace::hts(const std::string& arguments, const std::string& environment) const {
-    const std::string command = "cd '" + (folder_ / "work").string() + "' && " + environment +
-                                " '" HTS_COMMAND "' " + arguments + " >../output 2>../errors";
+    const std::string command = "cd '" + folder().string() + "' && " + environment + " '" HTS_COMMAND "' " +
+                                arguments + " >../output 2>../errors";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "output"),
             contents(folder_ / "errors")};
 }
 
 std::string Workplace::file(const std::string& name, const std::string& text) const {
-    std::ofstream{folder_ / "work" / name, std::ios::binary} << text;
+    std::ofstream{folder() / name, std::ios::binary} << text;
     return name;
 }
 
 std::string Workplace::read(const std::string& name) const {
-    return contents(folder_ / "work" / name);
+    return contents(folder() / name);
 }
 
 std::vector<std::string> Workplace::names() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator{folder_ / "work"})
-        names.push_back(entry.path().filename());
+    for (const auto& entry : fs::directory_iterator{folder()}) names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.hpp"
+
 namespace hts::cli::testing {
 
 struct Result {
@@ -17,9 +19,6 @@ struct Result {
 class Workplace {
   public:
     Workplace();
-    ~Workplace();
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
 
     /// `hts ARGUMENTS`, by a shell, so that < and quotes work; `environment` stands in front
     /// ("OMP_NUM_THREADS=1").
@@ -33,7 +32,7 @@ class Workplace {
     [[nodiscard]] std::vector<std::string> names() const;
 
   private:
-    std::filesystem::path folder_;
+    hts::testing::TemporaryFolder folder_;
 };
 
 /// Checks this exit code, and nothing but one line on standard error, which holds every one of `parts`.

@@ -6,13 +6,13 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/output/script.hpp"
 
@@ -85,18 +85,12 @@ spectral::Sampler sampler(const SampleOptions& options) {
         .sampler(0);
 }
 
-Uniforms uniforms(std::mt19937_64& random) {
-    Uniforms u{};
-    for (double& x : u) x = static_cast<double>(random() >> 11) * 0x1p-53;
-    return u;
-}
-
 void run(const SampleOptions& options) {
     const Direction in = from_option("--theta-i, --phi-i",
                                      [&] { return Direction::from_degrees(options.theta_i, options.phi_i); });
     const spectral::Sampler prepared = sampler(options);
     if (!options.plot.empty()) output::require_gnuplot(options.plot);
-    std::mt19937_64 random{options.seed};
+    Random random{options.seed};
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
@@ -106,7 +100,7 @@ void run(const SampleOptions& options) {
     const Vector3 light = in.vector();
     points.push_back({light.x, light.y, 4});
     for (std::uint64_t i = 0; i < options.count; ++i) {
-        const Draw drawn = prepared.sample(in, uniforms(random));
+        const Draw drawn = prepared.sample(in, random.uniforms());
         const Degrees out = degrees(drawn.out);
         std::string text;
         TableWriter::Row row{table, text};

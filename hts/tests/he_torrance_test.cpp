@@ -20,7 +20,6 @@ using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
 using hts::Tolerance;
-using hts::Uniforms;
 using hts::Wavelength;
 using hts::testing::Angles;
 using hts::testing::Draw;
@@ -80,12 +79,6 @@ std::size_t draws() {
     return hts::testing::exhaustive() ? 1'000'000 : 40'000;
 }
 
-Uniforms uniforms(Random& random) {
-    const double u0 = random.uniform(0, 1);
-    const double u1 = random.uniform(0, 1);
-    return {u0, u1, random.uniform(0, 1)};
-}
-
 /// Reflectance of the directional-diffuse term by adaptive quadrature of the exact BRDF, finer about the mirror
 /// direction.
 double reflectance_by_quadrature(const Case& c) {
@@ -143,7 +136,7 @@ TEST_CASE("draws fall as their density says, and density, specular and none make
         const Direction in = c.in();
         Random random{1000 + k};
         const auto draw = [&]() -> Draw {
-            const auto drawn = sampler.draw(in, uniforms(random));
+            const auto drawn = sampler.draw(in, random.uniforms());
             if (drawn.lobe == Lobe::none || drawn.lobe == Lobe::specular)
                 return {{}, drawn.lobe == Lobe::specular};
             return {angles(in, drawn.out)};
@@ -183,7 +176,7 @@ TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
         Tally all;
         Tally lobe;  // all but the specular draws
         for (std::size_t i = 0; i < draws(); ++i) {
-            const auto drawn = sampler.sample(in, uniforms(random));
+            const auto drawn = sampler.sample(in, random.uniforms());
             all.add(drawn.weight);
             if (drawn.lobe != Lobe::specular) lobe.add(drawn.weight);
             if (drawn.lobe == Lobe::none) ++lobe.none;

@@ -7,6 +7,7 @@
 
 #include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/energy/lobe_integral.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -86,11 +87,9 @@ EnergyCompensation::EnergyCompensation(const Surface& surface, const Wavelength&
 std::vector<EnergyCompensation> EnergyCompensation::of(const Surface& surface,
                                                        const WavelengthGrid& wavelengths) {
     std::vector<EnergyCompensation> result(wavelengths.size(), EnergyCompensation{std::vector<double>{}});
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(result.size()); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        result[at] = EnergyCompensation{surface, wavelengths[at]};
-    }
+    parallel_for(result.size(), [&](std::size_t i) {
+        result[i] = EnergyCompensation{surface, wavelengths[i]};
+    });
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/models/symmetry.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -32,13 +33,9 @@ std::vector<double> Reflectance::brdf(const DirectionPair& pair) const {
 
 void Reflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     require_size("brdf", result.size(), pairs.size());
-    const auto blocks = static_cast<std::ptrdiff_t>((pairs.size() + block - 1) / block);
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t j = 0; j < blocks; ++j) {
-        const std::size_t first = static_cast<std::size_t>(j) * block;
-        const auto some = pairs.subspan(first, std::min(block, pairs.size() - first));
-        evaluator_->brdf_batch(some, result.subspan(first * size_, some.size() * size_));
-    }
+    parallel_blocks(pairs.size(), block, [&](std::size_t first, std::size_t count) {
+        evaluator_->brdf_batch(pairs.subspan(first, count), result.subspan(first * size_, count * size_));
+    });
 }
 
 std::vector<double> Reflectance::uniform_diffuse() const {

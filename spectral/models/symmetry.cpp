@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -20,13 +19,13 @@ Direction turned(const Direction& direction, double cosine, double sine) {
 /// Largest relative change of the BRDF over random pairs when each becomes changed(pair, random angle).
 template <class Change>
 double largest_change(const Evaluator& brdf, std::size_t pairs, Change&& changed) {
-    std::mt19937_64 random{1};
+    Random random{1};
     std::vector<double> before(brdf.wavelengths().size()), after(before.size());
     double worst = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
-        const Direction in = random_direction(random, 0.1);
-        const DirectionPair pair{in, random_direction(random, 0.1)};
-        const double turn = 2 * std::numbers::pi * uniform(random);
+        const Direction in = random.direction(0.1);
+        const DirectionPair pair{in, random.direction(0.1)};
+        const double turn = 2 * std::numbers::pi * random.uniform();
         brdf.brdf(pair, before);
         brdf.brdf(changed(pair, turn), after);
         for (std::size_t k = 0; k < before.size(); ++k) {

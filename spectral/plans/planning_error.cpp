@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
 
 #include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/colour/colour_difference.hpp"
-#include "spectral/random_directions.hpp"
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -38,8 +39,8 @@ class PairSource {
     }
 
     DirectionPair anywhere() {
-        const Direction in = random_direction(random_, lowest_cosine_i_);
-        return {in, random_direction(random_, lowest_cosine_r_)};
+        const Direction in = random_.direction(lowest_cosine_i_);
+        return {in, random_.direction(lowest_cosine_r_)};
     }
 
     /// The view in the lobe of a random wavelength, where that is in the domain.
@@ -47,7 +48,7 @@ class PairSource {
         constexpr int most_tries = 32;
         const DirectionPair pair = anywhere();
         const auto count = static_cast<double>(scene_.wavelengths.size());
-        const auto wavelength = static_cast<std::size_t>(count * uniform(random_));
+        const auto wavelength = static_cast<std::size_t>(count * random_.uniform());
         const double width = surface_ ? lobe_width(pair.in, scene_.wavelengths[wavelength]) : 0;
         for (int i = 0; i < most_tries; ++i) {
             const auto out = surface_ ? about_mirror(pair.in, width) : drawn(pair.in, wavelength);
@@ -68,8 +69,8 @@ class PairSource {
 
     /// About as far from the mirror direction as the lobe of a rough surface is wide.
     std::optional<Direction> about_mirror(const Direction& in, double width) {
-        const double away = width * std::sqrt(-2 * std::log1p(-uniform(random_)));
-        const double azimuth = 2 * std::numbers::pi * uniform(random_);
+        const double away = width * std::sqrt(-2 * std::log1p(-random_.uniform()));
+        const double azimuth = 2 * std::numbers::pi * random_.uniform();
         const Vector3 mirror = in.mirror().vector();
         const double x = mirror.x + away * std::cos(azimuth), y = mirror.y + away * std::sin(azimuth);
         const double sine_squared = square(x) + square(y);
@@ -79,7 +80,7 @@ class PairSource {
 
     /// As the model draws.
     std::optional<Direction> drawn(const Direction& in, std::size_t wavelength) {
-        const Uniforms uniforms{uniform(random_), uniform(random_), uniform(random_)};
+        const Uniforms uniforms = random_.uniforms();
         const Draw draw = samplers_[wavelength].draw(in, uniforms);
         if (draw.lobe == Lobe::none || draw.out.cos_theta() < lowest_cosine_r_) return std::nullopt;
         return draw.out;
@@ -89,7 +90,7 @@ class PairSource {
     std::optional<Surface> surface_;
     std::vector<Sampler> samplers_;  // of what is no rough surface, at the scene's wavelengths
     double lowest_cosine_i_, lowest_cosine_r_;
-    std::mt19937_64 random_;
+    Random random_;
 };
 
 /// Lights along the normal and at the rim; views in the mirror direction, along the normal and at the rim.
@@ -162,16 +163,8 @@ double ratio(double difference, double scale) {
 }
 
 MeasuredError summary(std::vector<double> errors) {
-    const auto at_99 = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() - 1) * 99 / 100);
-    std::nth_element(errors.begin(), at_99, errors.end());
-    return {*std::max_element(at_99, errors.end()), *at_99};
-}
-
-/// f(0) ... f(count - 1) on all cores.
-template <class Function>
-void for_each_index(std::size_t count, const Function& f) {
-#pragma omp parallel for schedule(dynamic, 32)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) f(static_cast<std::size_t>(i));
+    const double at_99 = in_order(errors, (errors.size() - 1) * 99 / 100);
+    return {*std::ranges::max_element(errors), at_99};
 }
 
 }  // namespace
@@ -208,7 +201,7 @@ void ErrorMeter::remember_spectra(const PlannedForm& coarse) {
     spectra_.resize(pairs_.size() * count);
     scales_.resize(pairs_.size() * count);
     full_.reflectance().brdf(pairs_, spectra_);
-    for_each_index(pairs_.size(), [&](std::size_t i) {
+    parallel_for(pairs_.size(), [&](std::size_t i) {
         const auto scales = std::span{scales_}.subspan(i * count, count);
         peaks.find(pairs_[i], scales);
         for (std::size_t j = 0; j < count; ++j)
@@ -220,7 +213,7 @@ void ErrorMeter::remember_colours() {
     white_ = white_point(*scene_.illuminant);
     colours_.resize(pairs_.size());
     specular_colours_.resize(pairs_.size());
-    for_each_index(pairs_.size(), [&](std::size_t i) {
+    parallel_for(pairs_.size(), [&](std::size_t i) {
         std::vector<double> scratch(full_.at_nodes().size());
         colours_[i] = full_.colour(pairs_[i], scratch);
         specular_colours_[i] = full_.specular_colour(pairs_[i].in);
@@ -236,7 +229,7 @@ bool ErrorMeter::fails_early(const PlannedForm& candidate, double enough) const 
 
 MeasuredError ErrorMeter::error(const PlannedForm& candidate) const {
     std::vector<double> errors(pairs_.size());
-    for_each_index(pairs_.size(), [&](std::size_t i) {
+    parallel_for(pairs_.size(), [&](std::size_t i) {
         errors[i] = std::max(diffuse_error(candidate, i), specular_error(candidate, i));
     });
     return summary(std::move(errors));

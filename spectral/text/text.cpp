@@ -1,15 +1,15 @@
 #include "spectral/text/text.hpp"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <system_error>
 
 namespace hts::spectral {
@@ -27,45 +27,11 @@ std::string contents(const std::filesystem::path& path) {
     return text;
 }
 
-// Bytes of the UTF-8 sequence that begins with this byte; 0 if none does.
-std::size_t sequence_length(unsigned char first) noexcept {
-    if (first < 0x80) return 1;
-    if (first >= 0xC2 && first <= 0xDF) return 2;
-    if (first >= 0xE0 && first <= 0xEF) return 3;
-    if (first >= 0xF0 && first <= 0xF4) return 4;
-    return 0;
-}
-
-// The second byte's range excludes overlong forms, surrogates and code points above U+10FFFF.
-bool is_second_byte(unsigned char first, unsigned char second) noexcept {
-    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-    return low <= second && second <= high;
-}
-
-bool is_sequence(std::string_view bytes) noexcept {
-    const auto byte = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    const std::size_t length = sequence_length(byte(0));
-    if (length == 0 || length > bytes.size()) return false;
-    if (length > 1 && !is_second_byte(byte(0), byte(1))) return false;
-    for (std::size_t i = 2; i < length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80) return false;
-    }
-    return true;
-}
-
-// Where the first byte stands that is not UTF-8 or is NUL.
-std::optional<std::size_t> first_bad_byte(std::string_view text) noexcept {
-    for (std::size_t i = 0; i < text.size(); i += sequence_length(static_cast<unsigned char>(text[i]))) {
-        if (text[i] == '\0' || !is_sequence(text.substr(i))) return i;
-    }
-    return std::nullopt;
-}
-
+// NUL is UTF-8, but no text.
 void require_utf8(const std::string& text, const std::filesystem::path& path) {
-    const auto bad = first_bad_byte(text);
-    if (!bad) return;
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*bad), '\n');
+    const auto bad = utf8::find_invalid(text.begin(), std::find(text.begin(), text.end(), '\0'));
+    if (bad == text.end()) return;
+    const auto line = 1 + std::count(text.begin(), bad, '\n');
     throw Error{path.string() + ":" + std::to_string(line) + ": not UTF-8 text"};
 }
 
@@ -136,6 +102,13 @@ std::string brief(double value, int digits) {
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
     return {text.data(), end};
+}
+
+std::string brief(const std::vector<double>& values, int digits) {
+    std::vector<std::string> texts;
+    texts.reserve(values.size());
+    for (const double value : values) texts.push_back(brief(value, digits));
+    return joined(texts);
 }
 
 double number_in(std::string_view text) {

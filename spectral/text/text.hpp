@@ -39,6 +39,8 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// For the eye: so many significant digits, without trailing zeros.
 [[nodiscard]] std::string brief(double value, int digits = 4);
+/// "a, b, c".
+[[nodiscard]] std::string brief(const std::vector<double>& values, int digits = 3);
 
 /// The finite number that is the whole text; hts::Error "\"abc\" is not a number" otherwise.
 [[nodiscard]] double number_in(std::string_view text);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/formats/little_endian.hpp"
 #include "tables/formats/points/tokens.hpp"
 
@@ -193,8 +194,7 @@ std::string merl_bytes(const spectral::Reflectance& brdf) {
         throw Error{brdf.name() + ": depends on the azimuth of the light, which a MERL file does not hold"};
     }
     std::vector<double> planes(3 * plane, -1);
-#pragma omp parallel for
-    for (std::size_t h = 0; h < bins[0]; ++h) {
+    spectral::parallel_for(bins[0], [&](std::size_t h) {
         for (std::size_t i = 0; i < bins[1] * bins[2]; ++i) {
             const std::array<std::size_t, 3> bin{h, i / bins[2], i % bins[2]};
             const auto pair = pair_of_bin(bin);
@@ -205,7 +205,7 @@ std::string merl_bytes(const spectral::Reflectance& brdf) {
                 planes[plane_of(c) * plane + position(bin[0], bin[1], bin[2])] = values[c] / scale[c];
             }
         }
-    }
+    });
     std::string bytes;
     bytes.reserve(merl_size);
     for (const std::size_t count : bins) append_little_endian(bytes, static_cast<std::int32_t>(count));

@@ -5,13 +5,13 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "hts/error.hpp"
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/lobe_quadrature.hpp"
 
@@ -87,15 +87,14 @@ class PairDraws {
 
     DirectionPair operator()() {
         around_lobe_ = !around_lobe_;
-        const Direction in = spectral::random_direction(random_, std::cos(largest_theta));
-        return {in, around_lobe_ ? near_mirror(in)
-                                 : spectral::random_direction(random_, std::cos(largest_theta))};
+        const Direction in = random_.direction(std::cos(largest_theta));
+        return {in, around_lobe_ ? near_mirror(in) : random_.direction(std::cos(largest_theta))};
     }
 
   private:
     Direction near_mirror(const Direction& in) {
         for (int attempt = 0; attempt < 64; ++attempt) {
-            const double u1 = spectral::uniform(random_), u2 = spectral::uniform(random_);
+            const double u1 = random_.uniform(), u2 = random_.uniform();
             const Vector3 out = facets_.draw(in, u1, u2);
             if (out.z >= std::cos(largest_theta)) return Direction::from_unit_vector(out);
         }
@@ -103,7 +102,7 @@ class PairDraws {
     }
 
     FacetDraws facets_;
-    std::mt19937_64 random_;
+    Random random_;
     bool around_lobe_ = false;
 };
 
@@ -216,14 +215,6 @@ void add_integrals(RoundTrip& result, const spectral::Reflectance& original,
     }
 }
 
-double quantile(std::vector<double> values, double fraction) {
-    if (values.empty()) return 0;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 std::ostream& operator<<(std::ostream& out, const PeakError& error) {
     return out << error.error * 100 << " % of the peak, at theta_i " << error.theta_i / degree << ", theta_r "
                << error.theta_r / degree << ", phi " << error.phi / degree << " deg, " << error.wavelength_um
@@ -257,8 +248,8 @@ RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Refl
         keep_worse(result.worst, error);
         if (result.worst_mueller) keep_worse(*result.worst_mueller, comparison.of_mueller(pair));
     }
-    result.median = quantile(errors, 0.5);
-    result.percentile_99 = quantile(std::move(errors), 0.99);
+    result.median = spectral::quantile(errors, 0.5);
+    result.percentile_99 = spectral::quantile(std::move(errors), 0.99);
     add_integrals(result, original, read_back, comparison.slope());
     return result;
 }

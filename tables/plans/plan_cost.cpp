@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <random>
 
+#include "hts/sampling/random.hpp"
 #include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/processor_time.hpp"
-#include "spectral/random_directions.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::tables {
 namespace {
@@ -32,11 +32,11 @@ class OneThread {
 };
 
 std::vector<DirectionPair> pairs_of(const spectral::Scene& scene) {
-    std::mt19937_64 random{1};
+    Random random{1};
     std::vector<DirectionPair> pairs;
     while (pairs.size() < pair_count) {
-        const Direction in = spectral::random_direction(random, std::cos(scene.largest_theta_i));
-        pairs.push_back({in, spectral::random_direction(random, std::cos(scene.largest_theta_r))});
+        const Direction in = random.direction(std::cos(scene.largest_theta_i));
+        pairs.push_back({in, random.direction(std::cos(scene.largest_theta_r))});
     }
     return pairs;
 }
@@ -53,8 +53,7 @@ double nanoseconds(const Work& work) {
         for (; taken < least_seconds; taken = spectral::thread_seconds() - start, ++repeats) work();
         pass = taken / static_cast<double>(repeats);
     }
-    std::nth_element(passes.begin(), passes.begin() + 3, passes.end());
-    return passes[3] * 1e9 / pair_count;
+    return spectral::median({passes.begin(), passes.end()}) * 1e9 / pair_count;
 }
 
 /// Times the parts of one evaluator.

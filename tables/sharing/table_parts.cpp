@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/text/output.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
@@ -194,11 +195,8 @@ SliceWorker threads_worker(const spectral::Reflectance& exact) {
         for (std::size_t from = 0; from < slices.size(); from += at_once) {
             const auto some = slices.subspan(from, std::min(at_once, slices.size() - from));
             std::vector<std::vector<double>> values(some.size());
-#pragma omp parallel for schedule(dynamic)
-            for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(some.size()); ++i) {
-                const auto place = static_cast<std::size_t>(i);
-                values[place] = table_slice(exact, plan, some[place]);
-            }
+            spectral::parallel_for(some.size(),
+                                   [&](std::size_t i) { values[i] = table_slice(exact, plan, some[i]); });
             for (std::size_t i = 0; i < some.size(); ++i) keep(some[i], values[i]);
         }
     };

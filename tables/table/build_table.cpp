@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/table/lobe_nodes.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_contents.hpp"
@@ -89,10 +90,8 @@ MeasuredTable measured_table(const spectral::Reflectance& exact, const TableSour
 SliceSource computed_slices(const spectral::Reflectance& exact) {
     return [&exact](const TablePlan& plan) {
         std::vector<std::vector<double>> slices(plan.slices());
-#pragma omp parallel for schedule(dynamic)
-        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(slices.size()); ++i) {
-            slices[static_cast<std::size_t>(i)] = table_slice(exact, plan, static_cast<std::size_t>(i));
-        }
+        spectral::parallel_for(slices.size(),
+                               [&](std::size_t i) { slices[i] = table_slice(exact, plan, i); });
         return slices;
     };
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "spectral/parallel.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_lobe.hpp"
 
@@ -41,9 +42,7 @@ std::vector<double> lobe_coefficients(const std::vector<std::vector<double>>& sl
                                       std::size_t width) {
     const std::size_t row = (nodes[2] + spline_ghosts) * width, plane = (nodes[1] + spline_ghosts) * row;
     std::vector<double> block((nodes[0] + spline_ghosts) * plane);
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(nodes[0]); ++s) {
-        const auto i = static_cast<std::size_t>(s);
+    spectral::parallel_for(nodes[0], [&](std::size_t i) {
         const std::span<double> own = std::span{block}.subspan((i + 1) * plane, plane);
         for (std::size_t j = 0; j < nodes[1]; ++j) {
             std::copy_n(slices[i].begin() + static_cast<std::ptrdiff_t>(j * nodes[2] * width),
@@ -51,7 +50,7 @@ std::vector<double> lobe_coefficients(const std::vector<std::vector<double>>& sl
         }
         to_spline_coefficients(own.subspan(row, nodes[1] * row), nodes[2], width, SplineStart::even);
         to_spline_coefficients(own, nodes[1], row, SplineStart::free);
-    }
+    });
     to_spline_coefficients(block, nodes[0], plane, SplineStart::even);
     return block;
 }

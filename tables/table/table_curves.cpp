@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/table/spline.hpp"
 
 namespace hts::tables {
@@ -25,10 +26,8 @@ double curve_value(const Curve& curve, double x, std::size_t i, std::size_t widt
 
 std::vector<Values> values_at(const Function& f, std::size_t count, double from, double step) {
     std::vector<Values> values(count);
-#pragma omp parallel for schedule(dynamic)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
-        values[static_cast<std::size_t>(i)] = f(from + step * static_cast<double>(i));
-    }
+    spectral::parallel_for(count,
+                           [&](std::size_t i) { values[i] = f(from + step * static_cast<double>(i)); });
     return values;
 }
 

@@ -7,6 +7,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/models/symmetry.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/lobe_nodes.hpp"
 #include "tables/table/spline.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double floor_below_peak = 1e-12, lowest_floor = 1e-30;
 constexpr std::size_t probe_wavelengths = 64;
+constexpr std::size_t block = 256;
 
 std::vector<double> floors(const LobePeaks& peaks, std::size_t wavelengths) {
     std::vector<double> floor(wavelengths);
@@ -84,12 +86,9 @@ class Trials {
         Probes probes{std::move(pairs), {}, {}};
         probes.lobe.resize(probes.pairs.size() * width);
         probes.scale.resize(probes.lobe.size());
-#pragma omp parallel
-        {
+        spectral::parallel_blocks(probes.pairs.size(), block, [&](std::size_t first, std::size_t count) {
             std::vector<double> values(exact_.wavelengths().size());
-#pragma omp for schedule(static)
-            for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(probes.pairs.size()); ++s) {
-                const auto i = static_cast<std::size_t>(s);
+            for (std::size_t i = first; i < first + count; ++i) {
                 exact_.directional_diffuse(probes.pairs[i], values);
                 for (std::size_t w = 0; w < width; ++w) {
                     probes.lobe[i * width + w] = values[chosen_[w]];
@@ -97,7 +96,7 @@ class Trials {
                         error_scale(values[chosen_[w]], peaks_(probes.pairs[i].in, chosen_[w]));
                 }
             }
-        }
+        });
         return probes;
     }
 
@@ -105,19 +104,16 @@ class Trials {
     [[nodiscard]] std::vector<double> errors(const Probes& probes, const LobeNodes& nodes,
                                              const TableSpacing& spacing) const {
         std::vector<std::vector<double>> slices(nodes[0]);
-#pragma omp parallel for schedule(dynamic)
-        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(nodes[0]); ++i) {
-            slices[static_cast<std::size_t>(i)] =
-                slice_values(exact_, spacing, nodes, static_cast<std::size_t>(i), floor_, basis_);
-        }
+        spectral::parallel_for(nodes[0], [&](std::size_t i) {
+            slices[i] = slice_values(exact_, spacing, nodes, i, floor_, basis_);
+        });
         const std::vector<double> coefficients = lobe_coefficients(slices, nodes, components());
         const CoordinateMap map{spacing};
         std::vector<double> errors(probes.pairs.size());
-#pragma omp parallel for schedule(static)
-        for (std::ptrdiff_t s = 0; s < static_cast<std::ptrdiff_t>(errors.size()); ++s) {
-            const auto i = static_cast<std::size_t>(s);
+        const auto measure = [&](std::size_t i) {
             errors[i] = pair_error(coefficients, lobe_place<double>(map(probes.pairs[i]), nodes), probes, i);
-        }
+        };
+        spectral::parallel_for(errors.size(), measure, block);
         return errors;
     }
 
@@ -136,9 +132,7 @@ class Trials {
         });
         return worst;
     }
-    [[nodiscard]] std::size_t components() const noexcept {
-        return basis_.size() / floor_.size();
-    }
+    [[nodiscard]] std::size_t components() const noexcept { return basis_.size() / floor_.size(); }
 
     const spectral::Reflectance& exact_;
     const LobePeaks& peaks_;

@@ -5,7 +5,8 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "spectral/random_directions.hpp"
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 
 namespace hts::tables {
@@ -28,15 +29,15 @@ std::vector<DirectionPair> RandomPairs::next(std::size_t count) {
 }
 
 DirectionPair RandomPairs::uniform_pair() {
-    const Direction in = spectral::random_direction(random_, lowest_cosine);
-    return {in, spectral::random_direction(random_, lowest_cosine)};
+    const Direction in = random_.direction(lowest_cosine);
+    return {in, random_.direction(lowest_cosine)};
 }
 
 DirectionPair RandomPairs::lobe_pair() {
     for (;;) {
-        const Direction in = Direction::from_angles(steepest_theta * spectral::uniform(random_), 0);
-        const double slope = std::pow(10, -2.5 + 3 * spectral::uniform(random_));
-        const double azimuth = 2 * std::numbers::pi * spectral::uniform(random_);
+        const Direction in = Direction::from_angles(steepest_theta * random_.uniform(), 0);
+        const double slope = std::pow(10, -2.5 + 3 * random_.uniform());
+        const double azimuth = 2 * std::numbers::pi * random_.uniform();
         const double up = 1 / std::sqrt(1 + slope * slope);
         const Vector3 half{up * slope * std::cos(azimuth), up * slope * std::sin(azimuth), up};
         const Vector3 out = 2 * dot(in.vector(), half) * half - in.vector();
@@ -46,17 +47,16 @@ DirectionPair RandomPairs::lobe_pair() {
 
 LobePeaks::LobePeaks(const spectral::Reflectance& exact)
     : wavelengths_{exact.wavelengths().size()}, peaks_((whole_degrees + 1) * wavelengths_) {
-#pragma omp parallel for schedule(dynamic)
-    for (int i = 0; i <= whole_degrees; ++i) {
-        const Direction in = Direction::from_degrees(i, 0);
+    spectral::parallel_for(whole_degrees + 1, [&](std::size_t i) {
+        const Direction in = Direction::from_degrees(static_cast<double>(i), 0);
         std::vector<double> values(wavelengths_);
-        double* const peaks = peaks_.data() + static_cast<std::size_t>(i) * wavelengths_;
+        double* const peaks = peaks_.data() + i * wavelengths_;
         for (int half = -2 * whole_degrees; half <= 2 * whole_degrees; ++half) {
             exact.directional_diffuse({in, Direction::from_degrees(std::abs(half) / 2.0, half < 0 ? 0 : 180)},
                                       values);
             for (std::size_t w = 0; w < wavelengths_; ++w) peaks[w] = std::max(peaks[w], values[w]);
         }
-    }
+    });
 }
 
 double LobePeaks::operator()(const Direction& in, std::size_t wavelength) const noexcept {
@@ -123,14 +123,6 @@ class PairErrors {
     std::vector<Mueller> matrices_, tabulated_matrices_;
 };
 
-double nth(std::vector<float>& values, double share) {
-    if (values.empty()) return 0;
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return static_cast<double>(*place);
-}
-
 }  // namespace
 
 TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact,
@@ -143,19 +135,14 @@ TableError table_error(const spectral::Reflectance& table, const spectral::Refle
     const std::vector<DirectionPair> all = random.next(pairs);
     const std::size_t width = a.size();
     std::vector<float> errors(all.size() * width);
-#pragma omp parallel
-    {
+    spectral::parallel_blocks(all.size(), 256, [&](std::size_t first, std::size_t count) {
         PairErrors of_pair{table, exact, peaks};
-#pragma omp for schedule(dynamic, 256)
-        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(all.size()); ++i) {
-            const auto place = static_cast<std::size_t>(i);
-            of_pair.write(all[place], errors.data() + place * width);
-        }
-    }
+        for (std::size_t i = first; i < first + count; ++i) of_pair.write(all[i], errors.data() + i * width);
+    });
     TableError result{0, 0, 0, pairs, seed};
     if (!errors.empty()) result.largest = static_cast<double>(*std::ranges::max_element(errors));
-    result.percentile_99 = nth(errors, 0.99);
-    result.median = nth(errors, 0.5);
+    result.percentile_99 = static_cast<double>(spectral::quantile(errors, 0.99));
+    result.median = static_cast<double>(spectral::quantile(std::move(errors), 0.5));
     return result;
 }
 

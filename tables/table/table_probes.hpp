@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <span>
 #include <vector>
 
+#include "hts/sampling/random.hpp"
 #include "tables/table/table.hpp"
 
 namespace hts::tables {
@@ -20,7 +20,7 @@ class RandomPairs {
     [[nodiscard]] DirectionPair uniform_pair();
     [[nodiscard]] DirectionPair lobe_pair();
 
-    std::mt19937_64 random_;
+    Random random_;
     bool about_lobe_ = false;
 };
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/statistics.hpp"
 #include "spectral/text/text.hpp"
-#include "validation/curves/statistics.hpp"
 
 namespace hts::validation {
 namespace {
@@ -33,14 +33,14 @@ class Sums {
             magnitudes.push_back(std::abs(x));
             result.mean_log += x / static_cast<double>(logs_.size());
         }
-        result.median_abs_log = median(std::move(magnitudes));
-        result.rms_log = root_mean_square(logs_);
-        result.rms = root_mean_square(differences_);
-        const double size = root_mean_square(measured_);
+        result.median_abs_log = spectral::median(std::move(magnitudes));
+        result.rms_log = spectral::root_mean_square(logs_);
+        result.rms = spectral::root_mean_square(differences_);
+        const double size = spectral::root_mean_square(measured_);
         result.relative_rms = size > 0 ? result.rms / size : 0;
         const double n = static_cast<double>(normalised_.size()), freedom = n - free_parameters;
         if (!normalised_.empty() && freedom > 0)
-            result.reduced_chi_squared = std::pow(root_mean_square(normalised_), 2) * n / freedom;
+            result.reduced_chi_squared = std::pow(spectral::root_mean_square(normalised_), 2) * n / freedom;
         return result;
     }
 
@@ -61,7 +61,7 @@ double common_scale(const CurveSet& set, std::span<const double> model) {
     for_points(set, model, [&](const Curve&, const CurvePoint& point, double value) {
         if (value > 0 && point.value > 0) logs.push_back(std::log(point.value / value));
     });
-    return std::exp(median(std::move(logs)));
+    return std::exp(spectral::median(std::move(logs)));
 }
 
 CurveMaximum maximum(const Curve& curve, std::span<const double> model) {
@@ -164,7 +164,7 @@ Plateau plateau(const CurveSet& set, std::span<const double> model, const PointR
         measured.push_back(point.value);
         computed.push_back(value);
     });
-    return {median(std::move(measured)), median(std::move(computed))};
+    return {spectral::median(std::move(measured)), spectral::median(std::move(computed))};
 }
 
 std::vector<Check> criteria(const CurveSet& set, const Comparison& result) {

@@ -1,6 +1,7 @@
 #include "validation/curves/curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -91,39 +92,18 @@ void check_instrument(const CurveSet& set) {
 }  // namespace
 
 const char* name(CurveKind kind) noexcept {
-    switch (kind) {
-        case CurveKind::measured:
-            return "measured";
-        case CurveKind::digitised:
-            return "digitised";
-        case CurveKind::theory:
-            break;
-    }
-    return "theory";
+    constexpr std::array names{"measured", "digitised", "theory"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 const char* name(Quantity quantity) noexcept {
-    switch (quantity) {
-        case Quantity::brdf:
-            return "brdf";
-        case Quantity::brdf_cosine:
-            return "brdf_cosine";
-        case Quantity::reflectance_factor:
-            break;
-    }
-    return "reflectance_factor";
+    constexpr std::array names{"brdf", "brdf_cosine", "reflectance_factor"};
+    return names[static_cast<std::size_t>(quantity)];
 }
 
 const char* name(Scale scale) noexcept {
-    switch (scale) {
-        case Scale::absolute:
-            return "absolute";
-        case Scale::specular:
-            return "specular";
-        case Scale::unknown:
-            break;
-    }
-    return "unknown";
+    constexpr std::array names{"absolute", "specular", "unknown"};
+    return names[static_cast<std::size_t>(scale)];
 }
 
 const char* unit(Quantity quantity) noexcept {

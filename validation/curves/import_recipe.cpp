@@ -11,29 +11,13 @@
 namespace hts::validation {
 
 static const char* name(ImportFormat format) noexcept {
-    switch (format) {
-        case ImportFormat::csv:
-            return "csv";
-        case ImportFormat::fred:
-            return "fred";
-        case ImportFormat::astm:
-            return "astm";
-        case ImportFormat::digitised:
-            break;
-    }
-    return "digitised";
+    constexpr std::array names{"csv", "fred", "astm", "digitised"};
+    return names[static_cast<std::size_t>(format)];
 }
 
 static const char* name(Sweep sweep) noexcept {
-    switch (sweep) {
-        case Sweep::outgoing:
-            return "outgoing";
-        case Sweep::incident:
-            return "incident";
-        case Sweep::scattered:
-            break;
-    }
-    return "scattered";
+    constexpr std::array names{"outgoing", "incident", "scattered"};
+    return names[static_cast<std::size_t>(sweep)];
 }
 
 namespace {

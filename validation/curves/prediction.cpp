@@ -9,7 +9,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/models/reflectance.hpp"
-#include "validation/scattering/quadrature.hpp"
+#include "validation/curves/quadrature.hpp"
 
 namespace hts::validation {
 namespace {
@@ -289,9 +289,9 @@ std::vector<double> Prediction::values(const spectral::Material& material,
     std::vector<Answer> answers;
     answers.reserve(jobs_.size());
     for (const Job& job : jobs_) {
-        const auto model = material.at(
-            job.wavelengths,
-            {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
+        const auto model =
+            material.at(job.wavelengths,
+                        {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
         answers.push_back(answer_of(model.evaluator(), job));
     }
     return values(answers);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "validation/curves/statistics.hpp"
+#include "spectral/statistics.hpp"
 
 namespace hts::validation {
 namespace {
@@ -56,9 +56,9 @@ Reciprocity reciprocity(const CurveSet& set) {
         }
     }
     result.pairs = logs.size();
-    result.rms_log = root_mean_square(logs);
+    result.rms_log = spectral::root_mean_square(logs);
     for (double& x : logs) x = std::abs(x);
-    result.median_abs_log = median(std::move(logs));
+    result.median_abs_log = spectral::median(std::move(logs));
     return result;
 }
 

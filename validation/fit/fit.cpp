@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <map>
 #include <numeric>
 
 #include "hts/error.hpp"
-#include "validation/curves/statistics.hpp"
+#include "spectral/parallel.hpp"
+#include "spectral/statistics.hpp"
 #include "validation/fit/fit_problem.hpp"
 #include "validation/fit/fit_uncertainty.hpp"
 
@@ -19,30 +19,13 @@ double sum_of_squares(const std::vector<double>& values) {
     return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
-/// Runs `work(i)` for all i on all cores; the first failure, in order of i, is thrown.
-template <class Work>
-void for_each(std::size_t count, const Work& work) {
-    std::vector<std::exception_ptr> failures(count);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        try {
-            work(k);
-        } catch (...) {
-            failures[k] = std::current_exception();
-        }
-    }
-    for (const auto& failure : failures) {
-        if (failure) std::rethrow_exception(failure);
-    }
-}
-
 /// The starts with the lowest sums of squares, lowest first.
 std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std::size_t count) {
     const auto starts = problem.starts();
     std::vector<double> costs(starts.size());
-    for_each(starts.size(),
-             [&](std::size_t i) { costs[i] = sum_of_squares(problem.projected_residuals(starts[i])); });
+    spectral::parallel_for(starts.size(), [&](std::size_t i) {
+        costs[i] = sum_of_squares(problem.projected_residuals(starts[i]));
+    });
     std::vector<std::size_t> order(starts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return costs[i]; });
@@ -115,7 +98,7 @@ std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request
         problem.bounds().begin() + static_cast<std::ptrdiff_t>(problem.searched_count())};
     std::vector<Minimum> result(starts.size());
     std::size_t done = 0;
-    for_each(starts.size(), [&](std::size_t i) {
+    spectral::parallel_for(starts.size(), [&](std::size_t i) {
         result[i] = local_minimum(residuals, starts[i], bounds, request.most_iterations);
 #pragma omp critical(hts_fit_progress)
         if (request.progress) request.progress(++done, starts.size());
@@ -140,10 +123,10 @@ FitStatistics statistics(const FitData& data, const std::vector<double>& predict
     FitStatistics result{};
     result.data = predicted.size();
     result.free_parameters = free;
-    result.rms_log = root_mean_square(logs);
-    result.median_abs_log = median(logs);
-    result.rms = root_mean_square(differences);
-    result.l2 = root_mean_square(with_cosine);
+    result.rms_log = spectral::root_mean_square(logs);
+    result.median_abs_log = spectral::median(logs);
+    result.rms = spectral::root_mean_square(differences);
+    result.l2 = spectral::root_mean_square(with_cosine);
     if (!normalised.empty()) result.reduced_chi_squared = sum_of_squares(normalised) / (n - k);
     result.cost = cost;
     const double likelihood = n * std::log(std::max(cost / n, std::numeric_limits<double>::min()));

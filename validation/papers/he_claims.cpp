@@ -47,14 +47,6 @@ double specular_share(const spectral::Material& material, double um, double degr
     return terms.specular / (terms.specular + terms.directional_diffuse);
 }
 
-/// "a, b, c".
-std::string list(const std::vector<double>& values, int digits = 3) {
-    std::vector<std::string> texts;
-    texts.reserve(values.size());
-    for (const double value : values) texts.push_back(brief(value, digits));
-    return spectral::joined(texts);
-}
-
 bool rises(const std::vector<double>& values) {
     return std::is_sorted(values.begin(), values.end()) && values.front() < values.back();
 }
@@ -85,7 +77,7 @@ Check strong_specular() {
     return {
         "Fig. 7: strong specular reflection at 2 um: in the peak the specular term exceeds the lobe at 10, "
         "45 and 75 deg",
-        "by factors of " + list(ratios), *std::min_element(ratios.begin(), ratios.end()) > 1};
+        "by factors of " + brief(ratios), *std::min_element(ratios.begin(), ratios.end()) > 1};
 }
 
 Check off_specular_maxima() {
@@ -97,7 +89,7 @@ Check off_specular_maxima() {
     }
     return {
         "Fig. 8: for 10, 30, 45 and 60 deg the reflected intensity is maximal at larger-than-specular angles",
-        "at " + list(maxima, 4) + " deg", larger};
+        "at " + brief(maxima, 4) + " deg", larger};
 }
 
 Check specular_peak_at_75() {
@@ -118,7 +110,7 @@ Check strong_lobe() {
     return {
         "Fig. 8: a strong directional diffuse pattern at 0.5 um: at 10 to 60 deg it carries 95 % of the "
         "reflected light",
-        list(shares) + " %", *std::min_element(shares.begin(), shares.end()) >= 95};
+        brief(shares) + " %", *std::min_element(shares.begin(), shares.end()) >= 95};
 }
 
 Check nearly_uniform() {
@@ -147,7 +139,7 @@ Check emerging_peak() {
     return {
         "Fig. 9: a peak emerges for larger angles: the maximum over the uniform level grows from 10 to 75 "
         "deg, beyond 2",
-        "maximum/uniform " + list(heights) + " at view angles of " + list(angles, 4) + " deg",
+        "maximum/uniform " + brief(heights) + " at view angles of " + brief(angles, 4) + " deg",
         rises(heights) && heights.back() > 2};
 }
 
@@ -175,7 +167,7 @@ Check grazing_rise() {
         "Fig. 10: large reflected intensities at grazing angles: the radius grows at 45, 60, 75, 85 deg, "
         "beyond that of the "
         "specular direction",
-        list(radii) + "; largest at " + brief(std::abs(maximum(curve, brdf).view_angle)) + " deg",
+        brief(radii) + "; largest at " + brief(std::abs(maximum(curve, brdf).view_angle)) + " deg",
         rises(radii) && radii.back() > 1,
         "From the normal it falls first, to " + brief(at(curve, 15).radius, 3) + " at 15 and " +
             brief(at(curve, 30).radius, 3) + " at 30 deg. The paper's axis ends at 1."};
@@ -199,7 +191,7 @@ Check specular_and_uniform() {
         "Fig. 11: smooth plastic: specular and uniform diffuse alone, 0.15/pi = 0.04775 1/sr beside the "
         "peaks",
         "directional diffuse " + brief(lobe) + ", off the level by at most " + brief(off, 2) +
-            " 1/sr; peaks " + list(peaks) + " 1/sr at 15, 30, 45, 60 deg",
+            " 1/sr; peaks " + brief(peaks) + " 1/sr at 15, 30, 45, 60 deg",
         lobe == 0 && off < 1e-12};
 }
 
@@ -225,7 +217,7 @@ Check emergence(const std::string& claim, const std::vector<double>& shares) {
     std::vector<double> percent;
     percent.reserve(shares.size());
     for (const double share : shares) percent.push_back(100 * share);
-    return {claim, list(percent) + " %", rises(shares)};
+    return {claim, brief(percent) + " %", rises(shares)};
 }
 
 std::vector<Check> emergences() {

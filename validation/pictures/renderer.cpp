@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "spectral/colour/colour.hpp"
+#include "spectral/parallel.hpp"
 #include "validation/pictures/evenly.hpp"
 #include "validation/pictures/integrators.hpp"
 
@@ -68,8 +69,7 @@ Picture render(const Scene& scene, const RenderSettings& settings, const Progres
     const std::size_t across = (settings.width + tile_edge - 1) / tile_edge;
     const std::size_t tiles = across * ((settings.height + tile_edge - 1) / tile_edge);
     std::size_t done = 0;
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
+    spectral::parallel_for(tiles, [&](std::size_t tile) {
         const std::size_t top = tile / across * tile_edge, left = tile % across * tile_edge;
         for (std::size_t row = top; row < std::min(top + tile_edge, settings.height); ++row) {
             for (std::size_t column = left; column < std::min(left + tile_edge, settings.width); ++column) {
@@ -78,7 +78,7 @@ Picture render(const Scene& scene, const RenderSettings& settings, const Progres
         }
 #pragma omp critical(hts_render_progress)
         if (progress) progress(static_cast<double>(++done) / static_cast<double>(tiles));
-    }
+    });
     return picture;
 }
 

@@ -26,13 +26,6 @@ std::vector<Scene> scenes(const std::string& name) {
         ->scenes();
 }
 
-std::string list(const std::vector<double>& values, int digits = 3) {
-    std::vector<std::string> texts;
-    texts.reserve(values.size());
-    for (const double value : values) texts.push_back(brief(value, digits));
-    return spectral::joined(texts);
-}
-
 bool falls(const std::vector<double>& values) {
     return std::is_sorted(values.rbegin(), values.rend()) && values.front() > values.back();
 }
@@ -103,17 +96,17 @@ std::vector<Check> cylinder_checks() {
     }
     return {{"Fig. 12: the specular image in the top faces diminishes from (a) to (e): contrast of the "
              "bricks' image",
-             list(contrasts), falls(contrasts)},
+             brief(contrasts), falls(contrasts)},
             {"Fig. 12: the image of the light on the front face spreads out from (a) to (e): its width in "
              "degrees about the axis",
-             list(widths) + " deg",
+             brief(widths) + " deg",
              std::is_sorted(widths.begin(), widths.end()) && widths.front() < widths.back()},
             {"Fig. 12: a slight blue shift on the front faces of (a) and (b): 0.45 over 0.65 um is more than "
              "that of the smooth metal",
-             list(blues, 4) + " times", *std::min_element(blues.begin(), blues.end()) > 1},
+             brief(blues, 4) + " times", *std::min_element(blues.begin(), blues.end()) > 1},
             {"Fig. 12: a red shift of the specular images of (a) and (b), at 78 deg: 0.65 over 0.45 um is "
              "above 1",
-             list(reds), *std::min_element(reds.begin(), reds.end()) > 1}};
+             brief(reds), *std::min_element(reds.begin(), reds.end()) > 1}};
 }
 
 /// How much more a surface of the still life mirrors at 80 than at 60 deg.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 
-#include "hts/terms.hpp"
 #include "hts/phi.hpp"
 #include "hts/roughness.hpp"
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
+#include "hts/terms.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::validation {
 namespace {
@@ -83,9 +83,9 @@ std::vector<FourierPoint> drawn_points(const FourierResult& result, const Sampli
         brightest = std::max(brightest, points.back().closed_form);
     }
     std::erase_if(points, [&](const FourierPoint& point) { return point.closed_form < brightest / 1000; });
-    std::mt19937_64 random{seed_of(settings.study, 0, points.size())};
+    Random random{seed_of(settings.study, 0, points.size())};
     for (std::size_t i = points.size() - 1; i > 0; --i) {
-        const auto j = static_cast<std::size_t>(spectral::uniform(random) * static_cast<double>(i + 1));
+        const auto j = static_cast<std::size_t>(random.uniform() * static_cast<double>(i + 1));
         std::swap(points[i], points[j]);
     }
     points.resize(std::min(points.size(), static_cast<std::size_t>(settings.directions)), points.front());
@@ -129,15 +129,13 @@ FourierResult fourier_result(const FourierCase& of, const FourierSettings& setti
     const LatticeDirection in{-static_cast<int>(std::lround(sine * sampling.period)), 0};
     result.points = drawn_points(result, sampling, in, settings);
     std::vector<std::vector<double>> values(static_cast<std::size_t>(settings.realisations));
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int r = 0; r < settings.realisations; ++r) {
+    spectral::parallel_for(values.size(), [&](std::size_t r) {
         const auto part = static_cast<std::uint64_t>(std::lround(1e3 * of.phase_variance)) * 1000 +
                           static_cast<std::uint64_t>(std::lround(10 * of.correlation_length));
-        const auto field = random_field(result.surface, sampling.step, sampling.samples,
-                                        seed_of(settings.study, part, static_cast<std::uint64_t>(r)));
-        auto& row = values[static_cast<std::size_t>(r)];
-        for (const FourierPoint& point : result.points) row.push_back(brdf(field, point.in, point.out));
-    }
+        const auto field =
+            random_field(result.surface, sampling.step, sampling.samples, seed_of(settings.study, part, r));
+        for (const FourierPoint& point : result.points) values[r].push_back(brdf(field, point.in, point.out));
+    });
     const auto count = static_cast<double>(settings.realisations);
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         double sum = 0, squares = 0;

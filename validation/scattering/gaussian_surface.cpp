@@ -3,10 +3,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 #include <unsupported/Eigen/FFT>
 
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace hts::validation {
 namespace {
@@ -16,11 +15,11 @@ using Field = std::vector<Complex>;
 
 /// Pairs of independent normal numbers, by Box and Muller's transform.
 Field white_noise(std::size_t count, std::uint64_t seed) {
-    std::mt19937_64 random{seed};
+    Random random{seed};
     Field noise(count);
     for (Complex& pair : noise) {
-        const double radius = std::sqrt(-2 * std::log1p(-spectral::uniform(random)));
-        pair = std::polar(radius, 2 * std::numbers::pi * spectral::uniform(random));
+        const double radius = std::sqrt(-2 * std::log1p(-random.uniform()));
+        pair = std::polar(radius, 2 * std::numbers::pi * random.uniform());
     }
     return noise;
 }

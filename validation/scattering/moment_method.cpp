@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "validation/scattering/boundary_integral.hpp"
-#include "validation/scattering/tapered_beam.hpp"
+#include "spectral/statistics.hpp"
+#include "validation/scattering/profile_study.hpp"
 
 namespace hts::validation {
 namespace {
@@ -15,157 +15,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
-constexpr double k = 2 * pi;  // the wavelength is the unit of length
 constexpr double degree = pi / 180;
-constexpr int angles_per_bin = 10;
-constexpr int bin_count = static_cast<int>(180 / bin_width_deg);
 constexpr int jackknife_blocks = 10;
-
-/// Middles of the angular steps from -90 to 90 degrees, so that sums are integrals.
-std::vector<double> scattering_angles() {
-    constexpr int count = bin_count * angles_per_bin;
-    std::vector<double> angles;
-    angles.reserve(count);
-    for (int i = 0; i < count; ++i) angles.push_back((i + 0.5) * pi / count - pi / 2);
-    return angles;
-}
-
-/// The middle of a period.
-Contour contour_of(const RandomProfile& profile, std::size_t nodes) {
-    const std::size_t first = (profile.height.size() - nodes) / 2;
-    const auto middle = [&](const std::vector<double>& all) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(nodes));
-    };
-    Contour contour{profile.step,
-                    std::vector<double>(nodes),
-                    middle(profile.height),
-                    std::vector<double>(nodes, 1),
-                    middle(profile.slope),
-                    std::vector<double>(nodes, 0),
-                    middle(profile.second_derivative)};
-    for (std::size_t i = 0; i < nodes; ++i)
-        contour.x[i] = profile.step * (static_cast<double>(i) - (static_cast<double>(nodes) - 1) / 2);
-    return contour;
-}
-
-/// The incident beams' fields at the nodes.
-SurfaceFields incident_fields(const Contour& contour, const std::vector<TaperedBeam>& beams) {
-    SurfaceFields result;
-    for (const TaperedBeam& beam : beams) {
-        SurfaceField field, derivative;
-        for (std::size_t i = 0; i < contour.size(); ++i) {
-            const double x = contour.x[i], z = contour.z[i];
-            field.push_back(beam.field(x, z));
-            derivative.push_back(beam.derivative(x, z, -contour.dz[i], contour.dx[i]));
-        }
-        result.psi.push_back(std::move(field));
-        result.u.push_back(std::move(derivative));
-    }
-    return result;
-}
-
-std::vector<SurfaceField> combined(double a, const std::vector<SurfaceField>& first, double b,
-                                   const std::vector<SurfaceField>& second) {
-    std::vector<SurfaceField> result = first;
-    for (std::size_t column = 0; column < first.size(); ++column) {
-        for (std::size_t i = 0; i < first[column].size(); ++i)
-            result[column][i] = a * first[column][i] + b * second[column][i];
-    }
-    return result;
-}
-
-SurfaceFields combined(double a, const SurfaceFields& first, double b, const SurfaceFields& second) {
-    return {combined(a, first.psi, b, second.psi), combined(a, first.u, b, second.u)};
-}
-
-/// Power that enters the ground, per beam: integral -Im(psi* u)/k dl.
-std::vector<double> transmitted_power(const SurfaceFields& fields, double step) {
-    std::vector<double> powers;
-    for (std::size_t beam = 0; beam < fields.psi.size(); ++beam) {
-        double sum = 0;
-        for (std::size_t i = 0; i < fields.psi[beam].size(); ++i)
-            sum -= std::imag(std::conj(fields.psi[beam][i]) * fields.u[beam][i]);
-        powers.push_back(sum * step / k);
-    }
-    return powers;
-}
-
-/// Power in far fields at even angles that fill half a circle, per beam.
-std::vector<double> far_power(const std::vector<SurfaceField>& amplitudes) {
-    std::vector<double> powers;
-    for (const SurfaceField& beam : amplitudes) {
-        double sum = 0;
-        for (const Complex amplitude : beam) sum += std::norm(amplitude);
-        powers.push_back(sum * pi / static_cast<double>(beam.size()) / (8 * pi * k));
-    }
-    return powers;
-}
-
-/// One realisation in one polarisation, per beam: far fields per angle, and powers.
-struct Scattered {
-    std::vector<SurfaceField> exact, kirchhoff;
-    std::vector<double> past_ends, transmitted;
-};
-using Realisation = std::array<Scattered, 2>;
-
-class ProfileStudy {
-  public:
-    ProfileStudy(const RoughnessStatistics& surface, const std::vector<double>& theta_i_deg,
-                 const MomentSettings& settings)
-        : surface_{surface}, settings_{settings}, angles_{scattering_angles()} {
-        for (const double angle : angles_) below_.push_back(pi + angle);
-        for (const double theta : theta_i_deg) beams_.emplace_back(theta * degree, settings.length / 4, k);
-        nodes_ = static_cast<std::size_t>(std::lround(settings.length * settings.points_per_wavelength));
-        const double margin = 8 * surface.correlation_length * settings.points_per_wavelength;
-        while (static_cast<double>(period_) < static_cast<double>(nodes_) + margin) period_ *= 2;
-    }
-
-    [[nodiscard]] const std::vector<double>& angles() const { return angles_; }
-    [[nodiscard]] const std::vector<TaperedBeam>& beams() const { return beams_; }
-
-    [[nodiscard]] Realisation realisation(int number) const {
-        const auto seed = seed_of(settings_.study, surface_number(), static_cast<std::uint64_t>(number));
-        const double step = 1.0 / settings_.points_per_wavelength;
-        const Contour contour = contour_of(random_profile(surface_, step, period_, seed), nodes_);
-        const SurfaceFields light = incident_fields(contour, beams_);
-        const PolarisedFields fields = solved(contour, light.psi);
-        const std::vector<SurfaceField> dark(beams_.size(), SurfaceField(contour.size()));
-        const FarField above{contour, k, angles_}, below{contour, k, below_};
-        const auto scattered = [&](const SurfaceFields& exact, const SurfaceFields& kirchhoff) {
-            return Scattered{above.amplitudes(exact), above.amplitudes(kirchhoff),
-                             far_power(below.amplitudes(combined(1, exact, -1, light))),
-                             transmitted_power(exact, step)};
-        };
-        return {scattered(fields.te, {dark, combined(2, light.u, 0, light.u)}),
-                scattered(fields.tm, {combined(2, light.psi, 0, light.psi), dark})};
-    }
-
-    [[nodiscard]] std::vector<Realisation> realisations() const {
-        std::vector<Realisation> all(static_cast<std::size_t>(settings_.realisations));
-#pragma omp parallel for schedule(dynamic, 1)
-        for (int i = 0; i < settings_.realisations; ++i) all[static_cast<std::size_t>(i)] = realisation(i);
-        return all;
-    }
-
-  private:
-    [[nodiscard]] PolarisedFields solved(const Contour& contour,
-                                         const std::vector<SurfaceField>& incident) const {
-        if (!settings_.index) return surface_fields(contour, k, incident);
-        return surface_fields(contour, k, incident, {settings_.index->n(), settings_.index->k()});
-    }
-    /// A number for the surface, so that each has seeds of its own.
-    [[nodiscard]] std::uint64_t surface_number() const {
-        return static_cast<std::uint64_t>(std::lround(1e4 * surface_.rms_roughness)) * 1000000U +
-               static_cast<std::uint64_t>(std::lround(1e4 * surface_.correlation_length));
-    }
-
-    RoughnessStatistics surface_;
-    MomentSettings settings_;
-    std::vector<double> angles_, below_;
-    std::vector<TaperedBeam> beams_;
-    std::size_t nodes_ = 0, period_ = 64;
-};
 
 /// Sums over realisations at one angle.
 struct Sums {
@@ -260,7 +111,7 @@ class PolarisedLobes {
     }
 
     [[nodiscard]] MomentResult result() const {
-        const double per_radian = 1 / (8 * pi * k * power_), past = past_ends_ / count_,
+        const double per_radian = 1 / (8 * pi * wave_number * power_), past = past_ends_ / count_,
                      transmitted = transmitted_ / count_;
         MomentResult result{of_,
                             count_,
@@ -369,9 +220,8 @@ Distance distance_of(const MomentResult& result, const std::function<double(cons
         squares += bin.exact * difference * difference;
     }
     if (bright.empty()) return {0, 0, 0};
-    const auto middle = bright.begin() + static_cast<std::ptrdiff_t>(bright.size() / 2);
-    std::nth_element(bright.begin(), middle, bright.end());
-    return {std::sqrt(squares / weight), *middle, sum / weight};
+    const double middle = spectral::in_order(bright, bright.size() / 2);
+    return {std::sqrt(squares / weight), middle, sum / weight};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_CASE("the weight of Kurt's sampler is (21) and its normals have the quadran
     Random random{3};
     WorstCase weight{"Kurt (21)", 2e-15};
     for (int i = 0; i < 1000; ++i) {
-        const Uniforms u = random_uniforms(random);
+        const Uniforms u = random.uniforms();
         const Vector3 normal = lobe.slopes().normal(u[1], u[2]);
         const double phi = std::atan(0.5 / 0.2 * std::tan(2 * std::numbers::pi * u[2]));  // (17) as printed
         CHECK(std::abs(std::sin(std::atan2(normal.y, normal.x) - phi)) < 1e-9);

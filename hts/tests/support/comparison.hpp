@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
+
+#include "hts/sampling/random.hpp"
 
 namespace hts::testing {
 
@@ -62,24 +62,7 @@ class ReferenceTable {
     std::vector<std::vector<double>> rows_;
 };
 
-/// Random numbers that are the same on every platform.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : engine_{seed} {}
-    [[nodiscard]] double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
-    [[nodiscard]] double logarithmic(double low, double high) {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-    /// One of a list, each as likely.
-    [[nodiscard]] double one_of(const std::vector<double>& values) {
-        return values[static_cast<std::size_t>(engine_() % values.size())];
-    }
-
-  private:
-    std::mt19937_64 engine_;
-};
+using hts::Random;
 
 /// The value of an environment variable read as "run the long version": set and not "0".
 [[nodiscard]] bool exhaustive();

@@ -1,12 +1,15 @@
 /// A folder for files that a test writes and reads, gone at the end of the test.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "hts/error.hpp"
 
@@ -17,11 +20,19 @@ class TemporaryFolder {
     TemporaryFolder() : path_{std::filesystem::temp_directory_path() / ("hts-" + std::to_string(unique()))} {
         std::filesystem::create_directories(path_);
     }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    /// How many files and folders are in it.
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator{path_}, {}));
+    }
     /// Writes a file and returns its path.
     std::filesystem::path write(const std::string& name, std::string_view text) const {
         std::ofstream{path_ / name, std::ios::binary} << text;

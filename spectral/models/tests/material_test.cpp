@@ -77,12 +77,6 @@ Direction random_direction(Random& random) {
     return Direction::from_degrees(theta, random.uniform(0, 360));
 }
 
-Uniforms random_uniforms(Random& random) {
-    const double u0 = random.uniform(0, 1);
-    const double u1 = random.uniform(0, 1);
-    return {u0, u1, random.uniform(0, 1)};
-}
-
 /// Midpoints over the hemisphere.
 double integral_of_pdf(const Sampler& model, const Direction& in) {
     constexpr int rows = 200, columns = 400;
@@ -169,7 +163,7 @@ TEST_CASE("densities integrate to at most 1, and weights to the albedo") {
             const int count = hts::testing::exhaustive() ? 1'000'000 : 20'000;
             double sum = 0, squares = 0;
             for (int i = 0; i < count; ++i) {
-                const Draw drawn = model.sample(in, random_uniforms(random));
+                const Draw drawn = model.sample(in, random.uniforms());
                 sum += drawn.weight;
                 squares += drawn.weight * drawn.weight;
                 if (drawn.lobe == Lobe::none) CHECK(drawn.weight == 0);

@@ -8,27 +8,11 @@
 #include <filesystem>
 
 #include "hts/error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace hts::spectral;
+using hts::testing::TemporaryFolder;
 namespace fs = std::filesystem;
-
-namespace {
-
-class Folder {
-  public:
-    Folder() { fs::create_directory(path_); }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-    [[nodiscard]] bool empty() const { return fs::is_empty(path_); }
-
-  private:
-    fs::path path_ = fs::temp_directory_path() / ("hts-output-test-" + std::to_string(::getpid()));
-};
-
-}  // namespace
 
 extern "C" void remove_and_end(int signal) {
     remove_partial_files();
@@ -37,12 +21,12 @@ extern "C" void remove_and_end(int signal) {
 }
 
 TEST_CASE("a program's signal handler removes the files under construction, and leaves those that are done") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
         static_cast<void>(std::signal(SIGTERM, remove_and_end));
-        Output a{folder.file("a")}, b{folder.file("b")}, c{folder.file("c")};
+        Output a{(folder / "a").string()}, b{(folder / "b").string()}, c{(folder / "c").string()};
         for (Output* each : {&a, &b, &c}) {
             each->write("half");
             each->flush();
@@ -55,12 +39,12 @@ TEST_CASE("a program's signal handler removes the files under construction, and 
     REQUIRE(::waitpid(child, &status, 0) == child);
     CHECK(WIFSIGNALED(status));
     CHECK(WTERMSIG(status) == SIGTERM);
-    CHECK(fs::remove(folder.file("b")));
-    CHECK(folder.empty());
+    CHECK(fs::remove((folder / "b").string()));
+    CHECK(folder.size() == 0);
 }
 
 TEST_CASE("writing a file changes no signal's handler") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto handler = [](int signal) {
         struct sigaction action {};
         REQUIRE(::sigaction(signal, nullptr, &action) == 0);
@@ -68,25 +52,26 @@ TEST_CASE("writing a file changes no signal's handler") {
     };
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const auto before = handler(signal);
-        const Output output{folder.file("a")};
+        const Output output{(folder / "a").string()};
         CHECK(handler(signal) == before);
     }
 }
 
 TEST_CASE("an output that another one writes is refused and left alone") {
-    const Folder folder;
-    Output first{folder.file("a")};
+    const TemporaryFolder folder;
+    Output first{(folder / "a").string()};
     first.write("1");
-    CHECK_THROWS_AS(Output{folder.file("a")}, hts::Error);
+    CHECK_THROWS_AS(Output{(folder / "a").string()}, hts::Error);
     first.commit();
-    CHECK(fs::file_size(folder.file("a")) == 1);
+    CHECK(fs::file_size((folder / "a").string()) == 1);
 }
 
 TEST_CASE("several files are written all or none") {
-    const Folder folder;
-    CHECK_THROWS_AS(write_files({{folder.file("a"), "1"}, {folder.file("none/b"), "2"}}), hts::Error);
-    CHECK(folder.empty());
-    write_files({{folder.file("a"), "1"}, {folder.file("b"), "2"}});
-    CHECK(fs::file_size(folder.file("a")) == 1);
-    CHECK(fs::file_size(folder.file("b")) == 1);
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(write_files({{(folder / "a").string(), "1"}, {(folder / "none/b").string(), "2"}}),
+                    hts::Error);
+    CHECK(folder.size() == 0);
+    write_files({{(folder / "a").string(), "1"}, {(folder / "b").string(), "2"}});
+    CHECK(fs::file_size((folder / "a").string()) == 1);
+    CHECK(fs::file_size((folder / "b").string()) == 1);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
@@ -106,12 +107,11 @@ class RowWriter {
 std::vector<float> matrices(const spectral::Reflectance& brdf, const Axes& axes) {
     const std::size_t row = axes.theta_h.size() * bands * elements, rows = axes.theta_d.size();
     std::vector<float> result(axes.phi_d.size() * rows * row);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t p = 0; p < axes.phi_d.size(); ++p) {
+    spectral::parallel_for(axes.phi_d.size(), [&](std::size_t p) {
         RowWriter write{brdf};
         for (std::size_t d = 0; d < rows; ++d)
             write(axes.theta_h, axes.theta_d[d], axes.phi_d[p], result.data() + (p * rows + d) * row);
-    }
+    });
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
@@ -177,8 +178,7 @@ class RglTables {
           luminance_(thetas_.size() * n_ * n_),
           spectra_(luminance_.size() * wavelengths_) {
         fill_sigma();
-#pragma omp parallel for schedule(dynamic)
-        for (std::size_t t = 0; t < thetas_.size(); ++t) fill(t);
+        spectral::parallel_for(thetas_.size(), [this](std::size_t t) { fill(t); });
     }
 
     void add_to(TensorFileWriter& file) const {

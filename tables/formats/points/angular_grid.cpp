@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 
 #include "hts/error.hpp"
-#include "spectral/random_directions.hpp"
+#include "hts/sampling/random.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
@@ -154,13 +154,12 @@ void AngularGrid::check() const {
 std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf) {
     const std::size_t wavelengths = brdf.wavelengths().size(), row = grid.polar.size();
     std::vector<double> values(grid.size() * wavelengths, 0);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t first = 0; first < grid.size(); first += row) {
-        for (std::size_t node = first; node < first + row; ++node) {
+    spectral::parallel_blocks(grid.size(), row, [&](std::size_t first, std::size_t count) {
+        for (std::size_t node = first; node < first + count; ++node) {
             if (const auto pair = grid.pair(node))
                 brdf.brdf(*pair, std::span{values}.subspan(node * wavelengths, wavelengths));
         }
-    }
+    });
     return values;
 }
 
@@ -182,11 +181,10 @@ spectral::Reflectance gridded_brdf(const std::string& name, const spectral::Wave
 
 bool is_plane_symmetric(const spectral::Reflectance& brdf) {
     constexpr int pairs = 64;
-    std::mt19937_64 random{2};
+    Random random{2};
     std::vector<double> there(brdf.wavelengths().size()), here(there.size());
     for (int i = 0; i < pairs; ++i) {
-        const DirectionPair pair{spectral::random_direction(random, 0.1),
-                                 spectral::random_direction(random, 0.1)};
+        const DirectionPair pair{random.direction(0.1), random.direction(0.1)};
         // the view mirrored at the plane of the light and the normal
         const double c = pair.in.cos_phi(), s = pair.in.sin_phi();
         const Vector3 v = pair.out.vector();

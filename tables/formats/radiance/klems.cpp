@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::tables {
@@ -145,9 +146,8 @@ std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBa
     }
     const std::size_t size = basis.size();
     std::vector<double> means(size * size, 0);
-#pragma omp parallel for schedule(dynamic, 16)
-    for (std::size_t pair = 0; pair < size * size; ++pair)
-        means[pair] = mean_of(brdf, basis, pair % size, pair / size);
+    const auto mean = [&](std::size_t pair) { means[pair] = mean_of(brdf, basis, pair % size, pair / size); };
+    spectral::parallel_for(size * size, mean, 16);
     return means;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
@@ -95,8 +96,7 @@ class TreeWriter {
           values_(std::size_t{1} << (rank * depth_)) {
         const std::size_t side = std::size_t{1} << depth_;
         const std::size_t used = rank == 3 ? values_.size() / 2 : values_.size();
-#pragma omp parallel for schedule(static, 4096)
-        for (std::size_t cell = 0; cell < used; ++cell) {
+        const auto fill = [&](std::size_t cell) {
             const std::size_t parts = std::size_t{1} << rank;
             for (std::size_t part = 0; part < parts; ++part) {
                 Position at{};
@@ -110,7 +110,8 @@ class TreeWriter {
                 brdf.brdf(pair_at(rank, at), {&value, 1});
                 values_[cell] += value / static_cast<double>(parts);
             }
-        }
+        };
+        spectral::parallel_for(used, fill, 4096);
         peak_ = *std::max_element(values_.begin(), values_.end());
     }
 

@@ -1,5 +1,7 @@
 #include "damaged_files.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +15,7 @@
 
 #include "comparison.hpp"
 #include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace {
 
@@ -55,8 +58,8 @@ bool MemoryBudget::exceeded() const noexcept {
     return memory_exceeded;
 }
 
-std::string damaged(const DamagedFile& file, std::mt19937_64& random) {
-    const auto below = [&](std::size_t end) { return static_cast<std::size_t>(random() % end); };
+std::string damaged(const DamagedFile& file, Random& random) {
+    const auto below = [&](std::size_t end) { return static_cast<std::size_t>(random.bits() % end); };
     std::string bytes = file.good;
     for (std::size_t changes = 1 + below(3); changes > 0 && !bytes.empty(); --changes) {
         const std::size_t end = below(4) != 0 ? std::min(file.head, bytes.size()) : bytes.size();
@@ -76,7 +79,7 @@ std::string damaged(const DamagedFile& file, std::mt19937_64& random) {
             case 5:
             case 6:
             case 7:
-                bytes[at] = static_cast<char>(random());
+                bytes[at] = static_cast<char>(random.bits());
                 break;
             case 8:
             case 9:
@@ -125,8 +128,10 @@ namespace {
 
 /// Where a file that failed is kept.
 std::string kept(const DamagedFile& file, std::size_t seed, const std::string& bytes) {
-    const auto path = std::filesystem::temp_directory_path() /
-                      std::string{"damaged "}.append(file.name).append(" ").append(std::to_string(seed));
+    const auto path = std::filesystem::temp_directory_path() / std::string{"damaged "}
+                                                                   .append(file.name)
+                                                                   .append(" " + std::to_string(seed))
+                                                                   .append(" " + std::to_string(::getpid()));
     std::ofstream{path, std::ios::binary} << bytes;
     return path.string();
 }
@@ -140,7 +145,7 @@ void check_damaged(const DamagedFile& file) {
     std::string message;
     CHECK(outcome(file, file.good, most, message) == Outcome::sound);
     for (std::size_t seed = 0; seed < cases; ++seed) {
-        std::mt19937_64 random{seed};
+        Random random{seed};
         const std::string bytes = damaged(file, random);
         const Outcome came = outcome(file, bytes, most, message);
         if (came == Outcome::failed) FAIL(kept(file, seed, bytes) << ": " << message);

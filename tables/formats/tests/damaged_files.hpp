@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
+
+#include "hts/sampling/random.hpp"
 
 namespace hts::tables::testing {
 
@@ -34,12 +35,12 @@ struct DamagedFile {
     /// Must throw hts::Error or find it sound.
     std::function<void(const std::string& bytes)> read;
     /// Applied to what was damaged, for instance new checksums.
-    std::function<std::string(std::string bytes, std::mt19937_64& random)> mended = {};
+    std::function<std::string(std::string bytes, Random& random)> mended = {};
     std::size_t quick = 1000, exhaustive = 200'000;  ///< cases
 };
 
 /// One to three changes: bytes changed, bits turned, cut out, doubled, replaced by something nasty, or the end cut off.
-[[nodiscard]] std::string damaged(const DamagedFile& file, std::mt19937_64& random);
+[[nodiscard]] std::string damaged(const DamagedFile& file, Random& random);
 
 /// Damages the file so many times and reads each; every case has its own seed, and one that fails is kept as a file. At least one case
 /// must be refused, and one be read.

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
 #include "damaged_files.hpp"
+#include "hts/sampling/random.hpp"
 #include "tables/formats/brdf_file.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/formats/merl.hpp"
@@ -161,17 +161,17 @@ TEST_CASE("damaged MERL files are refused with size or offset") {
         const MemoryBudget budget{std::size_t{36} << 20};
         return message_of([&] { static_cast<void>(merl_brdf(all, "m")); });
     };
-    std::mt19937_64 random{12};
+    Random random{12};
     const std::string header = bytes.substr(0, 12);
     const int count = exhaustive() ? 200'000 : 2'000;
     int refused = 0;
     for (int i = 0; i < count; ++i) {
         if (i % 2 == 0) {
-            refused +=
-                static_cast<int>(!message(std::string_view{bytes}.substr(0, random() % merl_size)).empty());
+            refused += static_cast<int>(
+                !message(std::string_view{bytes}.substr(0, random.bits() % merl_size)).empty());
         } else {
-            const std::size_t at = random() % 12;
-            bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random() % 255));
+            const std::size_t at = random.bits() % 12;
+            bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random.bits() % 255));
             refused += static_cast<int>(!message(bytes).empty());
             bytes.replace(0, 12, header);
         }
@@ -181,10 +181,10 @@ TEST_CASE("damaged MERL files are refused with size or offset") {
     CHECK(message("").find("0 bytes") != std::string::npos);
     // values: every exponent bit set is infinity or NaN
     for (int i = 0; i < (exhaustive() ? 200 : 4); ++i) {
-        const std::size_t at = 12 + 8 * (random() % (merl_size / 8 - 2));
+        const std::size_t at = 12 + 8 * (random.bits() % (merl_size / 8 - 2));
         const std::string kept = bytes.substr(at, 8);
         bytes[at + 7] = '\x7f';
-        bytes[at + 6] = static_cast<char>(0xf0 + random() % 16);
+        bytes[at + 6] = static_cast<char>(0xf0 + random.bits() % 16);
         CHECK(message(bytes).find("offset " + std::to_string(at)) != std::string::npos);
         bytes.replace(at, 8, kept);
     }

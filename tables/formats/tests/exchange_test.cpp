@@ -8,14 +8,13 @@
 #include <filesystem>
 #include <iostream>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "hts/sampling/random.hpp"
 #include "materials.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/brdf_file.hpp"
 #include "tables/formats/channels.hpp"
@@ -298,14 +297,13 @@ TEST_CASE("CSV survives on its grid, also of surfaces with a grain; scattered po
           compared(grained, brdf_from("c", points_of_csv(scatter_csv(grained, coarse), "c"))), 0.06, 0.05);
     CHECK_THROWS_WITH(scatter_csv(grained, csv_grid()), Catch::Contains("azimuth"));
 
-    std::mt19937_64 random{4};
+    Random random{4};
     ScatterPoints points{rgb(), {}, {}};
     const spectral::Reflectance lobe = written(reciprocal_lobe, rgb());
     std::vector<double> values(3);
     for (int i = 0; i < 3000; ++i) {
-        const auto angles = [&] { return std::acos(spectral::uniform(random)) * 180 / pi; };
-        const ScatterAngles at{angles(), 360 * spectral::uniform(random), angles(),
-                               360 * spectral::uniform(random)};
+        const auto angles = [&] { return std::acos(random.uniform()) * 180 / pi; };
+        const ScatterAngles at{angles(), 360 * random.uniform(), angles(), 360 * random.uniform()};
         lobe.brdf(
             {Direction::from_degrees(at.theta_i, at.phi_i), Direction::from_degrees(at.theta_r, at.phi_r)},
             values);

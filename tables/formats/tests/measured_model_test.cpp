@@ -27,11 +27,6 @@ spectral::Reflectance gold() {
     return tables::testing::brdf_of("rough-gold.json", grid);
 }
 
-Uniforms uniforms(Random& random) {
-    const double u0 = random.uniform(0, 1), u1 = random.uniform(0, 1);
-    return {u0, u1, random.uniform(0, 1)};
-}
-
 }  // namespace
 
 TEST_CASE("a measured model lies on straight lines between its wavelengths") {
@@ -80,7 +75,7 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
             const int count = 100'000;
             double sum = 0, squares = 0, none = 0;
             for (int i = 0; i < count; ++i) {
-                const Draw draw = model.sample(in, uniforms(random));
+                const Draw draw = model.sample(in, random.uniforms());
                 sum += draw.weight;
                 squares += draw.weight * draw.weight;
                 if (draw.lobe == Lobe::none) {

@@ -7,13 +7,11 @@
 #include <filesystem>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "comparison.hpp"
 #include "materials.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/round_trip.hpp"
@@ -193,18 +191,19 @@ TEST_CASE("between nodes a polarised file is near the engine, and total") {
 
 TEST_CASE("what a polarised file cannot hold is refused by name") {
     const auto plastic = brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.65, 4));
-    CHECK_THROWS_WITH(write_pbsdf(plastic, "/tmp/x"),
+    CHECK_THROWS_WITH(write_pbsdf(plastic, "/nowhere/x"),
                       Catch::Contains("number of wavelengths of a .pbsdf file 4: must be 5"));
     const auto odd = brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.6501, 5));
-    CHECK_THROWS_WITH(write_pbsdf(odd, "/tmp/x"), Catch::Contains("a whole number of nanometres"));
+    CHECK_THROWS_WITH(write_pbsdf(odd, "/nowhere/x"), Catch::Contains("a whole number of nanometres"));
     const auto boxed = with_specular_box(brdf_of("smooth-plastic.json", five), 0.01);
-    CHECK_THROWS_WITH(write_pbsdf(boxed, "/tmp/x"), Catch::Contains("has no Mueller matrix"));
-    CHECK_THROWS_WITH(write_pbsdf(surface(1.5, 0, 0), "/tmp/x", {1, 9, 9}),
+    CHECK_THROWS_WITH(write_pbsdf(boxed, "/nowhere/x"), Catch::Contains("has no Mueller matrix"));
+    CHECK_THROWS_WITH(write_pbsdf(surface(1.5, 0, 0), "/nowhere/x", {1, 9, 9}),
                       Catch::Contains("number of theta_h 1"));
 }
 
 TEST_CASE("a polarised file that is not one is refused by name") {
-    const fs::path path = fs::temp_directory_path() / "hts-pbsdf-bad.pbsdf";
+    const hts::testing::TemporaryFolder folder;
+    const auto path = folder / "hts-pbsdf-bad.pbsdf";
     const auto refused = [&](const std::vector<float>& theta_h, const std::vector<std::uint16_t>& wavelengths,
                              std::size_t matrices, const std::string& message) {
         TensorFileWriter file;
@@ -222,5 +221,4 @@ TEST_CASE("a polarised file that is not one is refused by name") {
     refused({0, 1}, {450, 500, 550, 600}, 2, "\"wvls\": must be 5");
     refused({0, 1}, {450, 500, 550, 550, 650}, 2, "\"wvls\": must be positive and increase");
     refused({0, 1}, nm, 3, "\"M\": must have a 4 x 4 matrix per");
-    fs::remove(path);
 }

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "comparison.hpp"
+#include "hts/sampling/random.hpp"
 #include "materials.hpp"
-#include "spectral/random_directions.hpp"
 #include "spectral/text/output.hpp"
 #include "tables/formats/mitsuba/bilinear_warp.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/specular_box.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -23,23 +23,11 @@ using namespace hts::tables;
 using hts::tables::testing::brdf_of;
 using hts::tables::testing::rough_surface;
 using hts::testing::exhaustive;
+using hts::testing::TemporaryFolder;
 using hts::testing::WorstCase;
 namespace fs = std::filesystem;
 
 const auto two = spectral::WavelengthGrid::from_micrometres({0.45, 0.65});
-
-/// A file for one test.
-class Place {
-  public:
-    explicit Place(const char* name) : path_{fs::temp_directory_path() / name} {}
-    ~Place() { fs::remove(path_); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 struct Surface4 {
     const char* name;
@@ -78,11 +66,11 @@ TensorFileWriter lambertian_file(std::size_t phis) {
 
 /// Mean of f cos/pdf and the share of draws above the horizon.
 double mean_weight(const RglBrdf& brdf, const Direction& in, std::size_t draws) {
-    std::mt19937_64 random{3};
+    Random random{3};
     std::vector<double> values(brdf.wavelengths().size());
     double sum = 0;
     for (std::size_t i = 0; i < draws; ++i) {
-        const double u1 = spectral::uniform(random), u2 = spectral::uniform(random);
+        const double u1 = random.uniform(), u2 = random.uniform();
         const auto draw = brdf.sample(in, u1, u2);
         if (!(draw.density > 0)) continue;
         const Direction out = Direction::from_unit_vector(draw.out);
@@ -98,11 +86,10 @@ TEST_CASE("the warp of a bilinear density is its inverse distribution") {
     // density (1 + x)(1 + 2y) and 1 + xy, whose distributions are polynomials
     const std::vector<float> slices{1, 2, 3, 6, 1, 1, 1, 2};
     const BilinearWarp warp{slices, 2, 2};
-    std::mt19937_64 random{5};
+    Random random{5};
     WorstCase there{"warp, by quadrature", 3e-6}, back{"warp and back", 3e-6};
     for (int i = 0; i < 3000; ++i) {
-        const Point2 u{static_cast<float>(spectral::uniform(random)),
-                       static_cast<float>(spectral::uniform(random))};
+        const Point2 u{static_cast<float>(random.uniform()), static_cast<float>(random.uniform())};
         const auto where = [&] { return std::to_string(u.x) + ", " + std::to_string(u.y); };
         const auto product = warp.sample(u, slice_mix({0, 0}, {0, 0}, 1, 2));
         const double x = product.point.x, y = product.point.y;
@@ -123,10 +110,11 @@ TEST_CASE("the warp of a bilinear density is its inverse distribution") {
 }
 
 TEST_CASE("a file by hand is read as its description says") {
-    const Place place{"hts-rgl-hand.bsdf"};
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-hand.bsdf";
     for (const std::size_t phis : {std::size_t{2}, std::size_t{5}}) {  // isotropic; anisotropic
-        spectral::write_file(place.path().string(), lambertian_file(phis).bytes());
-        const auto brdf = read_rgl(place.path());
+        spectral::write_file(path.string(), lambertian_file(phis).bytes());
+        const auto brdf = read_rgl(path);
         const double theta = 0.6;
         const DirectionPair pair{Direction::from_angles(theta, 1), Direction::from_degrees(70, 200)};
         std::vector<double> values(2);
@@ -146,7 +134,8 @@ TEST_CASE("a file by hand is read as its description says") {
 }
 
 TEST_CASE("what Mitsuba and pbrt would refuse is refused by name") {
-    const Place place{"hts-rgl-bad.bsdf"};
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-bad.bsdf";
     const auto refused = [&](const char* field, const TensorShape& shape, const std::vector<float>& numbers,
                              const std::string& message) {
         TensorFileWriter file;
@@ -160,8 +149,8 @@ TEST_CASE("what Mitsuba and pbrt would refuse is refused by name") {
         }
         file.add("description", "x");
         file.add("jacobian", {1}, std::vector<std::uint8_t>{1});
-        spectral::write_file(place.path().string(), file.bytes());
-        CHECK_THROWS_WITH(read_rgl(place.path()),
+        spectral::write_file(path.string(), file.bytes());
+        CHECK_THROWS_WITH(read_rgl(path),
                           Catch::Contains("hts-rgl-bad.bsdf: field \"" + std::string{field} + "\": ") &&
                               Catch::Contains(message));
     };
@@ -187,17 +176,18 @@ TEST_CASE("surfaces survive an RGL file") {
     WorstCase error{"RGL, of the peak", full ? tables::accuracy::rgl : 0.2};
     WorstCase typical{"RGL, 99 % of pairs, of the peak", full ? 0.007 : 0.035};
     WorstCase integral{"RGL, integral of the density from 1", full ? 0.0035 : 0.006};
-    const Place place{"hts-rgl-surfaces.bsdf"};
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-surfaces.bsdf";
     for (const Surface4& surface : surfaces(grid)) {
         if (full)
-            write_rgl(surface.brdf, place.path());
+            write_rgl(surface.brdf, path);
         else
-            write_rgl(surface.brdf, place.path(), {24, 32, 65, 128});
-        const spectral::Reflectance read{read_rgl(place.path())};
+            write_rgl(surface.brdf, path, {24, 32, 65, 128});
+        const spectral::Reflectance read{read_rgl(path)};
         const auto seeds = full ? std::vector<std::uint64_t>{7, 2027, 990017} : std::vector<std::uint64_t>{7};
         for (const std::uint64_t seed : seeds) {
             const RoundTrip trip = round_trip(surface.brdf, read, {full ? 100'000U : 4'000U, seed});
-            if (full) WARN(surface.name << ", " << fs::file_size(place.path()) << " bytes\n" << trip.text());
+            if (full) WARN(surface.name << ", " << fs::file_size(path) << " bytes\n" << trip.text());
             error.note(trip.worst.error, [&] { return surface.name; });
             typical.note(trip.percentile_99, [&] { return surface.name; });
             REQUIRE(trip.density.size() == 7);
@@ -215,10 +205,11 @@ TEST_CASE("surfaces survive an RGL file") {
 }
 
 TEST_CASE("directions drawn from an RGL file weigh what is reflected") {
-    const Place place{"hts-rgl-draws.bsdf"};
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-draws.bsdf";
     const auto aluminium = brdf_of("rough-aluminium.json", two);
-    write_rgl(aluminium, place.path(), {24, 32, 65, 128});
-    const std::shared_ptr<const RglBrdf> read = read_rgl(place.path());
+    write_rgl(aluminium, path, {24, 32, 65, 128});
+    const std::shared_ptr<const RglBrdf> read = read_rgl(path);
     const RoundTrip trip = round_trip(aluminium, spectral::Reflectance{read}, {100, 1});
     for (const AlbedoError& each : trip.albedo) {
         if (each.theta_i > 1.2) continue;
@@ -230,10 +221,11 @@ TEST_CASE("directions drawn from an RGL file weigh what is reflected") {
 }
 
 TEST_CASE("an RGL file does not depend on the number of threads, and reads the same from any azimuth") {
-    const Place place{"hts-rgl-turned.bsdf"};
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-turned.bsdf";
     const auto aluminium = brdf_of("rough-aluminium.json", two);
-    write_rgl(aluminium, place.path(), {6, 8, 9, 16});
-    const auto read = read_rgl(place.path());
+    write_rgl(aluminium, path, {6, 8, 9, 16});
+    const auto read = read_rgl(path);
     std::vector<double> here(2), there(2);
     for (const double turn : {90., 200., 359.}) {
         read->brdf({Direction::from_degrees(40, 0), Direction::from_degrees(50, 150)}, here);
@@ -246,9 +238,9 @@ TEST_CASE("an RGL file does not depend on the number of threads, and reads the s
 
 TEST_CASE("anisotropic surfaces and senseless resolutions are refused") {
     const auto satin = brdf_of("purple-satin.json", two);
-    CHECK_THROWS_WITH(write_rgl(satin, "/tmp/x.bsdf"), Catch::Contains("is anisotropic"));
+    CHECK_THROWS_WITH(write_rgl(satin, "/nowhere/x.bsdf"), Catch::Contains("is anisotropic"));
     const auto aluminium = brdf_of("rough-aluminium.json", two);
-    CHECK_THROWS_WITH(write_rgl(aluminium, "/tmp/x.bsdf", {1, 8, 9, 16}),
+    CHECK_THROWS_WITH(write_rgl(aluminium, "/nowhere/x.bsdf", {1, 8, 9, 16}),
                       Catch::Contains("number of angles of incidence 1"));
     CHECK_THROWS_WITH(write_rgl(aluminium, "/nowhere/x.bsdf", {2, 2, 2, 8}),
                       Catch::Contains("/nowhere/x.bsdf"));

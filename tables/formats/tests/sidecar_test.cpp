@@ -1,21 +1,20 @@
 #include "tables/formats/sidecar.hpp"
 
-#include <filesystem>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "materials.hpp"
 #include "tables/formats/whole_file.hpp"
+#include "temporary_folder.hpp"
 
 using namespace hts;
 using namespace hts::tables;
-namespace fs = std::filesystem;
 
 TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
     const auto plastic =
         testing::brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.7, 4));
-    const fs::path file = fs::temp_directory_path() / "hts-sidecar-test.bsdf";
+    const hts::testing::TemporaryFolder folder;
+    const auto file = folder / "hts-sidecar-test.bsdf";
     write_with_sidecar(file, plastic,
                        {{{file.string(), "content"}},
                         {.format = "a format",
@@ -25,8 +24,6 @@ TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
                          .notes = {"front side only"}}});
     const auto json = nlohmann::json::parse(read_whole_file(file.string() + ".json"));
     CHECK(read_whole_file(file) == "content");
-    fs::remove(file);
-    fs::remove(file.string() + ".json");
     CHECK(json["file"] == "hts-sidecar-test.bsdf");
     CHECK(json["value"] == "f cos(theta_o)");
     CHECK(json["units"] == "1/sr");

@@ -1,21 +1,20 @@
 #include "tables/sharing/table_parts.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include <catch2/catch.hpp>
 
 #include "tables/table/tests/table_fixture.hpp"
 #include "tables/sharing/slice_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
 using namespace hts;
 using namespace hts::tables;
 using namespace hts::tables::testing;
+using hts::testing::TemporaryFolder;
 namespace fs = std::filesystem;
 
 /// The quickest of jobs.
@@ -37,24 +36,6 @@ const std::string& whole() {
     return bytes;
 }
 
-/// A folder of its own for one test.
-class Folder {
-  public:
-    Folder() : path_{fs::temp_directory_path() / ("hts_table_parts_" + std::to_string(::getpid()))} {
-        fs::create_directories(path_);
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-    [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator{path_}, {}));
-    }
-
-  private:
-    fs::path path_;
-};
-
 std::string bytes_of(const fs::path& path) {
     std::ifstream file{path, std::ios::binary};
     return {std::istreambuf_iterator<char>{file}, {}};
@@ -75,7 +56,7 @@ SliceWorker interrupted_after(std::size_t count) {
 }  // namespace
 
 TEST_CASE("a build that was interrupted goes on, to the same bytes") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path target = folder / "m.htst", slices = folder / "m.htst.slices";
     const auto interrupt = [&] {
         CHECK_THROWS(build_table_file(exact(), job(), target, {}, interrupted_after(3)));
@@ -90,7 +71,7 @@ TEST_CASE("a build that was interrupted goes on, to the same bytes") {
                              threads_worker(exact())(plan, missing, keep);
                          });
         CHECK(bytes_of(target) == whole());
-        CHECK(folder.files() == 1);
+        CHECK(folder.size() == 1);
         fs::remove(target);
     };
     const std::size_t all = Table::from_bytes(whole(), "whole").info().nodes.grazing;
@@ -110,14 +91,14 @@ TEST_CASE("a build that was interrupted goes on, to the same bytes") {
 }
 
 TEST_CASE("shards, merged in any order, are the table; what lacks or does not belong is named") {
-    const Folder folder;
+    const TemporaryFolder folder;
     build(folder / "1", {1, 3});
     build(folder / "2", {2, 3});
     build(folder / "3", {3, 3});
     TableJob another = job();
     another.request.seed = 9;
     build(folder / "other", {2, 3}, another);
-    CHECK(folder.files() == 4);
+    CHECK(folder.size() == 4);
     const auto merge = [&](const std::vector<const char*>& names) {
         std::vector<fs::path> parts;
         for (const char* name : names) parts.push_back(folder / name);
@@ -159,7 +140,7 @@ TEST_CASE(
     CHECK(table.info().error.largest <= job.request.tolerance);
     CHECK(table.info().nodes.ratio > coarse.nodes.ratio);
 
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto build_from = [&](const char* name, const TableShard& shard, const SliceWorker& worker) {
         const fs::path path = folder / name;
         const std::string slices = path.string() + ".slices";

@@ -5,16 +5,17 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <string>
 
 #include <catch2/catch.hpp>
 
+#include "hts/sampling/random.hpp"
 #include "table_fixture.hpp"
 #include "tables/formats/little_endian.hpp"
 #include "tables/formats/tests/damaged_files.hpp"
 #include "tables/table/crc64.hpp"
 #include "tables/table/table_contents.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -57,8 +58,8 @@ std::string refusal(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("a table is read as it was written, from memory and from a file") {
-    const auto path = std::filesystem::temp_directory_path() / "hts_table_file_test.htst";
-    std::ofstream{path, std::ios::binary} << small_bytes();
+    const hts::testing::TemporaryFolder folder;
+    const auto path = folder.write("m.htst", small_bytes());
     const Table table = Table::open(path);
     std::filesystem::remove(path);
     const auto& info = table.info();
@@ -69,8 +70,7 @@ TEST_CASE("a table is read as it was written, from memory and from a file") {
     CHECK(info.wavelengths.size() == 3);
     CHECK(header_text(info_from_header(header_text(info), "again")) == header_text(info));
     CHECK_THAT(error_of([&] { return Table::open(path); }), Catch::Contains("cannot be read"));
-    CHECK_THAT(error_of([] { return Table::open(std::filesystem::temp_directory_path()); }),
-               Catch::Contains("must be a file"));
+    CHECK_THAT(error_of([&] { return Table::open(folder.path()); }), Catch::Contains("must be a file"));
 }
 
 TEST_CASE("files that are no tables are refused by name") {
@@ -134,8 +134,8 @@ TEST_CASE("damaged tables are refused or read, and never crash") {
                                std::vector<double>(count.lobe - 1, 0.3)};
     const std::string good = table_bytes(info, numbers);
     const auto header = from_little_endian<std::uint64_t>(good.substr(header_size_at));
-    const auto past_checksum = [&](std::string bytes, std::mt19937_64& random) {
-        const bool sizes = random() % 2 == 0, sign = random() % 4 != 0;
+    const auto past_checksum = [&](std::string bytes, Random& random) {
+        const bool sizes = random.bits() % 2 == 0, sign = random.bits() % 4 != 0;
         if (bytes.size() < prelude_bytes) return bytes;
         const std::size_t behind = bytes.size() - prelude_bytes;
         if (sizes) {

@@ -10,7 +10,6 @@
 
 #include "hts/tests/support/comparison.hpp"
 #include "spectral/models/material.hpp"
-#include "spectral/random_directions.hpp"
 #include "table_fixture.hpp"
 
 namespace {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/he_torrance_material.hpp"
+#include "temporary_folder.hpp"
 #include "validation/curves/built_in_curves.hpp"
 #include "validation/curves/comparison_section.hpp"
 
@@ -177,9 +176,8 @@ TEST_CASE("a section names whose measurement it shows") {
 
 TEST_CASE(
     "curves of the paper that nobody has are named as not available, and compared once somebody has them") {
-    const auto folder = std::filesystem::temp_directory_path() / "hts-validation-slots";
-    std::filesystem::create_directories(folder);
-    const Section none = slots_section(folder);
+    const hts::testing::TemporaryFolder folder;
+    const Section none = slots_section(folder.path());
     REQUIRE(none.not_available.size() == 5);
     CHECK(mentions(none.not_available[0], "he91-figure-7"));
     CHECK(mentions(none.not_available[0], "measurement not available"));
@@ -188,10 +186,9 @@ TEST_CASE(
     CurveSet set = small_set();
     set.scale = Scale::specular;
     set.source_solid_angle = set.detector_solid_angle = std::acos(-1.0) / 1024;
-    std::ofstream{folder / "he91-figure-8.json"} << curves_text(computed(set, measurement_slots()[1].model));
-    const Section one = slots_section(folder);
+    folder.write("he91-figure-8.json", curves_text(computed(set, measurement_slots()[1].model)));
+    const Section one = slots_section(folder.path());
     CHECK(one.not_available.size() == 4);
     CHECK(one.figures.size() == 3);
     CHECK(one.tables.at(0).rows.at(0).at(2) == "0");  // the median deviation from itself
-    std::filesystem::remove_all(folder);
 }

@@ -3,12 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "edited_text.hpp"
 #include "hts/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 #include "validation/curves/digitised.hpp"
 
 using namespace hts::validation;
-using hts::validation::testing::TemporaryFile;
+using hts::testing::TemporaryFolder;
 using hts::validation::testing::with;
 
 namespace {
@@ -24,8 +25,9 @@ std::string csv_recipe(const std::string& more = "") {
 }
 
 CurveSet imported(const std::string& recipe, const std::string& name, const std::string& text) {
-    const TemporaryFile recipe_file{"recipe.json", recipe}, file{name, text};
-    return imported_curves(file.path(), read_recipe(recipe_file.path()), "by the test");
+    const TemporaryFolder folder;
+    const auto recipe_file = folder.write("recipe.json", recipe), file = folder.write(name, text);
+    return imported_curves(file, read_recipe(recipe_file), "by the test");
 }
 
 void refuses(const std::string& recipe, const std::string& name, const std::string& text,

@@ -5,12 +5,13 @@
 #include <set>
 
 #include "comparison.hpp"
+#include "edited_text.hpp"
 #include "hts/error.hpp"
-#include "temporary_file.hpp"
+#include "temporary_folder.hpp"
 #include "validation/curves/built_in_curves.hpp"
 
 using namespace hts::validation;
-using hts::validation::testing::TemporaryFile;
+using hts::testing::TemporaryFolder;
 using hts::validation::testing::with;
 
 namespace {
@@ -27,10 +28,10 @@ const std::string valid = R"({
 })";
 
 void refuses(const std::string& text, const std::string& message) {
-    const TemporaryFile file{"bad.json", text};
+    const TemporaryFolder folder;
+    const auto file = folder.write("bad.json", text);
     INFO(message);
-    CHECK_THROWS_WITH(read_curves(file.path()),
-                      Catch::Contains(file.path().string()) && Catch::Contains(message));
+    CHECK_THROWS_WITH(read_curves(file), Catch::Contains(file.string()) && Catch::Contains(message));
 }
 
 bool same(const CurvePoint& a, const CurvePoint& b) {
@@ -41,9 +42,10 @@ bool same(const CurvePoint& a, const CurvePoint& b) {
 }  // namespace
 
 TEST_CASE("a curve file says what it holds") {
-    const TemporaryFile file{"slate.json", valid};
-    const CurveSet set = read_curves(file.path());
-    CHECK(set.stem == "hts-validation-slate");
+    const TemporaryFolder folder;
+    const auto file = folder.write("slate.json", valid);
+    const CurveSet set = read_curves(file);
+    CHECK(set.stem == "slate");
     CHECK(set.surface == "slate");
     CHECK(set.point_count() == 6);
     CHECK(set.source_solid_angle == 0.001);
@@ -69,8 +71,9 @@ TEST_CASE("a curve file says what it holds") {
 }
 
 TEST_CASE("a curve file is read back to the last bit") {
-    const TemporaryFile file{"slate.json", valid};
-    CurveSet set = read_curves(file.path());
+    const TemporaryFolder folder;
+    const auto file = folder.write("slate.json", valid);
+    CurveSet set = read_curves(file);
     hts::testing::Random random{3};
     for (Curve& curve : set.curves) {
         for (CurvePoint& p : curve.points) {
@@ -79,8 +82,8 @@ TEST_CASE("a curve file is read back to the last bit") {
         }
     }
     set.notes = {"one", "\"two\", in quotes"};
-    const TemporaryFile again{"again.json", curves_text(set)};
-    const CurveSet copy = read_curves(again.path());
+    const auto again = folder.write("again.json", curves_text(set));
+    const CurveSet copy = read_curves(again);
     REQUIRE(copy.point_count() == set.point_count());
     CHECK(copy.notes == set.notes);
     CHECK(copy.how == set.how);
@@ -148,8 +151,9 @@ TEST_CASE("the curve sets that come along state source, licence and how they wer
 }
 
 TEST_CASE("curves that leave the plane of incidence are not in-plane curves") {
-    const TemporaryFile file{"slate.json", valid};
-    CurveSet set = read_curves(file.path());
+    const TemporaryFolder folder;
+    const auto file = folder.write("slate.json", valid);
+    CurveSet set = read_curves(file);
     set.curves[0].points[1].phi_r = 90;
     CHECK_THROWS_WITH(
         checked(set, "here"),

@@ -3,8 +3,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "validation/curves/statistics.hpp"
-
 using namespace hts::validation;
 
 namespace {
@@ -60,11 +58,4 @@ TEST_CASE("BRDF times cosine is reciprocal after the cosine is taken out") {
     for (CurvePoint& p : set.curves[0].points) p.value *= p.pair().out.cos_theta();
     CHECK(reciprocity(set).pairs == 2);
     CHECK(reciprocity(set).rms_log == Approx(0).margin(1e-14));
-}
-
-TEST_CASE("averages of lists") {
-    CHECK(median({}) == 0);
-    CHECK(median({3, 1, 2}) == 2);
-    CHECK(median({4, 1, 2, 3}) == 2.5);
-    CHECK(root_mean_square(std::vector{3.0, 4.0}) == Approx(std::sqrt(12.5)));
 }

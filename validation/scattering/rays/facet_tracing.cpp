@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "hts/sampling/random.hpp"
 #include "hts/terms.hpp"
 #include "spectral/energy/energy.hpp"
-#include "spectral/random_directions.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::validation {
 namespace {
@@ -33,10 +33,9 @@ FacetSurface surface_number(double slope, int number, const TracingSettings& set
 }
 
 /// A part of the work on one surface has random numbers of its own.
-std::mt19937_64 random_numbers(const TracingSettings& settings, double theta_deg, int number) {
-    return std::mt19937_64{seed_of(settings.study + 1,
-                                   static_cast<std::uint64_t>(std::lround(100 * theta_deg)),
-                                   static_cast<std::uint64_t>(number))};
+Random random_numbers(const TracingSettings& settings, double theta_deg, int number) {
+    return Random{seed_of(settings.study + 1, static_cast<std::uint64_t>(std::lround(100 * theta_deg)),
+                          static_cast<std::uint64_t>(number))};
 }
 
 /// Towards the light at an angle, along x.
@@ -57,8 +56,8 @@ Seen seen_share(const FacetSurface& surface, double theta_deg, const TracingSett
     const Vector3 light = towards(theta_deg), mirror{-light.x, 0, light.z};
     int lit = 0, both = 0;
     for (int i = 0; i < settings.points; ++i) {
-        const double x = surface.period() * spectral::uniform(random);
-        const auto point = surface.at(x, surface.period() * spectral::uniform(random));
+        const double x = surface.period() * random.uniform();
+        const auto point = surface.at(x, surface.period() * random.uniform());
         if (!sees(surface, point, light)) continue;
         ++lit;
         if (sees(surface, point, mirror)) ++both;
@@ -129,8 +128,8 @@ Tally traced(const FacetSurface& surface, double theta_deg, const TracingSetting
     auto random = random_numbers(settings, theta_deg, number);
     Tally tally;
     for (int i = 0; i < settings.rays; ++i) {
-        const double x = surface.period() * spectral::uniform(random);
-        const double y = surface.period() * spectral::uniform(random);
+        const double x = surface.period() * random.uniform();
+        const double y = surface.period() * random.uniform();
         trace(surface, {{x, y, surface.highest() * (1 + 1e-9) + 1e-9}, -towards(theta_deg)}, tally);
     }
     return tally;
@@ -193,15 +192,14 @@ std::vector<ShadowingPoint> shadowing_points(double slope, const std::vector<dou
                                              const TracingSettings& settings) {
     const auto surfaces = static_cast<std::size_t>(settings.surfaces);
     std::vector<std::vector<double>> lit(theta_deg.size(), std::vector<double>(surfaces)), both = lit;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int s = 0; s < settings.surfaces; ++s) {
-        const FacetSurface surface = surface_number(slope, s, settings);
+    spectral::parallel_for(surfaces, [&](std::size_t s) {
+        const FacetSurface surface = surface_number(slope, static_cast<int>(s), settings);
         for (std::size_t i = 0; i < theta_deg.size(); ++i) {
-            const Seen seen = seen_share(surface, theta_deg[i], settings, s);
-            lit[i][static_cast<std::size_t>(s)] = seen.lit;
-            both[i][static_cast<std::size_t>(s)] = seen.both;
+            const Seen seen = seen_share(surface, theta_deg[i], settings, static_cast<int>(s));
+            lit[i][s] = seen.lit;
+            both[i][s] = seen.both;
         }
-    }
+    });
     std::vector<ShadowingPoint> points;
     for (std::size_t i = 0; i < theta_deg.size(); ++i) {
         const Smith smith{slope, Direction::from_degrees(theta_deg[i], 0)};
@@ -214,10 +212,10 @@ std::vector<ShadowingPoint> shadowing_points(double slope, const std::vector<dou
 
 TracedLight traced_light(double slope, double theta_i_deg, const TracingSettings& settings) {
     std::vector<Tally> tallies(static_cast<std::size_t>(settings.surfaces));
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int s = 0; s < settings.surfaces; ++s)
-        tallies[static_cast<std::size_t>(s)] =
-            traced(surface_number(slope, s, settings), theta_i_deg, settings, s);
+    spectral::parallel_for(tallies.size(), [&](std::size_t s) {
+        const auto number = static_cast<int>(s);
+        tallies[s] = traced(surface_number(slope, number, settings), theta_i_deg, settings, number);
+    });
     std::vector<double> once, more, lost;
     for (const Tally& tally : tallies) {
         once.push_back(static_cast<double>(tally.once) / settings.rays);
