@@ -14,7 +14,6 @@ namespace {
 
 using Value = std::complex<double>;
 
-constexpr double rival_bound = 1e-6;
 constexpr double jones_bound = 2e-14;    ///< of the engine's Jones matrix, relative to |F|
 constexpr double factor_bound = 4e-15;   ///< of the engine's G, relative
 constexpr double fresnel_bound = 4e-15;  ///< of the engine's |F|^2, relative

@@ -10,9 +10,8 @@
 namespace hts::bench {
 namespace {
 
-constexpr double rival_bound = 1e-6;
 constexpr double steepest_slope = 0.25;  ///< sigma_0/tau beyond which multiple scattering counts
-constexpr ModelPoint ordinary{0.5, 30, 0, 40, 170, 1.2, 3.4, 0.2, 3};
+constexpr ModelPoint inside_limits{0.5, 30, 0, 40, 170, 1.2, 3.4, 0.2, 3};
 
 std::string lengths(const ModelPoint& p) {
     return place(
@@ -41,13 +40,13 @@ void compare_models(StabilityRow& row, const ModelPoint& p, const ModelValues& e
 }
 
 ModelPoint with_wavelength(double um) {
-    ModelPoint p = ordinary;
+    ModelPoint p = inside_limits;
     p.wavelength = um;
     return p;
 }
 
 ModelPoint with_lengths(double rms_roughness, double correlation_length) {
-    ModelPoint p = ordinary;
+    ModelPoint p = inside_limits;
     p.rms_roughness = rms_roughness;
     p.correlation_length = correlation_length;
     return p;
@@ -120,7 +119,7 @@ StabilityRow extreme_lengths() {
     compare_mirror(row);
     compare_flat(row);
     compare_short_wave(row);
-    for (const ModelPoint& p : {ordinary, with_lengths(1e-24, 3), with_lengths(0.2, 1e-24),
+    for (const ModelPoint& p : {inside_limits, with_lengths(1e-24, 3), with_lengths(0.2, 1e-24),
                                 with_wavelength(1e-8), with_wavelength(1e24), with_lengths(0.2, 1e3)}) {
         compare_at_80_digits(row, p);
     }

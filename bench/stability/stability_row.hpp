@@ -20,6 +20,9 @@ struct Contestant {
     std::string why;
 };
 
+/// The bound of rivals. Lenient: a naive formula may lose ten digits before it counts as wrong.
+inline constexpr double rival_bound = 1e-6;
+
 /// What a method did in one case.
 struct Outcome {
     Verdict verdict;

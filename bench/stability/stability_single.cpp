@@ -15,7 +15,7 @@
 namespace hts::bench {
 namespace {
 
-constexpr double rival_bound = 1e-4;   ///< what single precision is used for
+constexpr double single_bound = 1e-4;  ///< what single precision is used for
 constexpr double engine_bound = 1e-7;  ///< one rounding of a double to a float is at most 6e-8
 using F = Naive<float>;
 
@@ -32,7 +32,7 @@ class Quantity {
         return *this;
     }
     Quantity& rival(const std::string& name, double value, const std::string& why) {
-        row_.compare({"float, " + name, false, rival_bound, why}, value, expected_, where_);
+        row_.compare({"float, " + name, false, single_bound, why}, value, expected_, where_);
         return *this;
     }
 

@@ -13,9 +13,6 @@
 namespace hts::bench {
 namespace {
 
-constexpr double rival_bound =
-    1e-6;  ///< lenient: a naive formula may lose ten digits before it counts as wrong
-
 std::string at(double slope, double degrees) {
     return place({{"sigma0/tau", slope}, {"theta", degrees, "deg"}});
 }

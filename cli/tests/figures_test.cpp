@@ -5,7 +5,6 @@
 #include <string>
 
 #include "command.hpp"
-#include "comparison.hpp"
 
 using hts::cli::testing::cells;
 using hts::cli::testing::Workplace;
@@ -19,8 +18,7 @@ TEST_CASE("hts figures needs a paper that it knows and a folder") {
     CHECK(place.names().empty());
 }
 
-TEST_CASE("hts figures kurt draws the albedo and where it stays below 1 (HTS_EXHAUSTIVE=1: a minute)") {
-    if (!hts::testing::exhaustive()) return;
+TEST_CASE("hts figures kurt draws the albedo and where it stays below 1", "[.exhaustive]") {
     const Workplace place;
     REQUIRE(place.hts("figures kurt --output f --json").exit_code == 0);
     for (const std::string name : {"figure-2", "figure-3", "plausible-alpha"}) {

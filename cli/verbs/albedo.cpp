@@ -16,7 +16,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto albedo_help = R"(
 Directional-hemispherical reflectance of unpolarised light, a row per wavelength and angle:
   specular, directional_diffuse, uniform_diffuse, total   what each term and all reflect
 and for materials of model he:
@@ -166,7 +166,7 @@ void add_albedo(CLI::App& program) {
         ->check(number_within(0, 1));
     verb->add_flag("--compensate-energy", options->compensate, "add the total with energy compensation");
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(albedo_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto help = R"(
+constexpr auto chart_help = R"(
 Measures every way to compute Phi(g, t) on this machine: fixed, adaptive and windowed
 series, the rough limit (Beckmann's lobe), the saddle point of order 0, 1 and 2, the
 spline of He et al. 1992, GGX, single precision, and this library at each tolerance, one
@@ -97,7 +97,7 @@ void add_chart(CLI::App& program) {
     verb->add_option("--seed", options->seed, "of the random points")
         ->capture_default_str()
         ->check(seed_number());
-    verb->footer(help);
+    verb->footer(chart_help);
     verb->callback([options] { run(*options); });
 }
 

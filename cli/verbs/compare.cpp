@@ -21,7 +21,7 @@ using validation::Check;
 using validation::ReportTable;
 using validation::Section;
 
-constexpr auto help = R"(
+constexpr auto compare_help = R"(
 The model is averaged over the band and the instrument's solid angles and set beside each
 point. CURVES is a curve set (see hts curves) or the name of one that comes with the
 program. Figures of merit go to standard output; criteria, where the set has any, to
@@ -107,7 +107,7 @@ void add_compare(CLI::App& program) {
         ->check(whole_number(0, 8))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "figures of merit as JSON");
-    verb->footer(help);
+    verb->footer(compare_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -18,7 +18,7 @@ using validation::Curve;
 using validation::CurvePoint;
 using validation::CurveSet;
 
-constexpr auto help = R"(
+constexpr auto curves_help = R"(
 A curve set is one surface seen by one instrument, with its source, its licence and the
 command that made the file. Its format, and that of the recipes which say what an
 imported file does not, are described in validation/curves/data/README.md.
@@ -118,7 +118,7 @@ void add_import(CLI::App& curves) {
 void add_curves(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("curves", "measured and digitised curves: import, list, show");
     verb->require_subcommand(1);
-    verb->footer(help);
+    verb->footer(curves_help);
     add_import(*verb);
     CLI::App* list = verb->add_subcommand("list", "the curve sets that come with the program");
     auto list_options = std::make_shared<OutputOptions>();

@@ -15,7 +15,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto eval_help = R"(
 Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
 albedo, which go before the material's (model he alone). Without wavelength_um every row
@@ -245,7 +245,7 @@ void add_eval(CLI::App& program) {
     verb->add_option("--seed", options->seed, "of the random pairs")
         ->check(seed_number())
         ->capture_default_str();
-    verb->footer(help);
+    verb->footer(eval_help);
     verb->callback([options] { run(*options); });
 }
 

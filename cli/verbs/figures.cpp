@@ -17,7 +17,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto figures_help = R"(
 he1991: Figs 7 to 11 of He, Torrance, Sillion and Greenberg 1991 in the paper's axes. Theory
 alone: its measured curves are not available.
 
@@ -74,7 +74,7 @@ void add_figures(CLI::App& program) {
         ->required()
         ->check(path_to_write());
     verb->add_flag("--json", options->json, "the numbers as JSON too");
-    verb->footer(help);
+    verb->footer(figures_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -24,7 +24,7 @@ using validation::CurveSet;
 using validation::Fit;
 using validation::FitRequest;
 
-constexpr auto help = R"(
+constexpr auto fit_help = R"(
 Prints the parameters with standard errors, how close the model comes, and what the data
 cannot tell. Parameters are those of the material file, or their symbols (sigma0, tau, a);
 a factor "scale" on all values is 1 unless freed. Where --index is not given, n is fitted
@@ -236,7 +236,7 @@ void add_fit(CLI::App& program) {
     verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
         ->check(path_to_write());
     verb->add_flag("--json", options->json, "print JSON");
-    verb->footer(help);
+    verb->footer(fit_help);
     verb->callback([options] { run(*options); });
 }
 

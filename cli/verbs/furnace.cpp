@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto help = R"(
+constexpr auto furnace_help = R"(
 The furnace test: a surface whose facets reflect everything (|F|^2 = 1) ought to return all
 the light. The model does not, since its shadowing is of first order; what matters is
 sigma_0/tau, sigma_0/lambda and the angle of incidence alone. Into the folder go
@@ -160,7 +160,7 @@ void add_furnace(CLI::App& program) {
         ->check(path_to_write());
     verb->add_flag("--quick", options->quick, "a coarser map");
     verb->add_flag("--compensate-energy", options->compensate, "map the optional energy compensation, too");
-    verb->footer(help);
+    verb->footer(furnace_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -12,7 +12,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto info_help = R"(
 Looks at the material in the mirror direction of every angle of incidence at every
 wavelength: phase variance g and regime (how much of the sum for Phi it takes), the share
 exp(-g) of the light that stays in the mirror direction, and how far the model's own
@@ -78,7 +78,7 @@ void add_info(CLI::App& program) {
     verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
     options->output.add_to(*verb);
     verb->get_option("--json")->description("write JSON instead of text");
-    verb->footer(help);
+    verb->footer(info_help);
     verb->callback([options] { run(*options); });
 }
 

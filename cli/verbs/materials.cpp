@@ -21,7 +21,7 @@ using spectral::OpticalConstants;
 
 constexpr int sample_size = 11;
 
-constexpr auto help = R"(
+constexpr auto materials_help = R"(
 Without a name: all built-in materials with their range and source. With a name, or with
 a file (.yml of refractiveindex.info, .csv, .json): source and range on standard error
 and n, k over the range, or at --wavelengths, as data.
@@ -143,7 +143,7 @@ void add_materials(CLI::App& program) {
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
     verb->add_flag("--clamp", options->clamp, "outside the range use the end values");
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(materials_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -14,7 +14,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto phi_help = R"(
 Phi(g, t) = exp(-g) sum over m >= 1 of g^m / (m! m) exp(-t / m). The points file has the
 columns g and t in any order; the answer repeats its columns and adds phi, log_phi
 (finite where phi underflows) and method (the branch that computed it).
@@ -77,7 +77,7 @@ void add_phi(CLI::App& program) {
     verb->add_option("--g", options->g, "phase variance, 0 ... 1e300");
     verb->add_option("--t", options->t, "lobe argument v_xy^2 tau^2 / 4, >= 0");
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(phi_help);
     verb->callback([options] { run(*options); });
 }
 

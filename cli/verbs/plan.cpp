@@ -28,7 +28,7 @@ using spectral::MeasuredRung;
 using spectral::Plan;
 using spectral::Rung;
 
-constexpr auto help = R"(
+constexpr auto plan_help = R"(
 A scene file (JSON) lists material files of any model, wavelengths, the largest polar
 angles of lights and views, what is wanted (spectral or rgb, polarised or not), a tolerance
 (relative_brdf_error or delta_e_2000) and a memory budget; spectral/plans/scene.hpp has every
@@ -276,7 +276,7 @@ void add_plan(CLI::App& program) {
                    "quicker and within the tolerance, as measured, are written beside the plan,\n"
                    "as PLAN-NUMBER-MATERIAL.htst");
     verb->add_flag("--json", options->json, "print JSON: the plan and the costs, or the check");
-    verb->footer(help);
+    verb->footer(plan_help);
     verb->callback([options] { run(*options); });
 }
 

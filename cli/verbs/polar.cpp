@@ -22,7 +22,7 @@ using validation::PolarPoint;
 using validation::PolarRadius;
 using validation::PolarStyle;
 
-constexpr auto help = R"(
+constexpr auto polar_help = R"(
 The polar angle is the view angle in the plane of incidence, -90 ... 90 deg, positive on
 the mirror's side; a curve per angle of incidence. The radius is the BRDF divided by the
 BRDF in the specular direction theta_r = theta_i (He et al. 1991, eq. 11), or the BRDF
@@ -162,7 +162,7 @@ void add_polar(CLI::App& program) {
     verb->add_flag("--absolute", options->absolute, "radius: the BRDF itself");
     verb->add_flag("--log", options->logarithmic, "logarithmic radius, four decades");
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(polar_help);
     verb->callback([options] { run(*options); });
 }
 

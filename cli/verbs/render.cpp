@@ -20,7 +20,7 @@ namespace {
 using validation::Gallery;
 using validation::Scene;
 
-constexpr auto help = R"(
+constexpr auto render_help = R"(
 fig12, fig13, fig14: the scenes of He et al. 1991 by its equation (12): one mirror ray, the
 lights' directional-diffuse and uniform-diffuse reflection, an ambient term. --path-trace
 lets light go between surfaces by every lobe, with the library's sampler instead.
@@ -121,7 +121,7 @@ void add_render(CLI::App& program) {
         ->capture_default_str()
         ->check(number_within(0.001, 1000));
     verb->add_flag("--path-trace", options->path_trace, "paths instead of equation (12)");
-    verb->footer(help);
+    verb->footer(render_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -19,7 +19,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto sample_help = R"(
 Columns theta_r_deg, phi_r_deg, lobe (specular, directional_diffuse, uniform_diffuse or
 none), pdf and weight. pdf is the density of all diffuse lobes together [1/sr], of a
 specular draw the probability of that lobe [1], and 0 of none: a draw below the horizon,
@@ -145,7 +145,7 @@ void add_sample(CLI::App& program) {
     options->output.add_to(*verb);
     verb->add_option("--plot", options->plot, "draw the directions as SVG (needs gnuplot)")
         ->check(svg_file());
-    verb->footer(help);
+    verb->footer(sample_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -21,7 +21,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto spectrum_help = R"(
 Columns wavelength_um, directional_diffuse, uniform_diffuse, brdf [1/sr] and
 specular_reflectance [1]. The colour (CIE 1931, 2 degrees) is that of the radiance factor
 pi f of both diffuse terms, and that of the specular reflectance; it goes to standard
@@ -153,7 +153,7 @@ void add_spectrum(CLI::App& program) {
     options->tolerance.add_to(*verb);
     options->output.add_to(*verb);
     verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)")->check(svg_file());
-    verb->footer(help);
+    verb->footer(spectrum_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto help = R"(
+constexpr auto stability_help = R"(
 Thirteen places where methods for the He-Torrance model fail in floating point: at each,
 this engine and the naive methods meet references of 80 digits or exact limits. The table
 says how each fared, by how much it is wrong and where it is worst; * marks the engine.
@@ -90,7 +90,7 @@ void add_stability(CLI::App& program) {
     verb->add_option("-o,--output", options->folder, "folder for stability.html and stability.csv")
         ->check(path_to_write());
     verb->add_flag("--json", options->json, "JSON instead of the table");
-    verb->footer(help);
+    verb->footer(stability_help);
     verb->callback([options] { run(*options); });
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto help = R"(
+constexpr auto truth_help = R"(
 moments     Exact scattering by random profiles: perfect conductors, TE and TM, by the
             method of moments. Writes the map of the distance [dB] of this model, of
             Kirchhoff and of Smith's shadowing, over sigma0/lambda, tau/lambda and theta_i,
@@ -97,7 +97,7 @@ void add_truth(CLI::App& program) {
         ->required()
         ->check(path_to_write());
     verb->add_flag("--quick", options->quick, "few cases and realisations");
-    verb->footer(help);
+    verb->footer(truth_help);
     verb->callback([options] { run(*options); });
 }
 

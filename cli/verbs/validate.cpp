@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using validation::Section;
 
-constexpr auto help = R"(
+constexpr auto validate_help = R"(
 Writes into the folder
   report.html     everything on one page, pictures in it; what was missed comes first
   report.json     the criteria and the tables
@@ -130,7 +130,7 @@ void add_validate(CLI::App& program) {
                      "existing folder with any of he91-figure-7.json ... he91-figure-11.json, digitised")
         ->check(CLI::ExistingDirectory);
     verb->add_flag("--quick", options->quick, "smaller samples and pictures: a minute or two on two cores");
-    verb->footer(help);
+    verb->footer(validate_help);
     verb->callback([options] { run(*options); });
 }
 

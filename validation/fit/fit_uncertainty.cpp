@@ -19,7 +19,7 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-std::string brief(double value) {
+std::string three_digits(double value) {
     return spectral::brief(value, 3);
 }
 
@@ -82,7 +82,7 @@ std::string combination(const FreeParameter& a, const FreeParameter& b, const Ei
     along[j] = ratio ? -1 : 1;
     const double value = ratio ? a.value / b.value : a.value * b.value;
     return a.name + " and " + b.name + " apart: only " + a.name + (ratio ? "/" : " ") + b.name + " = " +
-           brief(value) + " +- " + brief(std::abs(value) * std::sqrt(info.variance(along)));
+           three_digits(value) + " +- " + three_digits(std::abs(value) * std::sqrt(info.variance(along)));
 }
 
 /// A direction that is not determined, in words.
@@ -103,7 +103,7 @@ std::string in_words(const std::vector<FreeParameter>& parameters, const Eigen::
     for (const Index i : involved) {
         const double percent = 10 * direction[i] / largest;
         text += (i == involved.front() ? "" : ", ") + parameters[at(i)].name + (percent > 0 ? " +" : " ") +
-                brief(percent) + " %";
+                three_digits(percent) + " %";
     }
     return text + " change the fit by less than its noise";
 }
@@ -143,7 +143,7 @@ Uncertainty uncertainty(const std::vector<FreeParameter>& parameters, const Colu
             const double r = result.correlation[at(i)][at(j)];
             if (!(std::abs(r) > strongly_correlated) || !result.statements.empty()) continue;
             result.statements.push_back(parameters[at(i)].name + " against " + parameters[at(j)].name +
-                                        ": correlation " + brief(r));
+                                        ": correlation " + three_digits(r));
         }
     }
     return result;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "hts/error.hpp"
@@ -11,7 +10,6 @@ namespace hts::validation {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double never = std::numeric_limits<double>::infinity();
 
 /// 1 - cos of the half angle under which a sphere is seen from outside, without cancellation.
 double cone(const Sphere& sphere, Vector3 from) {

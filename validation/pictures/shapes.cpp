@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -11,7 +10,6 @@ namespace hts::validation {
 namespace {
 
 constexpr Vector3 up{0, 0, 1};
-constexpr double never = std::numeric_limits<double>::infinity();
 
 double checked_length(const char* quantity, double value) {
     if (!(value > 0 && std::isfinite(value))) throw out_of_range(quantity, value, "", "> 0 and finite");

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -33,6 +34,8 @@ struct Meeting {
 
 /// The shortest distance that counts, so that a ray which starts on a surface leaves it.
 inline constexpr double shortest_distance = 1e-7;
+/// The distance of what a ray does not meet.
+inline constexpr double never = std::numeric_limits<double>::infinity();
 
 /// x runs east, y towards the pole on top.
 class Sphere {

@@ -26,7 +26,7 @@ MomentSettings settings(Effort effort) {
     return settings;
 }
 
-Section section() {
+Section dielectric_section() {
     return {
         "dielectric-scattering",
         "Exact scattering by glass: the method of moments",
@@ -66,7 +66,8 @@ ReportTable distance_table(const FigureTable& map) {
     return table;
 }
 
-void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
+void add_dielectric_results(Section& section, const std::vector<FigureTable>& tables,
+                            const std::string& provenance) {
     for (Check& check : dielectric_checks(tables)) section.checks.push_back(std::move(check));
     Figure figure = moment_lobe_figure(
         tables[1], {"of refractive index 1.5", {{0.1, 1}, {0.25, 2}, {0.25, 1}, {0.5, 2}}, {20, 60}, true});
@@ -93,11 +94,11 @@ GroundTruth dielectric_scattering_study(Effort effort) {
         moment_provenance("of refractive index " + shortest(index), settings) +
             regenerating("dielectric", effort),
         {moment_map_table(results, "dielectric-map"), moment_lobe_table(results, "dielectric-lobes")},
-        section(), add_results);
+        dielectric_section(), add_dielectric_results);
 }
 
 Section dielectric_scattering_section(Effort effort) {
-    return section_of(dielectric_scattering_study(effort), effort, add_results);
+    return section_of(dielectric_scattering_study(effort), effort, add_dielectric_results);
 }
 
 }  // namespace hts::validation

@@ -196,7 +196,7 @@ std::string horizon_remark(const std::vector<FigureTable>& tables, const std::ve
            " % of the light in it passes the ends of the profile besides, and an infinite one would keep it";
 }
 
-Section section() {
+Section exact_section() {
     return {"exact-scattering",
             "Exact scattering: the method of moments",
             prose("exact-scattering"),
@@ -207,7 +207,8 @@ Section section() {
             {"measured bistatic scattering of a machined random profile"}};
 }
 
-void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
+void add_exact_results(Section& section, const std::vector<FigureTable>& tables,
+                       const std::string& provenance) {
     for (Check& check : moment_checks(tables)) section.checks.push_back(std::move(check));
     const LobePanels panels{"perfectly conducting", {{0.1, 2}, {0.5, 2}, {0.25, 1}, {0.1, 0.35}}, {30, 60}};
     for (Figure figure : {moment_map_figure(tables[0]), moment_lobe_figure(tables[1], panels)}) {
@@ -348,11 +349,11 @@ GroundTruth exact_scattering_study(Effort effort) {
     return ground_truth(
         moment_provenance("perfectly conducting", settings) + regenerating("moments", effort),
         {moment_map_table(results, "moment-method-map"), moment_lobe_table(results, "moment-method-lobes")},
-        section(), add_results);
+        exact_section(), add_exact_results);
 }
 
 Section exact_scattering_section(Effort effort) {
-    return section_of(exact_scattering_study(effort), effort, add_results);
+    return section_of(exact_scattering_study(effort), effort, add_exact_results);
 }
 
 }  // namespace hts::validation

@@ -110,12 +110,13 @@ Figure figure(const FigureTable& table, const std::string& provenance) {
             "Kirchhoff's integral over explicit surfaces. " + provenance};
 }
 
-void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
+void add_fourier_results(Section& section, const std::vector<FigureTable>& tables,
+                         const std::string& provenance) {
     for (Check& check : checks(tables[0])) section.checks.push_back(std::move(check));
     section.figures.push_back(figure(tables[0], provenance));
 }
 
-Section section() {
+Section fourier_section() {
     return {"fourier-integral",
             "The Fourier integral of explicit surfaces",
             prose("fourier-integral"),
@@ -137,11 +138,11 @@ GroundTruth fourier_study(Effort effort) {
                             std::to_string(settings.realisations) + " realisations, " +
                             std::to_string(settings.directions) + " directions each, seeds from " +
                             std::to_string(settings.study) + regenerating("fourier", effort),
-                        {table_of(results, settings.realisations)}, section(), add_results);
+                        {table_of(results, settings.realisations)}, fourier_section(), add_fourier_results);
 }
 
 Section fourier_section(Effort effort) {
-    return section_of(fourier_study(effort), effort, add_results);
+    return section_of(fourier_study(effort), effort, add_fourier_results);
 }
 
 }  // namespace hts::validation

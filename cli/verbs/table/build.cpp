@@ -16,7 +16,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto build_help = R"(
 The table keeps its error, |f - exact|/(exact + 1e-3 peak), within the tolerance at these
 wavelengths and for polar angles up to 88 degrees, as measured on random directions.
 Finished slices stand in FILE.slices meanwhile: a build that was interrupted goes on where
@@ -101,7 +101,7 @@ void add_table_build(CLI::App& table) {
         ->check(whole_number(1024, std::uint64_t{1} << 52))
         ->capture_default_str();
     verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
-    verb->footer(help);
+    verb->footer(build_help);
     verb->callback([options] { run(*options); });
 }
 

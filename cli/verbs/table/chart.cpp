@@ -12,7 +12,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto chart_help = R"(
 Builds tables of the material in five ways, each at six sizes, and measures the largest
 error of each on the same random directions. A minute or two.
 
@@ -63,7 +63,7 @@ void add_table_chart(CLI::App& table) {
         ->capture_default_str();
     verb->add_option("--plot", options->plot, "draw the sizes as SVG (needs gnuplot)")->check(svg_file());
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(chart_help);
     verb->callback([options] { run(*options); });
 }
 

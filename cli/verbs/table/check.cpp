@@ -11,7 +11,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto check_help = R"(
 The exact model is built from the material that the table holds. Exit code 1 where the
 largest error is above the tolerance that the table promises.
 
@@ -67,7 +67,7 @@ void add_table_check(CLI::App& table) {
         ->check(seed_number())
         ->capture_default_str();
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(check_help);
     verb->callback([options] { run(*options); });
 }
 

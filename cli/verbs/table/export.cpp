@@ -26,7 +26,7 @@ struct ExportOptions {
     bool json = false, clamp = false;
 };
 
-std::string help() {
+std::string export_help() {
     std::string text = "\nFormats:\n";
     for (const TableFormat& format : table_formats()) text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
@@ -104,7 +104,7 @@ void add_table_export(CLI::App& table) {
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of those pairs")->check(seed_number())->capture_default_str();
     verb->add_flag("--json", options->json, "the report as JSON");
-    verb->footer(help());
+    verb->footer(export_help());
     verb->callback([options] { run(*options); });
 }
 

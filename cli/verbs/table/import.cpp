@@ -24,7 +24,7 @@ struct ImportOptions {
     bool json = false;
 };
 
-std::string help() {
+std::string import_help() {
     std::string text = "\nFormats, recognised by content:\n";
     for (const tables::BrdfFormat& format : tables::readable_formats())
         text.append("  ").append(format.name).append(": ").append(format.what).append("\n");
@@ -119,7 +119,7 @@ void add_table_import(CLI::App& table) {
     verb->add_option("--output,-o", options->output, "material file to write (JSON)")->check(path_to_write());
     verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV")->check(path_to_write());
     verb->add_flag("--json", options->json, "what it holds as JSON");
-    verb->footer(help());
+    verb->footer(import_help());
     verb->callback([options] { run(*options); });
 }
 

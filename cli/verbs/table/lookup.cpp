@@ -16,7 +16,7 @@
 namespace hts::cli {
 namespace {
 
-constexpr auto help = R"(
+constexpr auto lookup_help = R"(
 Columns of the points, in any order: wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg. Added: directional_diffuse, uniform_diffuse, brdf [1/sr], specular_reflectance
 and diffuse_albedo [1], the last the share of light that both diffuse terms reflect.
@@ -114,7 +114,7 @@ void add_table_lookup(CLI::App& table) {
     verb->add_option("table", options->table, "file to read")->required();
     verb->add_option("--points", options->points, "CSV with a header, - for standard input")->required();
     options->output.add_to(*verb);
-    verb->footer(help);
+    verb->footer(lookup_help);
     verb->callback([options] { run(*options); });
 }
 

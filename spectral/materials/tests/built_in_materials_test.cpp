@@ -17,7 +17,6 @@ using hts::spectral::optical_constants_names;
 using hts::spectral::OpticalConstants;
 using hts::spectral::read_optical_constants;
 using hts::testing::database_folder;
-using hts::testing::database_is_here;
 
 namespace {
 
@@ -65,8 +64,7 @@ TEST_CASE("the built-in materials are these") {
         "Cu-Rakic, Fe, MgO, Ni, PMMA, SiC, SiO2, Ti, W, polycarbonate, polystyrene");
 }
 
-TEST_CASE("every built-in material agrees with the database over its range") {
-    if (!database_is_here()) return;
+TEST_CASE("every built-in material agrees with the database over its range", "[.database]") {
     for (const auto& [name, original] : originals) {
         const OpticalConstants ours = built_in_optical_constants(name);
         const OpticalConstants theirs = read_optical_constants(database_folder() / (original + ".yml"));

@@ -15,7 +15,6 @@ using hts::spectral::OpticalConstants;
 using hts::spectral::read_optical_constants;
 using hts::testing::complaint;
 using hts::testing::database_folder;
-using hts::testing::database_is_here;
 using hts::testing::TemporaryFolder;
 
 namespace {
@@ -35,8 +34,7 @@ std::string complaint_about(const TemporaryFolder& folder, const std::string& na
 
 }  // namespace
 
-TEST_CASE("every file of the database sample is read and evaluates over its range") {
-    if (!database_is_here()) return;
+TEST_CASE("every file of the database sample is read and evaluates over its range", "[.database]") {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator{database_folder()}) {
         const OpticalConstants material = read_optical_constants(entry.path());

@@ -2,12 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "comparison.hpp"
-
 using namespace hts::validation;
 
-TEST_CASE("the pictures show what the text of He et al. 1991 says (HTS_EXHAUSTIVE=1: half a minute)") {
-    if (!hts::testing::exhaustive()) return;
+TEST_CASE("the pictures show what the text of He et al. 1991 says", "[.exhaustive]") {
     const Section section = renders_section(Effort::quick);
     CHECK(section.images.size() == 10);
     for (const Image& image : section.images) CHECK(image.png.starts_with("\x89PNG"));

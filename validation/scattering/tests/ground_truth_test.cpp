@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <map>
 
-#include "comparison.hpp"
 #include "hts/error.hpp"
 #include "spectral/energy/validity.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"
@@ -148,9 +147,7 @@ TEST_CASE("the Fourier integral of explicit surfaces is the directional-diffuse 
     }
 }
 
-TEST_CASE(
-    "each section of the ground truth has its checks, and pictures of what is kept (HTS_EXHAUSTIVE=1)") {
-    if (!hts::testing::exhaustive()) return;
+TEST_CASE("each section of the ground truth has its checks, and pictures of what is kept", "[.exhaustive]") {
     for (const Section& section :
          {exact_scattering_section(Effort::quick), dielectric_scattering_section(Effort::quick),
           fourier_section(Effort::quick), rays_section(Effort::quick)}) {
