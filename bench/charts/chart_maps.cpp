@@ -37,7 +37,8 @@ double edge(double low, double high, std::size_t index, std::size_t count) {
     return std::log10(low) + std::log10(high / low) * static_cast<double>(index) / static_cast<double>(count);
 }
 
-/// $cells: left, right, bottom and top in powers of ten, colour; neighbours along g of the same colour are one.
+/// $cells: left, right, bottom and top in powers of ten, colour; neighbours along g of the same colour are
+/// one.
 void write_cells(std::ostream& out, const ErrorMap& map, const PlaneGrid& grid) {
     out << "$cells << EOD\n";
     for (std::size_t row = 0; row < grid.rows; ++row) {

@@ -192,7 +192,8 @@ double grid_error(const spectral::Reflectance& exact, const Exact& probes, const
 
 }  // namespace
 
-std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs, std::uint64_t seed) {
+std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs,
+                                   std::uint64_t seed) {
     const Exact probes = exact_values(exact, pairs, seed);
     const auto wavelengths = static_cast<double>(exact.wavelengths().size());
     struct Way {

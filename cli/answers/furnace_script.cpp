@@ -32,7 +32,8 @@ const TotalClass& class_of(double total) {
     return classes[i];
 }
 
-/// $cells: edges in angle and in powers of ten of the roughness, colour; neighbours in angle of one colour are one.
+/// $cells: edges in angle and in powers of ten of the roughness, colour; neighbours in angle of one colour
+/// are one.
 void write_cells(std::ostream& out, const FurnaceGrid& grid, const double* totals) {
     const double half_width = (grid.degrees[1] - grid.degrees[0]) / 2;
     const double half_height = std::log10(grid.roughnesses[1] / grid.roughnesses[0]) / 2;
