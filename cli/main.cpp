@@ -42,7 +42,8 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_validate(program);
 }
 
-/// The word must be an option of `parent` or one of its verbs, which is returned; none if there is nothing to choose.
+/// The word must be an option of `parent` or one of its verbs, which is returned; none if there is nothing to
+/// choose.
 const CLI::App* known_verb(const CLI::App& parent, const std::string& command, const std::string& word) {
     const auto verbs = parent.get_subcommands([](const CLI::App*) { return true; });
     if (verbs.empty() || word.starts_with('-')) return nullptr;

@@ -1,4 +1,5 @@
-/// Size against error of ways to tabulate a lobe: why tables are laid out as tables/table/table_coordinates.hpp says.
+/// Size against error of ways to tabulate a lobe: why tables are laid out as
+/// tables/table/table_coordinates.hpp says.
 #pragma once
 
 #include <string>
@@ -12,12 +13,13 @@ namespace hts::bench {
 struct TableSize {
     std::string way;
     double bytes;
-    double
-        error;  ///< the largest, by the measure of tables/table/table.hpp, over random pairs and five of the wavelengths
+    /// The largest, by the measure of tables/table/table.hpp, over random pairs and five of the wavelengths.
+    double error;
 };
 
-/// Every way at several sizes: plain grids of angles, linear in f and cubic in ln f, the half-vector angles of MERL files, the
-/// coordinates of this library with all wavelengths, and the same with a basis of few spectra, which is what it writes.
+/// Every way at several sizes: plain grids of angles, linear in f and cubic in ln f, the half-vector angles
+/// of MERL files, the coordinates of this library with all wavelengths, and the same with a basis of few
+/// spectra, which is what it writes.
 ///   pairs, seed   of the random directions, as in tables::table_error
 [[nodiscard]] std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size_t pairs,
                                                  std::uint64_t seed);

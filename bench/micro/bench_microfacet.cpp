@@ -1,5 +1,5 @@
-// Benchmarks of the models of hts/microfacet/ at several wavelengths: values of a model that differ in their reflectivities,
-// through the face that programs use.
+// Benchmarks of the models of hts/microfacet/ at several wavelengths: values of a model that differ in their
+// reflectivities, through the face that programs use.
 
 #include <functional>
 #include <memory>
@@ -104,7 +104,8 @@ MakeReflectance metal(FacetDistribution (*facets)(double alpha)) {
     };
 }
 
-/// Painted plastic of the paper's Fig 7; the wavelengths differ in the albedo of the paint. Its tables are made when first run.
+/// Painted plastic of the paper's Fig 7; the wavelengths differ in the albedo of the paint. Its tables are
+/// made when first run.
 MakeReflectance painted() {
     return by_reflectivity([](double albedo) {
         static const AshikhminFacets facets{NormalDensity::gaussian(0.1, 0.2)};

@@ -11,18 +11,21 @@ namespace hts::bench {
 /// phi_series_from_one/<g>, phi_series_fixed/<terms>.
 void register_phi();
 
-/// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n wavelengths;
-/// reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of HeTorranceSpectrum.
+/// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n
+/// wavelengths; reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of
+/// HeTorranceSpectrum.
 void register_spectral();
 
-/// sample/<model>/4, draw/<model>, pdf/<model> of models he and ggx: a direction with its density and the weights at 4
-/// wavelengths, without weights, and the density of a given pair.
+/// sample/<model>/4, draw/<model>, pdf/<model> of models he and ggx: a direction with its density and the
+/// weights at 4 wavelengths, without weights, and the density of a given pair.
 void register_sampling();
 
-/// eval/<model>/4, eval/<model>/31, sample/<model>/4 of the models of hts/microfacet/ at 4 and 31 wavelengths.
+/// eval/<model>/4, eval/<model>/31, sample/<model>/4 of the models of hts/microfacet/ at 4 and 31
+/// wavelengths.
 void register_microfacet();
 
-/// lookup/he/n: one pair of directions at n wavelengths from a table of tolerance 1e-3, beside eval/he/n and eval_batch/he/n.
+/// lookup/he/n: one pair of directions at n wavelengths from a table of tolerance 1e-3, beside eval/he/n and
+/// eval_batch/he/n.
 void register_tables();
 
 /// Counters after the loop: items per second and time per item.

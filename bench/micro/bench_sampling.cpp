@@ -1,4 +1,5 @@
-// Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same metal.
+// Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same
+// metal.
 
 #include <array>
 #include <vector>

@@ -1,4 +1,5 @@
-// Benchmarks of lookup tables beside the model they are of, on the same surface, wavelengths and pairs of directions.
+// Benchmarks of lookup tables beside the model they are of, on the same surface, wavelengths and pairs of
+// directions.
 
 #include <map>
 #include <memory>

@@ -1,5 +1,6 @@
-/// The yardstick of ggx.hpp in the engine's own vector lanes, so that the comparison is between models and not
-/// between compilers: the same geometry, Fresnel and choice of instruction set as hts::HeTorranceSpectrum.
+/// The yardstick of ggx.hpp in the engine's own vector lanes, so that the comparison is between models and
+/// not between compilers: the same geometry, Fresnel and choice of instruction set as
+/// hts::HeTorranceSpectrum.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,8 @@ GgxSampler::GgxSampler(double alpha) : alpha_{alpha}, alpha_squared_{alpha * alp
 }
 
 double GgxSampler::pdf(const Direction& in, const Direction& out) const noexcept {
-    // G_1 = 2 cos/(cos + reach), D = alpha^2 |v|^4/(pi (alpha^2 v_z^2 + v_xy^2)^2), v the sum of both directions
+    // G_1 = 2 cos/(cos + reach), D = alpha^2 |v|^4/(pi (alpha^2 v_z^2 + v_xy^2)^2), v the sum of both
+    // directions
     const double cosine = in.cos_theta();
     const double reach = std::sqrt(alpha_squared_ + (1 - alpha_squared_) * cosine * cosine);
     const Vector3 v = in.vector() + out.vector();

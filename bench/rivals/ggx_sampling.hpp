@@ -1,7 +1,7 @@
 /// The yardstick for the speed of sampling: visible normals of the GGX distribution, as renderers draw them.
 ///
-/// E. Heitz, Sampling the GGX distribution of visible normals, JCGT 7 (2018). The density of the outgoing direction is
-/// G_1(in) D(theta_h) / (4 cos theta_i), G_1 Smith's shadowing of one direction.
+/// E. Heitz, Sampling the GGX distribution of visible normals, JCGT 7 (2018). The density of the outgoing
+/// direction is G_1(in) D(theta_h) / (4 cos theta_i), G_1 Smith's shadowing of one direction.
 #pragma once
 
 #include <array>

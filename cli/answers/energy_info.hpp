@@ -17,7 +17,8 @@ struct EnergyInfo {
         spectral::HemisphericalReflectance reflectance;
     };
 
-    /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is error.
+    /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is
+    /// error.
     EnergyInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                const std::vector<double>& theta_deg, spectral::OutsideRange policy);
 

@@ -16,9 +16,9 @@ struct PlannedEval {
     bool mueller = false;
 };
 
-/// Repeats the points' columns and adds, for a spectral plan, wavelength_um, brdf, specular_reflectance and, if
-/// asked for, m00 ... m33 of the diffuse terms; for an rgb one linear sRGB of the diffuse terms' radiance factor and
-/// of the specular reflectance. UsageError or hts::Error if plan or points do not fit.
+/// Repeats the points' columns and adds, for a spectral plan, wavelength_um, brdf, specular_reflectance and,
+/// if asked for, m00 ... m33 of the diffuse terms; for an rgb one linear sRGB of the diffuse terms' radiance
+/// factor and of the specular reflectance. UsageError or hts::Error if plan or points do not fit.
 void evaluate_planned(const PlannedEval& options, CsvReader& points, const OutputOptions& answer);
 
 }  // namespace hts::cli

@@ -7,7 +7,8 @@
 
 namespace hts::cli {
 
-/// Parameters with their uncertainties, how close the fit came, and what the data leave open; lines for a reader.
+/// Parameters with their uncertainties, how close the fit came, and what the data leave open; lines for a
+/// reader.
 [[nodiscard]] std::string fit_text(const validation::Fit& fit);
 
 /// The same and more as a JSON object: correlation, starts, settings, the material.

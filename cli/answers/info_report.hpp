@@ -12,7 +12,8 @@ namespace hts::cli {
 
 /// A material over wavelengths and angles of incidence.
 struct MaterialInfo {
-    /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is error.
+    /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is
+    /// error.
     ///   of   a rough surface
     MaterialInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                  std::vector<double> theta_deg, spectral::OutsideRange policy);

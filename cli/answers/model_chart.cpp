@@ -55,7 +55,8 @@ spectral::Reflectance exact(const spectral::Material& material) {
     return material.at(wavelengths(), {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
-/// He-Torrance on a surface, its pairs for fitting and for judging, and the peak of the lobe for each incidence.
+/// He-Torrance on a surface, its pairs for fitting and for judging, and the peak of the lobe for each
+/// incidence.
 class Truth {
   public:
     Truth(const ChartSurface& chosen, std::size_t fitted, std::size_t judged, std::uint64_t seed)

@@ -1,4 +1,5 @@
-/// Every model of the library, and lookup tables, against He-Torrance: how close one comes, and what it costs.
+/// Every model of the library, and lookup tables, against He-Torrance: how close one comes, and what it
+/// costs.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,8 @@ struct ModelChart {
     std::string machine;
 };
 
-/// Fits each model to He-Torrance on four surfaces, from nearly smooth to very rough, builds tables of it, measures the error on
-/// directions that neither ever saw, and then the times.
+/// Fits each model to He-Torrance on four surfaces, from nearly smooth to very rough, builds tables of it,
+/// measures the error on directions that neither ever saw, and then the times.
 ///   quick      fewer directions and starts
 ///   progress   is told each step
 [[nodiscard]] ModelChart measured_models(bool quick, std::uint64_t seed,

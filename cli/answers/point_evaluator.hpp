@@ -72,7 +72,8 @@ class PointEvaluator {
     ///   warning   is told the verdict on each
     void evaluate(const CsvRow& row, const Wish& wish, std::span<Evaluation> result,
                   ValidityWarning& warning) const;
-    /// The same for a view behind the surface, btdf alone; hts::Error where the surface is opaque at a wavelength.
+    /// The same for a view behind the surface, btdf alone; hts::Error where the surface is opaque at a
+    /// wavelength.
     void evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const;
 
   private:

@@ -17,7 +17,8 @@ class ValidityWarning {
     void note(const spectral::Validity& verdict) noexcept;
     /// Verdicts at one pair and every wavelength, of rough surfaces; of others nothing is known.
     void note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept;
-    /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if none is.
+    /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if
+    /// none is.
     void print() const;
 
   private:

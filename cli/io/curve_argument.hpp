@@ -10,7 +10,8 @@
 
 namespace hts::cli {
 
-/// A file, or a set that comes with the program; UsageError that lists those if it is a bare word and neither.
+/// A file, or a set that comes with the program; UsageError that lists those if it is a bare word and
+/// neither.
 [[nodiscard]] inline validation::CurveSet curves_from_argument(const std::string& argument) {
     std::error_code ignored;
     if (argument.find_first_of("./") != std::string::npos || std::filesystem::exists(argument, ignored))

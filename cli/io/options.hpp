@@ -70,8 +70,8 @@ struct ToleranceOption {
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
 [[nodiscard]] Stokes stokes_from_option(const std::string& text);
 
-/// For `check`: a whole number, a number from `first` to `last`. What is neither (-1, 1.5, nan) is wrong usage, with the range in
-/// the message.
+/// For `check`: a whole number, a number from `first` to `last`. What is neither (-1, 1.5, nan) is wrong
+/// usage, with the range in the message.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
 [[nodiscard]] CLI::Validator number_within(double first, double last);
 /// For `check` of seeds: any whole number of 64 bits.
@@ -84,7 +84,8 @@ struct ToleranceOption {
 /// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
 void require_angles(const std::string& option, const std::vector<double>& degrees);
 
-/// A material at wavelengths that an option gave; hts::Error that names the option if the material is not known there.
+/// A material at wavelengths that an option gave; hts::Error that names the option if the material is not
+/// known there.
 [[nodiscard]] spectral::Reflectance reflectance_from_option(const std::string& option,
                                                             const spectral::Material& material,
                                                             const spectral::WavelengthGrid& wavelengths,

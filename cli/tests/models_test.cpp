@@ -1,4 +1,5 @@
-// Every model on the command line: the verbs take the material files in cli/data and others, and refuse what a model lacks.
+// Every model on the command line: the verbs take the material files in cli/data and others, and refuse what
+// a model lacks.
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -20,7 +20,8 @@ using namespace hts::cli::testing;
 namespace fs = std::filesystem;
 
 constexpr auto material =
-    R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al"})";
+    R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
+        "index": "Al"})";
 constexpr auto build = "table build --material al.json --wavelengths 0.5,0.6 --tolerance 0.1 --output ";
 
 /// Starts a build in the folder and kills it with SIGKILL once its slices are being written.

@@ -1,4 +1,5 @@
-// Every option of every verb with what it does not take: one line that names it, exit code 2, nothing left behind.
+// Every option of every verb with what it does not take: one line that names it, exit code 2, nothing left
+// behind.
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-// hts albedo: how much light a material reflects in all, and how much uniform-diffuse albedo it leaves room for.
+// hts albedo: how much light a material reflects in all, and how much uniform-diffuse albedo it leaves room
+// for.
 
 #include <memory>
 #include <numbers>

@@ -45,7 +45,8 @@ struct PaperFigures {
 };
 
 constexpr std::array papers{PaperFigures{"he1991", validation::he_figures},
-                            PaperFigures{"kurt", validation::kurt_figures}, PaperFigures{"walter", validation::walter_figures}};
+                            PaperFigures{"kurt", validation::kurt_figures},
+                            PaperFigures{"walter", validation::walter_figures}};
 
 struct FiguresOptions {
     std::string paper, folder;

@@ -67,7 +67,12 @@ class ModelEvaluator final : public Evaluator {
                    std::vector<double> uniform_diffuse)
         : Evaluator{std::move(name), std::move(wavelengths)},
           models_{std::move(models)},
-          uniform_diffuse_{std::move(uniform_diffuse)} {}
+          uniform_diffuse_{std::move(uniform_diffuse)},
+          uniform_of_brdf_{uniform_diffuse_} {
+        const Direction up = Direction::from_unit_vector({0, 0, 1});
+        for (std::size_t i = 0; i < models_.size(); ++i)
+            uniform_of_brdf_[i] = std::min(uniform_diffuse_[i], models_[i].brdf(up, up));
+    }
 
     [[nodiscard]] Properties properties() const override {
         Properties result;
@@ -75,13 +80,13 @@ class ModelEvaluator final : public Evaluator {
         return result;
     }
     [[nodiscard]] std::size_t bytes() const noexcept override {
-        return sizeof *this + models_.size() * (sizeof(Model) + 2 * sizeof(double));
+        return sizeof *this + models_.size() * (sizeof(Model) + 3 * sizeof(double));
     }
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         spectral_brdf<Model>(models_, pair.in, pair.out, values);
     }
     void uniform_diffuse(std::span<double> values) const noexcept override {
-        std::ranges::copy(uniform_diffuse_, values.begin());
+        std::ranges::copy(uniform_of_brdf_, values.begin());
     }
     void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept override {
         brdf(pair, values);
@@ -114,6 +119,7 @@ class ModelEvaluator final : public Evaluator {
   private:
     std::vector<Model> models_;
     std::vector<double> uniform_diffuse_;
+    std::vector<double> uniform_of_brdf_;  // not above the BRDF by a rounding, where there is nothing else
 };
 
 /// A reflectance that is the uniform-diffuse part of another alone.

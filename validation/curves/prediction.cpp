@@ -137,17 +137,6 @@ Prediction::Job job_of(const Band& band, int wavelengths) {
     return {spectral::WavelengthGrid::from_micrometres(std::move(um)), rule.weights, {}, {}};
 }
 
-Prediction::Answer answer_of(const spectral::Evaluator& model, const Prediction::Job& job) {
-    const std::size_t count = job.wavelengths.size();
-    Prediction::Answer answer{std::vector<double>(job.pairs.size() * count),
-                              std::vector<double>(job.incidences.size() * count)};
-    model.brdf_batch(job.pairs, answer.brdf);
-    for (std::size_t i = 0; i < job.incidences.size(); ++i)
-        model.specular_reflectance(job.incidences[i],
-                                   std::span{answer.specular_reflectance}.subspan(i * count, count));
-    return answer;
-}
-
 }  // namespace
 
 double common_solid_angle(double a, double b, double apart) noexcept {
@@ -220,6 +209,8 @@ class Prediction::Builder {
         Row row{at,
                 job.pairs.size(),
                 0,
+                0,
+                job.wavelengths.size(),
                 job.incidences.size(),
                 0,
                 quantity_factor(set_.quantity, pair.out),
@@ -248,6 +239,35 @@ Prediction::Prediction(const CurveSet& set, AveragingNodes nodes) {
     Builder{*this, set, nodes}.add_all();
 }
 
+Prediction::Prediction(const spectral::WavelengthGrid& wavelengths,
+                       std::span<const PairAtWavelength> points)
+    : jobs_{{wavelengths, std::vector<double>(wavelengths.size(), 1), {}, {}}},
+      pair_weights_(1),
+      point_count_{points.size()} {
+    const auto same = [](const Direction& a, const Direction& b) {
+        const Vector3 u = a.vector(), v = b.vector();
+        return u.x == v.x && u.y == v.y && u.z == v.z;
+    };
+    std::vector<DirectionPair>& pairs = jobs_.front().pairs;
+    for (const auto& [pair, wavelength] : points) {
+        if (pairs.empty() || !same(pairs.back().in, pair.in) || !same(pairs.back().out, pair.out))
+            pairs.push_back(pair);
+        rows_.push_back({0, pairs.size() - 1, pairs.size(), wavelength, wavelength + 1, 0, 0, 1, rows_.size()});
+    }
+    pair_weights_.front().assign(pairs.size(), 1);
+}
+
+Prediction::Answer Prediction::answer(const Job& job, const spectral::Evaluator& model) {
+    const std::size_t count = job.wavelengths.size();
+    Answer answer{std::vector<double>(job.pairs.size() * count),
+                  std::vector<double>(job.incidences.size() * count)};
+    model.brdf_batch(job.pairs, answer.brdf);
+    for (std::size_t i = 0; i < job.incidences.size(); ++i)
+        model.specular_reflectance(job.incidences[i],
+                                   std::span{answer.specular_reflectance}.subspan(i * count, count));
+    return answer;
+}
+
 std::vector<double> Prediction::average(std::span<const Answer> answers) const {
     std::vector<double> result;
     result.reserve(rows_.size());
@@ -258,10 +278,11 @@ std::vector<double> Prediction::average(std::span<const Answer> answers) const {
         double sum = 0;
         for (std::size_t i = row.first_pair; i < row.last_pair; ++i) {
             const double weight = pair_weights_[row.job][i];
-            for (std::size_t k = 0; k < n; ++k) sum += weight * over_band[k] * answer.brdf[i * n + k];
+            for (std::size_t k = row.first_wavelength; k < row.last_wavelength; ++k)
+                sum += weight * over_band[k] * answer.brdf[i * n + k];
         }
         if (row.specular_weight > 0) {
-            for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t k = row.first_wavelength; k < row.last_wavelength; ++k)
                 sum +=
                     row.specular_weight * over_band[k] * answer.specular_reflectance[row.incidence * n + k];
         }
@@ -270,16 +291,29 @@ std::vector<double> Prediction::average(std::span<const Answer> answers) const {
     return result;
 }
 
-std::vector<double> Prediction::values(std::span<const Answer> answers) const {
-    const std::vector<double> averages = average(answers);
-    std::vector<double> result;
-    result.reserve(point_count_);
+std::vector<double> Prediction::seen(std::span<const double> averages) const {
+    std::vector<double> result(point_count_);
     for (std::size_t i = 0; i < point_count_; ++i) {
-        const Row& row = rows_[i];
-        const double value = averages[i] * row.factor;
-        const double mirror = averages[row.mirror] * rows_[row.mirror].factor;
-        const bool relative = row.mirror != i;
-        result.push_back(relative ? (mirror > 0 ? value / mirror : 0) : value);
+        const std::size_t mirror = rows_[i].mirror;
+        result[i] = averages[i] * rows_[i].factor;
+        if (mirror == i) continue;
+        const double reference = averages[mirror] * rows_[mirror].factor;
+        result[i] = reference > 0 ? result[i] / reference : 0;
+    }
+    return result;
+}
+
+std::vector<double> Prediction::change(std::span<const double> averages,
+                                       std::span<const double> change_of_averages) const {
+    std::vector<double> result(point_count_);
+    for (std::size_t i = 0; i < point_count_; ++i) {
+        const std::size_t mirror = rows_[i].mirror;
+        result[i] = change_of_averages[i] * rows_[i].factor;
+        if (mirror == i) continue;
+        const double reference = averages[mirror] * rows_[mirror].factor;
+        const double value = averages[i] * rows_[i].factor / reference;
+        const double of_reference = change_of_averages[mirror] * rows_[mirror].factor;
+        result[i] = reference > 0 ? (result[i] - value * of_reference) / reference : 0;
     }
     return result;
 }
@@ -289,10 +323,10 @@ std::vector<double> Prediction::values(const spectral::Material& material,
     std::vector<Answer> answers;
     answers.reserve(jobs_.size());
     for (const Job& job : jobs_) {
-        const auto model =
-            material.at(job.wavelengths,
-                        {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
-        answers.push_back(answer_of(model.evaluator(), job));
+        const auto model = material.at(
+            job.wavelengths,
+            {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
+        answers.push_back(answer(job, model.evaluator()));
     }
     return values(answers);
 }

@@ -15,13 +15,14 @@
 ///     const Prediction prediction{set};
 ///     for (…) residuals = prediction.values(material) …      // any number of times, a few ns per node
 ///
-/// Averaging is linear, so `average` carries derivatives of the nodes as well as values.
+/// Averaging is linear, so `average` carries derivatives of the nodes as well as values, and `change` takes them to the values.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "spectral/models/evaluator.hpp"
 #include "spectral/models/material.hpp"
 #include "validation/curves/curve.hpp"
 
@@ -48,6 +49,12 @@ struct AveragingNodes {
 ///   half_angle_a, half_angle_b   0 … pi/2 [rad]      apart   angle between the axes, 0 … pi [rad]
 [[nodiscard]] double common_solid_angle(double half_angle_a, double half_angle_b, double apart) noexcept;
 
+/// A pair of directions at one of the wavelengths of a grid.
+struct PairAtWavelength {
+    DirectionPair pair;
+    std::size_t wavelength;  ///< its place in the grid
+};
+
 class Prediction {
   public:
     /// Diffuse and specular terms to be had at every wavelength of one band.
@@ -64,9 +71,16 @@ class Prediction {
 
     /// hts::Error for numbers of nodes outside 1 … 64 wavelengths and 0 … 8 rings.
     explicit Prediction(const CurveSet& set, AveragingNodes nodes = {});
+    /// Of an instrument that sees the BRDF itself at single pairs; neighbours of the same pair share its evaluation.
+    Prediction(const spectral::WavelengthGrid& wavelengths, std::span<const PairAtWavelength> points);
 
     [[nodiscard]] const std::vector<Job>& jobs() const noexcept { return jobs_; }
     [[nodiscard]] std::size_t point_count() const noexcept { return point_count_; }
+    /// Whether values are affine functions of the BRDF; not so where curves are divided by their own value.
+    [[nodiscard]] bool is_affine() const noexcept { return rows_.size() == point_count_; }
+    /// All that a job asks for, on the calling thread.
+    ///   model   at the job's wavelengths
+    [[nodiscard]] static Answer answer(const Job& job, const spectral::Evaluator& model);
 
     /// The points of all curves in order, in the quantity and scale of the set; a set of unknown scale is predicted as if it
     /// were absolute. Runs on the calling thread.
@@ -75,15 +89,23 @@ class Prediction {
         const spectral::Material& material,
         spectral::OutsideRange policy = spectral::OutsideRange::error) const;
     /// The same from answers to all jobs.
-    [[nodiscard]] std::vector<double> values(std::span<const Answer> answers) const;
+    [[nodiscard]] std::vector<double> values(std::span<const Answer> answers) const {
+        return seen(average(answers));
+    }
     /// The measured BRDF [1/sr] of each point, then of the mirror direction of each where the scale is specular: linear in the
     /// answers, before quantity and scale.
     [[nodiscard]] std::vector<double> average(std::span<const Answer> answers) const;
+    /// The values of all points from these averages.
+    [[nodiscard]] std::vector<double> seen(std::span<const double> averages) const;
+    /// By how much the values change where the averages change by so little.
+    [[nodiscard]] std::vector<double> change(std::span<const double> averages,
+                                             std::span<const double> change_of_averages) const;
 
   private:
     /// Nodes of one measurement: ranges of a job's pairs and incidences.
     struct Row {
         std::size_t job, first_pair, last_pair;
+        std::size_t first_wavelength, last_wavelength;
         std::size_t incidence;   // where the specular term is seen
         double specular_weight;  // 0: it is not [1/sr]
         double factor;           // from BRDF to the quantity

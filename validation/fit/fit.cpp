@@ -23,9 +23,8 @@ double sum_of_squares(const std::vector<double>& values) {
 std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std::size_t count) {
     const auto starts = problem.starts();
     std::vector<double> costs(starts.size());
-    spectral::parallel_for(starts.size(), [&](std::size_t i) {
-        costs[i] = sum_of_squares(problem.projected_residuals(starts[i]));
-    });
+    for_each(starts.size(),
+             [&](std::size_t i) { costs[i] = sum_of_squares(problem.projected_residuals(starts[i], false).residuals); });
     std::vector<std::size_t> order(starts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return costs[i]; });
@@ -34,7 +33,14 @@ std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std
     return result;
 }
 
-std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data);
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data,
+                            const Fit* made);
+
+std::vector<double> values_of(const Fit& fit) {
+    std::vector<double> result;
+    for (const FittedParameter& parameter : fit.parameters) result.push_back(parameter.value);
+    return result;
+}
 
 const Minimum& best_of(const std::vector<Minimum>& followed) {
     return *std::ranges::min_element(followed, {}, &Minimum::cost);
@@ -49,8 +55,7 @@ std::string address(const FitParameter& parameter) {
 /// The request for one lobe less; what it says of single lobes is left out.
 FitRequest with_a_lobe_less(FitRequest request) {
     const auto of_one_lobe = [&](const std::string& name) {
-        const auto& families = fit_families();
-        const auto family = std::ranges::find(families, request.model, &FitFamily::name);
+        const FitFamily* family = find_family(request.model);
         const auto is_it = [&](const ParameterRange& range) {
             return name == range.key || name == range.symbol;
         };
@@ -67,11 +72,13 @@ FitRequest with_a_lobe_less(FitRequest request) {
 
 /// For several lobes: the best fit with one less and another lobe of hardly any weight, from where it only gets better.
 std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const FitRequest& request,
-                                               const FitData& data) {
+                                               const FitData& data, const Fit* made) {
     if (request.lobes < 2) return {};
     const FitRequest fewer = with_a_lobe_less(request);
     const FitProblem smaller{fewer, data};
-    const auto found = smaller.values(smaller.completed(best_of(minima(smaller, fewer, data)).x));
+    const auto found = made != nullptr
+                           ? values_of(*made)
+                           : smaller.values(smaller.completed(best_of(minima(smaller, fewer, data, nullptr)).x));
     std::map<std::string, double> known;
     for (std::size_t i = 0; i < found.size(); ++i) known[address(smaller.places()[i].parameter)] = found[i];
     std::vector<std::vector<double>> result;
@@ -89,10 +96,14 @@ std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const 
     return result;
 }
 
-std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data) {
+///   made   the fit with a lobe less, where there is one
+std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data,
+                            const Fit* made) {
     auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
-    for (auto& start : nested_starts(problem, request, data)) starts.push_back(std::move(start));
-    const Residuals residuals = [&](std::span<const double> x) { return problem.projected_residuals(x); };
+    for (auto& start : nested_starts(problem, request, data, made)) starts.push_back(std::move(start));
+    const Residuals residuals = [&](std::span<const double> x, bool with_jacobian) {
+        return problem.projected_residuals(x, with_jacobian);
+    };
     const std::vector<Bounds> bounds{
         problem.bounds().begin(),
         problem.bounds().begin() + static_cast<std::ptrdiff_t>(problem.searched_count())};
@@ -166,8 +177,7 @@ std::vector<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
 
 /// Standard errors, correlation and statements, from the derivatives at the minimum.
 void add_uncertainty(Fit& fit, const FitProblem& problem, const std::vector<double>& coordinates) {
-    const Residuals residuals = [&](std::span<const double> x) { return problem.residuals(x); };
-    const Columns all = jacobian(residuals, coordinates, problem.bounds());
+    const Columns all = problem.residuals(coordinates, true).jacobian;
     std::vector<FreeParameter> parameters;
     std::vector<std::size_t> places;
     Columns columns;
@@ -236,14 +246,14 @@ const FittedParameter& Fit::parameter(const std::string& name) const {
     return *found;
 }
 
-spectral::Material fitted_reflector(const Fit& fit) {
-    return reflector_from(fit.material);
+spectral::Material fitted_material(const Fit& fit) {
+    return spectral::material_from_text(fit.material, "fit");
 }
 
-Fit fitted(const FitRequest& request, const FitData& data) {
+Fit fitted(const FitRequest& request, const FitData& data, const Fit* with_a_lobe_less) {
     const FitData good = checked(data);
     const FitProblem problem{request, good};
-    const auto followed = minima(problem, request, good);
+    const auto followed = minima(problem, request, good, with_a_lobe_less);
     const Minimum& best = best_of(followed);
     const auto coordinates = problem.completed(best.x);
     const auto values = problem.values(coordinates);

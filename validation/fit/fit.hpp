@@ -116,9 +116,10 @@ struct Fit {
 
 /// RequestError that names an unknown model or parameter, one both freed and fixed, a start or fixed value out of bounds;
 /// hts::Error for fewer data than free parameters, uncertainties that are needed and not there, a value of 0 where its logarithm is needed.
-[[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data);
+///   with_a_lobe_less   the fit of the same request but for that, where it was made already: it is not made again
+[[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data, const Fit* with_a_lobe_less = nullptr);
 
-/// The fitted material as a model, without the scale.
-[[nodiscard]] spectral::Material fitted_reflector(const Fit& fit);
+/// The fitted material as it is read from its file, without the scale.
+[[nodiscard]] spectral::Material fitted_material(const Fit& fit);
 
 }  // namespace hts::validation

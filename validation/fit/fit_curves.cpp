@@ -55,7 +55,14 @@ FitData fit_data(const CurveSet& set, const FitSelection& selection) {
         um.push_back(wavelength);
         channels.push_back(channel);
     }
-    FitData data{set.stem, spectral::WavelengthGrid::from_micrometres(um), channels, {}, {}, {}, {}};
+    FitData data{.name = set.stem,
+                 .wavelengths = spectral::WavelengthGrid::from_micrometres(um),
+                 .channels = channels,
+                 .values = {},
+                 .uncertainties = {},
+                 .cosines = {},
+                 .instrument = prediction,
+                 .outside = spectral::OutsideRange::clamp};
     for (const Curve& curve : chosen.curves) {
         for (const CurvePoint& point : curve.points) {
             data.values.push_back(point.value);
@@ -63,10 +70,6 @@ FitData fit_data(const CurveSet& set, const FitSelection& selection) {
             if (!set.uncertainty.empty()) data.uncertainties.push_back(point.uncertainty);
         }
     }
-    data.affine = set.scale != Scale::specular;
-    data.view = [prediction](const spectral::Material& reflector) {
-        return prediction->values(reflector, spectral::OutsideRange::clamp);
-    };
     return checked(std::move(data));
 }
 

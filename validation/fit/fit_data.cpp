@@ -36,31 +36,23 @@ FitData checked(FitData data) {
     return data;
 }
 
-FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths, std::vector<FitSample> samples) {
-    FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}, {}};
+FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths, const std::vector<FitSample>& samples) {
+    FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}};
     data.channels.resize(data.wavelengths.size());
     std::iota(data.channels.begin(), data.channels.end(), std::size_t{0});
     const bool uncertain =
         std::ranges::any_of(samples, [](const FitSample& s) { return s.uncertainty != 0; });
+    std::vector<PairAtWavelength> points;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         require(samples[i].wavelength < data.wavelengths.size(), data.name, i,
                 "wavelength " + std::to_string(samples[i].wavelength) + ": must be one of the grid's " +
                     std::to_string(data.wavelengths.size()));
+        points.push_back({samples[i].pair, samples[i].wavelength});
         data.values.push_back(samples[i].value);
         data.cosines.push_back(samples[i].pair.in.cos_theta());
         if (uncertain) data.uncertainties.push_back(samples[i].uncertainty);
     }
-    data.view = [samples = std::move(samples),
-                 grid = data.wavelengths](const spectral::Material& material) {
-        const auto reflectance =
-            material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
-        std::vector<double> values, spectrum(grid.size());
-        for (const FitSample& sample : samples) {
-            reflectance.brdf(sample.pair, spectrum);
-            values.push_back(spectrum[sample.wavelength]);
-        }
-        return values;
-    };
+    data.instrument = std::make_shared<const Prediction>(data.wavelengths, points);
     return checked(std::move(data));
 }
 

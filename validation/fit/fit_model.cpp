@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hts/error.hpp"
-#include "spectral/models/model_readers.hpp"
+#include "spectral/materials/optical_constants_json.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::validation {
@@ -12,53 +12,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// ---- the numbers of material files
-
-const std::vector<double> width_starts{0.03, 0.1, 0.25, 0.5, 1};
-const std::vector<double> exponent_starts{3, 10, 40, 200, 1000};
-
-ParameterRange linear(const char* key, const char* symbol, double highest) {
-    return {key, symbol, "1", Motion::linear, 0, highest, {0.3 * std::min(highest, 1.0)}};
-}
-ParameterRange width(const char* key, const char* tied_to = "") {
-    return {key, key, "1", Motion::factors, 1e-3, 30, width_starts, StartUnit::own, tied_to};
-}
-/// Of Ashikhmin's Gaussian density of normals.
-ParameterRange slope(const std::string& name, const char* tied_to = "") {
-    return {"normals/" + name, name,           "1",    Motion::factors, 0.02, 30,
-            {0.1, 0.3, 0.8},   StartUnit::own, tied_to};
-}
-ParameterRange exponent(const char* key, const char* tied_to = "") {
-    return {key, key, "1", Motion::factors, 0.1, 1e6, exponent_starts, StartUnit::own, tied_to};
-}
-ParameterRange stretch(const char* key, const char* tied_to = "") {
-    return {key, key, "1", Motion::steps, -3, 3, {-1}, StartUnit::own, tied_to};
-}
-
-const ParameterRange rms_roughness{
-    "rms_roughness_um",   "sigma0", "um", Motion::factors, 1e-4, 1e3, {0.05, 0.15, 0.5, 2},
-    StartUnit::wavelength};
-const ParameterRange correlation_length{
-    "correlation_length_um", "tau", "um", Motion::factors, 1e-3, 1e5, {2.5, 6, 15, 50}, StartUnit::previous};
-const ParameterRange albedo = linear("diffuse_albedo", "a", 1);
-const ParameterRange kd = linear("kd", "kd", 1);
-const ParameterRange ks = linear("ks", "ks", 1e6);
-const ParameterRange f0{"f0", "f0", "1", Motion::steps, 0, 1, {0.05, 0.7}};
-const ParameterRange slope_angle{"slope_angle_deg", "slope_angle", "deg", Motion::steps, 0, 90, {10, 40}};
-const ParameterRange alpha{"alpha", "alpha", "1", Motion::steps, 0, 1.99, {0.1, 0.8}};
-const ParameterRange index_n{"n", "n", "1", Motion::factors, 0.05, 50, {1.5}};
-const ParameterRange index_k{"k", "k", "1", Motion::steps, 0, 100, {0}, StartUnit::own, "", true};
-
-FitFamily facets(const char* name, const char* distribution, const ParameterRange& shape) {
-    return {name, "walter", {{"distribution", ordered_json(distribution).dump()}}, {shape, index_n, index_k},
-            {},   true};
-}
-
-// ---- JSON
-
 /// Whether a parameter has a value of its own in every channel.
 bool by_channel(const ParameterRange& range) {
     return range.motion == Motion::linear;
+}
+
+bool of_index(const FitFamily& family, const ParameterRange& range) {
+    return family.has_index && (range.key == "n" || range.key == "k");
 }
 
 std::string channel_name(const FitLayout& layout, std::size_t channel) {
@@ -86,46 +46,14 @@ void set_channel(ordered_json& place, const FitLayout& layout, std::size_t chann
 }
 
 const FitFamily& family_named(const std::string& name) {
-    const auto& all = fit_families();
-    const auto found = std::ranges::find(all, name, &FitFamily::name);
-    if (found != all.end()) return *found;
+    if (const FitFamily* found = find_family(name)) return *found;
     std::vector<std::string> names;
-    for (const FitFamily& family : all) names.push_back(family.name);
+    for (const FitFamily& family : fit_families()) names.push_back(family.name);
     throw RequestError{"model " + spectral::in_quotes(name) + " is not known: must be one of " +
                        spectral::joined(names)};
 }
 
 }  // namespace
-
-// A line per model: its name here and in material files, keys that are no numbers, numbers, numbers of each lobe.
-const std::vector<FitFamily>& fit_families() {
-    static const std::vector<FitFamily> families{
-        {"he", "he", {}, {rms_roughness, correlation_length, albedo, index_n, index_k}, {}, true},
-        facets("beckmann", "beckmann", width("alpha")),
-        facets("ggx", "ggx", width("alpha")),
-        facets("phong", "phong", exponent("exponent")),
-        {"ashikhmin",
-         "ashikhmin",
-         {{"normals", R"({"type": "gaussian"})"}},
-         {albedo, f0, slope("sigma_x"), slope("sigma_y", "sigma_x")},
-         {},
-         false,
-         true},
-        {"kurt", "kurt", {}, {kd}, {ks, f0, width("mx"), width("my", "mx"), alpha}},
-        {"ward", "ward", {}, {kd}, {ks, width("mx"), width("my", "mx")}},
-        {"ward_duer", "ward_duer", {}, {kd}, {ks, width("mx"), width("my", "mx")}},
-        {"cook_torrance", "cook_torrance", {}, {kd}, {ks, f0, width("m")}},
-        {"blinn_phong", "blinn_phong", {}, {kd}, {ks, exponent("exponent")}},
-        {"lafortune", "lafortune", {}, {kd}, {ks, stretch("cx"), stretch("cy", "cx"), exponent("exponent")}},
-        {"ashikhmin_shirley",
-         "ashikhmin_shirley",
-         {},
-         {linear("rd", "rd", 1), ks, f0, exponent("nx"), exponent("ny", "nx")}},
-        {"lambert", "lambert", {}, {albedo}},
-        {"oren_nayar", "oren_nayar", {}, {albedo, slope_angle}},
-    };
-    return families;
-}
 
 std::size_t FitLayout::channel_count() const noexcept {
     return channels.empty() ? 0 : *std::ranges::max_element(channels) + 1;
@@ -146,72 +74,146 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
     if (!family_.has_index && !layout_.index.empty()) {
         throw RequestError{"fit: model " + spectral::in_quotes(family) + " has no index"};
     }
-    for (const ParameterRange& range : family_.parameters) {
-        const bool of_index = family_.has_index && (range.key == "n" || range.key == "k");
-        if (of_index && !layout_.index.empty()) continue;
-        place(range, std::string{of_index ? "/index/" : "/"}.append(range.key), "");
+    for (std::size_t i = 0; i < family_.parameters.size(); ++i) {
+        if (layout_.index.empty() || !of_index(family_, family_.parameters[i]))
+            place(family_.parameters[i], {}, i);
     }
-    for (int lobe = 0; lobe < (family_.lobe.empty() ? 0 : layout_.lobes); ++lobe) {
-        for (const ParameterRange& range : family_.lobe) {
-            place(range, "/lobes/" + std::to_string(lobe) + "/" + range.key,
-                  layout_.lobes > 1 ? std::to_string(lobe + 1) : "");
-        }
+    const auto lobes = static_cast<std::size_t>(family_.lobe.empty() ? 0 : layout_.lobes);
+    for (std::size_t lobe = 0; lobe < lobes; ++lobe) {
+        for (std::size_t i = 0; i < family_.lobe.size(); ++i) place(family_.lobe[i], lobe, i);
     }
-    if (!layout_.index.empty()) try_index();
+    if (!layout_.index.empty()) read_index();
 }
 
-void FitModel::try_index() const {
-    std::vector<double> values;
-    for (const FitParameter& parameter : parameters_) values.push_back(parameter.range.starts.front());
+void FitModel::read_index() {
     try {
-        static_cast<void>(spectral::JsonValue::parse(layout_.index, "fit: index"));
-        static_cast<void>(reflector(values));
+        const auto constants = spectral::optical_constants_from(
+            spectral::JsonValue::parse(layout_.index, "fit: index"), {});
+        for (const double um : layout_.wavelengths)
+            indices_.push_back(constants.index(Wavelength::from_micrometres(um), layout_.outside));
     } catch (const Error& error) {
         throw RequestError{error.what()};
     }
 }
 
-void FitModel::place(const ParameterRange& range, const std::string& pointer, const std::string& suffix) {
-    FitParameter parameter{range, pointer, range.symbol + suffix};
+void FitModel::place(const ParameterRange& range, std::optional<std::size_t> lobe, std::size_t number) {
+    const std::string suffix = lobe && layout_.lobes > 1 ? std::to_string(*lobe + 1) : "";
+    std::string pointer = of_index(family_, range) ? "/index/" : "/";
+    if (lobe) pointer += "lobes/" + std::to_string(*lobe) + "/";
+    FitParameter parameter{range, pointer + range.key, range.symbol + suffix, lobe, number};
     if (!range.tied_to.empty()) parameter.range.tied_to += suffix;
     if (!by_channel(range) || layout_.channel_count() == 1) {
         parameters_.push_back(parameter);
         return;
     }
+    const std::string name = parameter.name;
     for (std::size_t channel = 0; channel < layout_.channel_count(); ++channel) {
-        parameters_.push_back({parameter.range, pointer, parameter.name + channel_name(layout_, channel)});
+        parameter.name = name + channel_name(layout_, channel);
+        parameter.channel = channel;
+        parameters_.push_back(parameter);
     }
+}
+
+std::size_t FitModel::layout_place(double um) const {
+    const auto found = std::ranges::find(layout_.wavelengths, um);
+    if (found == layout_.wavelengths.end())
+        throw Error{"fit: wavelength " + shortest(um) + " um: must be one of the data's"};
+    return static_cast<std::size_t>(found - layout_.wavelengths.begin());
+}
+
+std::vector<ModelNumbers> FitModel::numbers(const FitTrial& trial,
+                                            const spectral::WavelengthGrid& wavelengths) const {
+    const std::size_t lobes = family_.lobe.empty() ? 0 : trial.lobe ? 1 : static_cast<std::size_t>(layout_.lobes);
+    const ModelNumbers empty{wavelengths[0],
+                             {1, 0},
+                             std::vector<double>(family_.parameters.size()),
+                             {lobes, std::vector<double>(family_.lobe.size())}};
+    std::vector<ModelNumbers> result(wavelengths.size(), empty);
+    for (std::size_t w = 0; w < result.size(); ++w) {
+        ModelNumbers& numbers = result[w];
+        const std::size_t at = layout_place(wavelengths.micrometres()[w]);
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            const FitParameter& parameter = parameters_[i];
+            if (parameter.channel && *parameter.channel != layout_.channels[at]) continue;
+            if (trial.lobe && parameter.lobe != trial.lobe) continue;
+            auto& place = parameter.lobe ? numbers.lobes[trial.lobe ? 0 : *parameter.lobe] : numbers.own;
+            place[parameter.number] = trial.values[i];
+        }
+        numbers.wavelength = wavelengths[w];
+        if (family_.has_index) {
+            const std::size_t n = numbers.own.size() - 2;
+            numbers.index = indices_.empty() ? RefractiveIndex{numbers.own[n], numbers.own[n + 1]}
+                                             : indices_[at];
+        }
+    }
+    return result;
+}
+
+std::vector<Prediction::Answer> FitModel::answers(std::span<const FitTrial> trials,
+                                                  const Prediction::Job& job) const {
+    std::vector<Prediction::Answer> result;
+    if (trials.size() == 1) return {family_.answer(numbers(trials[0], job.wavelengths), job)};
+    if (has_gradient()) {
+        for (const FitTrial& trial : trials)
+            result.push_back(family_.answer(numbers(trial, job.wavelengths), job));
+        return result;
+    }
+    std::vector<ModelNumbers> all;
+    for (const FitTrial& trial : trials) std::ranges::move(numbers(trial, job.wavelengths), std::back_inserter(all));
+    const auto [brdf, specular] = family_.answer(all, job);
+    const std::size_t count = job.wavelengths.size();
+    for (std::size_t first = 0; first < all.size(); first += count) {
+        const auto part = [&, &columns = all](const std::vector<double>& values) {
+            std::vector<double> own;
+            own.reserve(values.size() / trials.size());
+            for (std::size_t row = first; row < values.size(); row += columns.size())
+                own.insert(own.end(), values.data() + row, values.data() + row + count);
+            return own;
+        };
+        result.push_back({part(brdf), part(specular)});
+    }
+    return result;
+}
+
+bool FitModel::concerns(const FitParameter& parameter, const Prediction::Job& job) const {
+    return !parameter.channel || std::ranges::any_of(job.wavelengths.micrometres(), [&](double um) {
+        return layout_.channels[layout_place(um)] == *parameter.channel;
+    });
+}
+
+std::vector<Prediction::Answer> FitModel::gradient(std::span<const double> values,
+                                                   const Prediction::Job& job) const {
+    const auto by_number =
+        family_.gradient(numbers({{values.begin(), values.end()}}, job.wavelengths), job);
+    std::vector<Prediction::Answer> result;
+    for (const FitParameter& parameter : parameters_) {
+        result.push_back(by_number[parameter.number]);
+        if (!parameter.channel) continue;
+        const std::size_t count = job.wavelengths.size();
+        for (std::size_t w = 0; w < count; ++w) {
+            const std::size_t at = layout_place(job.wavelengths.micrometres()[w]);
+            if (layout_.channels[at] == *parameter.channel) continue;
+            auto& [brdf, specular] = result.back();
+            for (std::size_t i = w; i < brdf.size(); i += count) brdf[i] = 0;
+            for (std::size_t i = w; i < specular.size(); i += count) specular[i] = 0;
+        }
+    }
+    return result;
 }
 
 std::string FitModel::material_text(std::span<const double> values, const std::string& name) const {
     ordered_json file{{"name", name}, {"model", family_.model}};
     for (const auto& [key, text] : family_.settings) file[key] = ordered_json::parse(text);
     if (!layout_.index.empty()) file["index"] = ordered_json::parse(layout_.index);
-    std::size_t channel = 0;
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
-        const FitParameter& parameter = parameters_[i];
-        channel = i > 0 && parameters_[i - 1].pointer == parameter.pointer ? channel + 1 : 0;
-        ordered_json& place = file[ordered_json::json_pointer{parameter.pointer}];
-        if (by_channel(parameter.range) && layout_.channel_count() > 1) {
-            set_channel(place, layout_, channel, values[i]);
+        ordered_json& place = file[ordered_json::json_pointer{parameters_[i].pointer}];
+        if (parameters_[i].channel) {
+            set_channel(place, layout_, *parameters_[i].channel, values[i]);
         } else {
             place = values[i];
         }
     }
     return file.dump(2) + "\n";
-}
-
-spectral::Material FitModel::reflector(std::span<const double> values) const {
-    return reflector_from(material_text(values, name()));
-}
-
-spectral::Material reflector_from(const std::string& material_text) {
-    const auto file = spectral::JsonValue::parse(material_text, "fit");
-    const std::string model = file["model"].text(), name = file["name"].text();
-    const auto& models = spectral::built_in_models();
-    const auto entry = std::ranges::find(models, model, &spectral::ModelEntry::name);
-    if (entry == models.end()) throw file["model"].error(spectral::in_quotes(model) + " is not registered");
-    return entry->read({file, {}, name});
 }
 
 }  // namespace hts::validation

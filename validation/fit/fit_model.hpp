@@ -1,19 +1,17 @@
-/// Every model of the library as something with parameters to fit: which numbers of its material file may move, how far, and
-/// from where a search starts.
-///
-/// A model joins with a line in fit_model.cpp that lists the keys of its material file. A fit moves the numbers of such a file
-/// and asks the registry of models (spectral/models/material.hpp) what it means, so that a fitted material and one that is read
-/// are the same thing.
+/// A model of the list (fit_family.hpp) laid out for data: its parameters by lobe and channel, the model that their values make, and
+/// the material file that says the same.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/materials/optical_constants.hpp"
 #include "spectral/models/material.hpp"
 #include "spectral/wavelength_grid.hpp"
+#include "validation/fit/fit_family.hpp"
 
 namespace hts::validation {
 
@@ -23,51 +21,14 @@ class RequestError : public Error {
     using Error::Error;
 };
 
-/// How a parameter moves.
-enum class Motion {
-    factors,  ///< by factors: its logarithm is what is fitted; positive lengths, widths, exponents
-    steps,    ///< by differences
-    linear,  ///< by differences, and the BRDF is an affine function of it and of all others of this kind together
-};
-
-/// What the starts of a parameter are multiples of.
-enum class StartUnit { own, wavelength, previous };
-
-/// A number of a material file, as a fit moves it.
-struct ParameterRange {
-    std::string
-        key;  ///< of the material file: "rms_roughness_um", "normals/sigma_x"; of a lobe's object for lobes
-    std::string symbol;  ///< "sigma0"
-    std::string unit;    ///< "um", "1", "deg"
-    Motion motion;
-    double lowest, highest;
-    std::vector<double> starts;  ///< a search tries all combinations of these
-    StartUnit start_unit = StartUnit::own;
-    std::string
-        tied_to{};  ///< key of the parameter whose value it takes unless it is freed: my of mx, for isotropic fits
-    bool fixed = false;  ///< stays at its first start unless it is freed: k of a dielectric
-};
-
-/// A line of the list of models.
-struct FitFamily {
-    std::string name;   ///< "he", "beckmann", "kurt"
-    std::string model;  ///< of the material file: "walter" for "beckmann"
-    /// Keys whose values are no numbers, with JSON: {"distribution", "\"beckmann\""}.
-    std::vector<std::pair<std::string, std::string>> settings;
-    std::vector<ParameterRange> parameters;
-    std::vector<ParameterRange> lobe{};  ///< of each lobe, for models with a list of lobes
-    bool has_index = false;  ///< parameters n and k stand for the key "index", unless that is given
-    bool costly = false;     ///< each trial takes long: left out where all models are compared
-};
-
-/// All that can be fitted: he, beckmann, ggx, kurt, ward, …
-[[nodiscard]] const std::vector<FitFamily>& fit_families();
-
 /// A parameter of a model, placed: for one lobe and, where it may depend on wavelength, for one channel.
 struct FitParameter {
     ParameterRange range;
     std::string pointer;  ///< JSON pointer into the material file: "/lobes/0/mx"
     std::string name;     ///< unique: "sigma0", "mx2" of the second lobe, "kd@0.55um" of a channel
+    std::optional<std::size_t> lobe{};     ///< none: a number of the model's own
+    std::size_t number = 0;                ///< place among the numbers of the lobe or of the model
+    std::optional<std::size_t> channel{};  ///< none: the same in all
 };
 
 /// How the model is laid out for data.
@@ -76,10 +37,17 @@ struct FitLayout {
     /// Wavelengths of the data [um] and which channel each belongs to; parameters that are linear get a value per channel.
     std::vector<double> wavelengths;
     std::vector<std::size_t> channels;
-    std::string
-        index{};  ///< JSON of the key "index" where it is known: "\"Al\""; else n and k are parameters
+    /// JSON of the key "index" where it is known, "\"Al\""; else n and k are parameters.
+    std::string index{};
+    spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of the index
 
     [[nodiscard]] std::size_t channel_count() const noexcept;
+};
+
+/// Values, one per parameter, and what of the model is meant: all of it, or a lobe alone.
+struct FitTrial {
+    std::vector<double> values;
+    std::optional<std::size_t> lobe{};
 };
 
 /// A model with places for numbers. Immutable; calls may run on any thread.
@@ -93,22 +61,31 @@ class FitModel {
     [[nodiscard]] const FitLayout& layout() const noexcept { return layout_; }
     [[nodiscard]] const std::vector<FitParameter>& parameters() const noexcept { return parameters_; }
 
-    /// The material file with these numbers, one per parameter.
+    /// What the model answers to a job at some of the layout's wavelengths, for each of some trials, which share what they
+    /// have in common; hts::Error where a value is not allowed.
+    [[nodiscard]] std::vector<Prediction::Answer> answers(std::span<const FitTrial> trials,
+                                                          const Prediction::Job& job) const;
+    /// Whether a parameter matters at any wavelength of a job.
+    [[nodiscard]] bool concerns(const FitParameter& parameter, const Prediction::Job& job) const;
+    /// Whether `gradient` knows.
+    [[nodiscard]] bool has_gradient() const noexcept { return static_cast<bool>(family_.gradient); }
+    /// Derivatives of the answers to a job, by each parameter.
+    [[nodiscard]] std::vector<Prediction::Answer> gradient(std::span<const double> values,
+                                                           const Prediction::Job& job) const;
+    /// The material file with these values.
     [[nodiscard]] std::string material_text(std::span<const double> values, const std::string& name) const;
-    /// What that file means; hts::Error where a value is not allowed.
-    [[nodiscard]] spectral::Material reflector(std::span<const double> values) const;
 
   private:
-    /// The index read once, so that a wrong one is found before a search.
-    void try_index() const;
-    void place(const ParameterRange& range, const std::string& pointer, const std::string& suffix);
+    void place(const ParameterRange& range, std::optional<std::size_t> lobe, std::size_t number);
+    void read_index();
+    [[nodiscard]] std::size_t layout_place(double um) const;
+    [[nodiscard]] std::vector<ModelNumbers> numbers(const FitTrial& trial,
+                                                    const spectral::WavelengthGrid& wavelengths) const;
 
     FitFamily family_;
     FitLayout layout_;
     std::vector<FitParameter> parameters_;
+    std::vector<RefractiveIndex> indices_;  // of each wavelength of the layout, where the index is known
 };
-
-/// What a material file means.
-[[nodiscard]] spectral::Material reflector_from(const std::string& material_text);
 
 }  // namespace hts::validation

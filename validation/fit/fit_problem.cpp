@@ -10,6 +10,10 @@ namespace hts::validation {
 namespace {
 
 constexpr std::size_t most_starts = 512;
+/// Step of a difference: what central differences lose and what the last bits lose meet near it.
+constexpr double difference = 1e-3;
+/// A model this far below the data is as far as none.
+constexpr double least_ratio = 1e-30;
 /// A weight of exactly 0 would hide what its lobe could do.
 constexpr double least_linear_start = 1e-4;
 
@@ -42,9 +46,17 @@ double robust(double residual, Loss loss, double scale) {
     return std::copysign(scale * std::sqrt(rho), residual);
 }
 
+/// Its derivative.
+double robust_slope(double residual, Loss loss, double scale) {
+    const double r = std::abs(residual) / scale, squared = r * r;
+    if (loss == Loss::huber && r > 1) return 1 / std::sqrt(2 * r - 1);
+    if (loss == Loss::cauchy && squared > 0) return r / ((1 + squared) * std::sqrt(std::log1p(squared)));
+    return 1;
+}
+
 FitLayout layout(const FitRequest& request, const FitData& data) {
     const auto um = data.wavelengths.micrometres();
-    return {request.lobes, {um.begin(), um.end()}, data.channels, request.index};
+    return {request.lobes, {um.begin(), um.end()}, data.channels, request.index, data.outside};
 }
 
 }  // namespace
@@ -53,7 +65,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
     : request_{request},
       data_{data},
       model_{request.model, layout(request, data)},
-      separable_{data.affine && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
+      separable_{data.instrument->is_affine() && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
     if (!(request.loss_scale > 0))
         throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
@@ -186,7 +198,7 @@ std::vector<double> FitProblem::start(std::size_t combination) const {
         const double start = range.starts[combination % choices(i)] * start_unit(i, values);
         values[i] = std::clamp(start, range.lowest, range.highest);
         combination /= choices(i);
-        if (range.motion == Motion::linear && data_.affine && !places_[i].start_given) linear.push_back(i);
+        if (range.motion == Motion::linear && data_.instrument->is_affine() && !places_[i].start_given) linear.push_back(i);
     }
     set_tied(values);
     if (!linear.empty()) values = best_linear(values, linear);
@@ -218,28 +230,39 @@ std::vector<double> FitProblem::values(std::span<const double> coordinates) cons
     return result;
 }
 
-std::vector<double> FitProblem::predicted(std::span<const double> values) const {
-    const double scale = values.back();
-    auto result = data_.view(model_.reflector(values.first(values.size() - 1)));
-    for (double& value : result) value *= scale;
+Columns FitProblem::predictions(const std::vector<std::vector<double>>& values) const {
+    auto of_model = values;
+    for (auto& each : of_model) each.pop_back();  // the scale
+    Columns result;
+    for (const auto& column : averages(model_, *data_.instrument, of_model)) {
+        const double scale = values[result.size()].back();
+        result.push_back(data_.instrument->seen(column));
+        for (double& value : result.back()) value *= scale;
+    }
     return result;
+}
+
+std::vector<double> FitProblem::predicted(const std::vector<double>& values) const {
+    return predictions({values}).front();
 }
 
 std::vector<double> FitProblem::best_linear(std::vector<double> values,
                                             const std::vector<std::size_t>& linear) const {
     for (const std::size_t i : linear) values[i] = 0;
-    const auto at_zero = predicted(values);
+    std::vector<std::vector<double>> trials(linear.size() + 1, values);
+    std::vector<Bounds> bounds;
+    for (std::size_t k = 0; k < linear.size(); ++k) {
+        trials[k + 1][linear[k]] = 1;
+        const ParameterRange& range = places_[linear[k]].parameter.range;
+        bounds.push_back({range.lowest, range.highest});
+    }
+    Columns columns = predictions(trials);
+    const auto at_zero = std::move(columns.front());
+    columns.erase(columns.begin());
     std::vector<double> target(at_zero.size());
     for (std::size_t j = 0; j < target.size(); ++j) target[j] = weights_[j] * (data_.values[j] - at_zero[j]);
-    Columns columns;
-    std::vector<Bounds> bounds;
-    for (const std::size_t i : linear) {
-        values[i] = 1;
-        auto column = predicted(values);
-        values[i] = 0;
+    for (auto& column : columns) {
         for (std::size_t j = 0; j < column.size(); ++j) column[j] = weights_[j] * (column[j] - at_zero[j]);
-        columns.push_back(std::move(column));
-        bounds.push_back({places_[i].parameter.range.lowest, places_[i].parameter.range.highest});
     }
     const auto solution = bounded_linear_solution(columns, target, bounds);
     for (std::size_t k = 0; k < linear.size(); ++k) values[linear[k]] = solution[k];
@@ -256,23 +279,91 @@ std::vector<double> FitProblem::completed(std::span<const double> searched) cons
     return result;
 }
 
-std::vector<double> FitProblem::residuals_of(const std::vector<double>& prediction) const {
-    std::vector<double> result(prediction.size());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        double residual = weights_[i] * (prediction[i] - data_.values[i]);
-        if (request_.residual == Residual::logarithmic)
-            residual = std::log(std::max(prediction[i] * weights_[i], 1e-30));
-        result[i] = robust(residual, request_.loss, request_.loss_scale);
+double FitProblem::residual(double predicted, std::size_t datum) const {
+    const double plain = request_.residual == Residual::logarithmic
+                             ? std::log(std::max(predicted * weights_[datum], least_ratio))
+                             : weights_[datum] * (predicted - data_.values[datum]);
+    return robust(plain, request_.loss, request_.loss_scale);
+}
+
+double FitProblem::residual_slope(double predicted, std::size_t datum) const {
+    double plain = weights_[datum] * (predicted - data_.values[datum]), slope = weights_[datum];
+    if (request_.residual == Residual::logarithmic) {
+        const double ratio = predicted * weights_[datum];
+        plain = std::log(std::max(ratio, least_ratio));
+        slope = ratio > least_ratio ? 1 / predicted : 0;
+    }
+    return slope * robust_slope(plain, request_.loss, request_.loss_scale);
+}
+
+Move FitProblem::move(std::span<const double> coordinates, std::size_t k) const {
+    const auto [lowest, highest] = bounds_[k];
+    const ParameterRange& range = places_[free_[k]].parameter.range;
+    const double x = coordinates[k];
+    double below = x, above = x;
+    if (range.motion == Motion::linear) {
+        (x < (lowest + highest) / 2 ? above : below) =
+            x < (lowest + highest) / 2 ? std::min(highest, x + 1) : std::max(lowest, x - 1);
+    } else {
+        double step = difference * std::max(1.0, std::abs(x));
+        if (lowest == 0 && x > 0) step = std::min(step, std::max(0.1 * x, 1e-6));  // no logarithm
+        below = std::max(lowest, x - step);
+        above = std::min(highest, x + step);
+    }
+    std::vector<double> moved{coordinates.begin(), coordinates.end()};
+    const auto values_at = [&](double place) {
+        moved[k] = place;
+        auto result = values(moved);
+        result.pop_back();
+        return result;
+    };
+    const double rate = range.motion == Motion::factors ? value_at(range, x) : 1;
+    return {free_[k], rate, values_at(above), values_at(below), above - below};
+}
+
+std::vector<Move> FitProblem::moves(std::span<const double> coordinates) const {
+    std::vector<Move> result;
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+        if (free_[k] < model_.parameters().size()) result.push_back(move(coordinates, k));
     }
     return result;
 }
 
-std::vector<double> FitProblem::projected_residuals(std::span<const double> searched) const {
-    return residuals(completed(searched));
+Linearised FitProblem::residuals(std::span<const double> coordinates, bool with_jacobian) const {
+    const auto values = this->values(coordinates);
+    const std::vector<double> of_model{values.begin(), values.end() - 1};
+    const Prediction& instrument = *data_.instrument;
+    const auto [averages, columns] =
+        with_jacobian ? changes(model_, instrument, of_model, moves(coordinates))
+                      : Changes{validation::averages(model_, instrument, {of_model}).front(), {}};
+    const auto seen = instrument.seen(averages);
+    const double scale = values.back();
+    Linearised result;
+    for (std::size_t r = 0; r < seen.size(); ++r) result.residuals.push_back(residual(scale * seen[r], r));
+    if (!with_jacobian) return result;
+    auto column = columns.begin();
+    for (const std::size_t i : free_) {
+        // the scale, which comes last, multiplies what is seen
+        auto change = i < of_model.size() ? instrument.change(averages, *column++) : seen;
+        for (std::size_t r = 0; r < change.size(); ++r)
+            change[r] *= scale * residual_slope(scale * seen[r], r);
+        result.jacobian.push_back(std::move(change));
+    }
+    return result;
 }
 
-std::vector<double> FitProblem::residuals(std::span<const double> coordinates) const {
-    return residuals_of(predicted(values(coordinates)));
+Linearised FitProblem::projected_residuals(std::span<const double> searched, bool with_jacobian) const {
+    const auto coordinates = completed(searched);
+    Linearised result = residuals(coordinates, with_jacobian);
+    if (!with_jacobian || searched_ == free_.size()) return result;
+    Columns separated;
+    for (std::size_t k = searched_; k < free_.size(); ++k) {
+        if (coordinates[k] > bounds_[k].lowest && coordinates[k] < bounds_[k].highest)
+            separated.push_back(std::move(result.jacobian[k]));
+    }
+    result.jacobian.resize(searched_);
+    result.jacobian = beside(result.jacobian, separated);
+    return result;
 }
 
 }  // namespace hts::validation

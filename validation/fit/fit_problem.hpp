@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "validation/fit/fit.hpp"
+#include "validation/fit/fit_changes.hpp"
 #include "validation/fit/least_squares.hpp"
 
 namespace hts::validation {
@@ -44,25 +45,30 @@ class FitProblem {
     [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
-    /// Residuals as the solver sees them, of what is searched with the best of what is separated.
-    [[nodiscard]] std::vector<double> projected_residuals(std::span<const double> searched) const;
+    /// Residuals as the solver sees them, of what is searched with the best of what is separated. The derivatives leave out
+    /// what the separated ones can make up for, as they stand [Kaufman 1975].
+    [[nodiscard]] Linearised projected_residuals(std::span<const double> searched, bool with_jacobian) const;
     /// The same at any coordinates of all free parameters.
-    [[nodiscard]] std::vector<double> residuals(std::span<const double> coordinates) const;
+    [[nodiscard]] Linearised residuals(std::span<const double> coordinates, bool with_jacobian) const;
 
     /// Values of all parameters.
     [[nodiscard]] std::vector<double> values(std::span<const double> coordinates) const;
     /// What the instrument would have shown.
-    [[nodiscard]] std::vector<double> predicted(std::span<const double> values) const;
+    [[nodiscard]] std::vector<double> predicted(const std::vector<double>& values) const;
 
   private:
     void assign_roles();
     [[nodiscard]] std::vector<std::size_t> named(const std::string& name) const;
     [[nodiscard]] double start_unit(std::size_t place, const std::vector<double>& values) const;
     [[nodiscard]] double weight(std::size_t datum) const;
+    [[nodiscard]] Columns predictions(const std::vector<std::vector<double>>& values) const;
+    [[nodiscard]] std::vector<Move> moves(std::span<const double> coordinates) const;
+    [[nodiscard]] Move move(std::span<const double> coordinates, std::size_t k) const;
     [[nodiscard]] std::size_t choices(std::size_t place) const;
     [[nodiscard]] std::vector<double> start(std::size_t combination) const;
     void set_tied(std::vector<double>& values) const;
-    [[nodiscard]] std::vector<double> residuals_of(const std::vector<double>& prediction) const;
+    [[nodiscard]] double residual(double predicted, std::size_t datum) const;
+    [[nodiscard]] double residual_slope(double predicted, std::size_t datum) const;
     [[nodiscard]] std::vector<double> best_linear(std::vector<double> values,
                                                   const std::vector<std::size_t>& linear) const;
 

@@ -102,7 +102,7 @@ Section section_of(const CaseResult& result) {
     if (!index.empty())
         model += ", index " + (index.starts_with('"') ? index.substr(1, index.size() - 2) : index);
     if (scale != 1) model += ", times " + brief(scale);
-    return comparison_section(result.set, fitted_reflector(result.fit),
+    return comparison_section(result.set, fitted_material(result.fit),
                               {.model = model,
                                .free_parameters = static_cast<int>(result.fit.statistics.free_parameters),
                                .policy = spectral::OutsideRange::clamp,

@@ -8,9 +8,8 @@ namespace hts::validation {
 namespace {
 
 bool has_index(const std::string& model) {
-    const auto& families = fit_families();
-    const auto found = std::ranges::find(families, model, &FitFamily::name);
-    return found != families.end() && found->has_index;
+    const FitFamily* found = find_family(model);
+    return found != nullptr && found->has_index;
 }
 
 /// One wavelength stands for a band where the model knows none.
@@ -52,7 +51,8 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
                        .residual = request.residual,
                        .followed_starts = request.followed_starts};
         if (set.scale == Scale::unknown) fit.freed.emplace_back("scale");
-        result.push_back(fitted(fit, spectral ? with_bands : plain));
+        const auto fewer = std::ranges::find(result, ModelChoice{choice.model, choice.lobes - 1}, choice_of);
+        result.push_back(fitted(fit, spectral ? with_bands : plain, fewer == result.end() ? nullptr : &*fewer));
     }
     return result;
 }

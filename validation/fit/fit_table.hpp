@@ -16,6 +16,7 @@ struct ModelChoice {
 
     /// "kurt", "kurt 2 lobes".
     [[nodiscard]] std::string label() const;
+    [[nodiscard]] bool operator==(const ModelChoice&) const noexcept = default;
 };
 
 /// All of the library but those whose trials take long; Kurt's with 1, 2 and 3 lobes. Anisotropic ones with equal widths.

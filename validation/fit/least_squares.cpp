@@ -98,22 +98,18 @@ class BoundedQuadratic {
 
 // ---- not linear
 
-/// Step of a difference: what central differences lose and what the last bits lose meet near it.
-constexpr double difference = 1e-3;
-
 class Function final : public ceres::CostFunction {
   public:
-    Function(const Residuals& residuals, const std::vector<Bounds>& bounds, std::size_t count)
-        : residuals_{residuals}, bounds_{bounds} {
+    Function(const Residuals& residuals, std::size_t unknowns, std::size_t count) : residuals_{residuals} {
         set_num_residuals(static_cast<int>(count));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(bounds.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns));
     }
 
     bool Evaluate(const double* const* parameters, double* values, double** jacobians) const override {
-        const std::span<const double> x{parameters[0], bounds_.size()};
-        std::ranges::copy(residuals_(x), values);
-        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-        const Columns columns = jacobian(residuals_, x, bounds_);
+        const auto unknowns = static_cast<std::size_t>(parameter_block_sizes().front());
+        const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+        const auto [residuals, columns] = residuals_({parameters[0], unknowns}, wanted);
+        std::ranges::copy(residuals, values);
         for (std::size_t j = 0; j < columns.size(); ++j) {
             for (std::size_t i = 0; i < columns[j].size(); ++i)
                 jacobians[0][i * columns.size() + j] = columns[j][i];
@@ -123,7 +119,6 @@ class Function final : public ceres::CostFunction {
 
   private:
     const Residuals& residuals_;
-    const std::vector<Bounds>& bounds_;
 };
 
 double half_sum_of_squares(const std::vector<double>& values) {
@@ -157,39 +152,34 @@ std::vector<double> bounded_linear_solution(const Columns& columns, std::span<co
     return {x.begin(), x.end()};
 }
 
-Columns jacobian(const Residuals& residuals, std::span<const double> x, const std::vector<Bounds>& bounds) {
-    Columns columns;
-    std::vector<double> moved{x.begin(), x.end()};
-    for (std::size_t j = 0; j < x.size(); ++j) {
-        double step = difference * std::max(1.0, std::abs(x[j]));
-        if (bounds[j].lowest == 0 && x[j] > 0)
-            step = std::min(step, std::max(0.1 * x[j], 1e-6));  // no logarithm
-        const double below = std::max(bounds[j].lowest, x[j] - step),
-                     above = std::min(bounds[j].highest, x[j] + step);
-        moved[j] = above;
-        auto column = residuals(moved);
-        moved[j] = below;
-        const auto lower = residuals(moved);
-        moved[j] = x[j];
-        for (std::size_t i = 0; i < column.size(); ++i) column[i] = (column[i] - lower[i]) / (above - below);
-        columns.push_back(std::move(column));
+Columns beside(const Columns& columns, const Columns& others) {
+    if (columns.empty() || others.empty()) return columns;
+    const std::size_t rows = columns.front().size();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors{matrix_of(others, rows)};
+    const Eigen::MatrixXd basis =
+        factors.householderQ() * Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(rows), factors.rank());
+    Columns result;
+    for (const auto& column : columns) {
+        const Eigen::Map<const Eigen::VectorXd> whole{column.data(), static_cast<Eigen::Index>(rows)};
+        const Eigen::VectorXd rest = whole - basis * (basis.transpose() * whole);
+        result.emplace_back(rest.begin(), rest.end());
     }
-    return columns;
+    return result;
 }
 
 Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
                       const std::vector<Bounds>& bounds, int most_iterations) {
-    const auto first = residuals(start);
+    const auto first = residuals(start, false).residuals;
     if (start.empty()) return {{}, half_sum_of_squares(first), 0, true};
     ceres::Problem problem;
-    problem.AddResidualBlock(new Function{residuals, bounds, first.size()}, nullptr, start.data());
+    problem.AddResidualBlock(new Function{residuals, start.size(), first.size()}, nullptr, start.data());
     for (std::size_t j = 0; j < bounds.size(); ++j) {
         problem.SetParameterLowerBound(start.data(), static_cast<int>(j), bounds[j].lowest);
         problem.SetParameterUpperBound(start.data(), static_cast<int>(j), bounds[j].highest);
     }
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(most_iterations), &problem, &summary);
-    return {start, half_sum_of_squares(residuals(start)), static_cast<int>(summary.iterations.size()) - 1,
+    return {start, half_sum_of_squares(residuals(start, false).residuals), static_cast<int>(summary.iterations.size()) - 1,
             summary.termination_type == ceres::CONVERGENCE};
 }
 

@@ -20,12 +20,16 @@ using Columns = std::vector<std::vector<double>>;
                                                           std::span<const double> target,
                                                           const std::vector<Bounds>& bounds);
 
-/// Residuals at a point, always as many. Must be total within the bounds.
-using Residuals = std::function<std::vector<double>(std::span<const double> x)>;
+/// What is left of columns beside others: each less its projection on the space that the others span.
+[[nodiscard]] Columns beside(const Columns& columns, const Columns& others);
 
-/// Derivatives of the residuals, a column per coordinate: central differences, one-sided where a bound is near.
-[[nodiscard]] Columns jacobian(const Residuals& residuals, std::span<const double> x,
-                               const std::vector<Bounds>& bounds);
+/// Residuals at a point, always as many, and their derivatives, a column per coordinate.
+struct Linearised {
+    std::vector<double> residuals;
+    Columns jacobian;  ///< empty where it was not asked for
+};
+/// Must be total within the bounds.
+using Residuals = std::function<Linearised(std::span<const double> x, bool with_jacobian)>;
 
 struct Minimum {
     std::vector<double> x;

@@ -20,8 +20,8 @@ struct TableFormat {
     /// What is to stand in the file, and in those beside it, for tables::write_with_sidecar.
     std::function<tables::Exported(const Reflectance& brdf, const std::string& path)> exported;
     std::function<Reflectance(const std::string& path)> read;
-    /// What of a reflectance the file can hold at all, which is written and compared: none for all of it, or, say, red,
-    /// green and blue.
+    /// What of a reflectance the file can hold at all, which is written and compared: none for all of it, or,
+    /// say, red, green and blue.
     std::function<Reflectance(const Reflectance& brdf)> as_held{};
 };
 

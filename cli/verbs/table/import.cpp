@@ -1,4 +1,5 @@
-// hts table import: what a file of another program or of an instrument holds, and a material file that points to it.
+// hts table import: what a file of another program or of an instrument holds, and a material file that points
+// to it.
 
 #include <filesystem>
 #include <iostream>

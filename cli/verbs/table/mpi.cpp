@@ -40,7 +40,8 @@ std::string shared(std::string text) {
     return text;
 }
 
-/// One slice for each rank, the own of which is computed here; all of them arrive at the first. `first` is of the whole list.
+/// One slice for each rank, the own of which is computed here; all of them arrive at the first. `first` is of
+/// the whole list.
 std::vector<double> gathered(const spectral::Reflectance& exact, const tables::TablePlan& plan,
                              const std::vector<std::uint64_t>& slices, std::size_t first,
                              std::size_t values) {

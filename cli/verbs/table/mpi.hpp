@@ -1,12 +1,13 @@
-/// Several processes at one table: MPI ranks where the program was built with -DHTS_MPI=ON and started by mpirun, else one.
+/// Several processes at one table: MPI ranks where the program was built with -DHTS_MPI=ON and started by
+/// mpirun, else one.
 #pragma once
 
 #include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
 
-/// The ranks of this run. The first builds the table and hands slices to the others, which compute them in their
-/// constructors and are done.
+/// The ranks of this run. The first builds the table and hands slices to the others, which compute them in
+/// their constructors and are done.
 class Ranks {
   public:
     Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);

@@ -35,8 +35,9 @@ TEST_CASE("fitted curves are those selected, as the instrument saw them") {
     CHECK(data.uncertainties.size() == data.values.size());
     CHECK(std::ranges::all_of(data.channels, [](std::size_t channel) { return channel == 0; }));
     const FitModel model{"he", {1, {3.0}, {0}, "\"Al\""}};
-    const auto reflector = model.reflector(std::vector<double>{0.5, 3, 0.1});
-    CHECK(data.view(reflector) == Prediction{chosen, {3, 1}}.values(reflector));
+    const auto material = hts::spectral::material_from_text(
+        model.material_text(std::vector<double>{0.5, 3, 0.1}, "aluminium"), "");
+    CHECK(data.instrument->values(material) == Prediction{chosen, {3, 1}}.values(material));
     CHECK_THROWS_WITH(fit_data(set, {1, 0, {3, 1}}),
                       Catch::Contains("mwir-aluminium-sandblasted: no point > 0 up to"));
 }

@@ -16,6 +16,7 @@
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/models/model_evaluator.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "validation/fit/fit_problem.hpp"
 #include "validation/fit/least_squares.hpp"
 
 namespace {
@@ -87,6 +88,10 @@ spectral::Material he(double rms, double length, double albedo) {
 template <ReflectanceModel Model>
 spectral::Material constantly(const Model& model) {
     return spectral::material_of([=](const Wavelength&, spectral::OutsideRange) { return model; });
+}
+
+spectral::Material material_of(const FitModel& model, const std::vector<double>& values) {
+    return spectral::material_from_text(model.material_text(values, model.name()), "");
 }
 
 std::string in_words(const Fit& fit) {
@@ -191,7 +196,7 @@ TEST_CASE("every model finds its own parameters again") {
             if (!parameter.range.tied_to.empty()) value = values.back();
             values.push_back(value);
         }
-        const auto data = seen(model.reflector(values), in_plane(), 1e-5);
+        const auto data = seen(material_of(model, values), in_plane(), 1e-5);
         FitRequest request{.model = family.name, .residual = Residual::relative, .followed_starts = 4};
         if (family.has_index) request.fixed = {{"n", 1.5 * 1.17}};
         const Fit fit = fitted(request, data);
@@ -199,6 +204,83 @@ TEST_CASE("every model finds its own parameters again") {
         CHECK(fit.statistics.rms_log < 2e-5);
         for (std::size_t i = 0; i < values.size(); ++i) {
             CHECK(fit.parameters[i].value == Approx(values[i]).epsilon(2e-3));
+        }
+    }
+}
+
+TEST_CASE("a trial is what the material file of its numbers says, to the bit, and names it") {
+    const auto grid = spectral::WavelengthGrid::from_micrometres({0.5, 0.6});
+    const Prediction::Job job{grid, {1, 1}, in_plane(), {Direction::from_degrees(30, 0)}};
+    for (const FitFamily& family : fit_families()) {
+        for (const std::string index : {"", "\"Al\""}) {
+            if (!index.empty() && !family.has_index) continue;
+            INFO(family.name << " " << index);
+            const FitModel model{family.name, {family.lobe.empty() ? 1 : 3, {0.5, 0.6}, {0, 1}, index}};
+            std::vector<double> values;
+            for (const FitParameter& parameter : model.parameters()) {
+                const auto& starts = parameter.range.starts;
+                values.push_back(starts.back() * (1 + 0.01 * static_cast<double>(values.size())));
+            }
+            const auto material = material_of(model, values);
+            CHECK(material.name() == family.name);
+            CHECK(material.model_name() == family.model);
+            CHECK_FALSE(material.model_source().empty());
+            const auto reflectance =
+                material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}});
+            const auto read = Prediction::answer(job, reflectance.evaluator());
+            const std::vector<FitTrial> trials(2, {values});
+            for (const auto& answer : model.answers(trials, job)) {
+                CHECK(answer.brdf == read.brdf);
+                CHECK(answer.specular_reflectance == read.specular_reflectance);
+            }
+        }
+    }
+}
+
+TEST_CASE("fitted materials of every model keep name and model") {
+    const auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01);
+    for (const FitFamily& family : fit_families()) {
+        if (family.costly) continue;
+        const Fit fit = fitted({.model = family.name, .followed_starts = 1, .most_iterations = 1}, data);
+        const auto material = fitted_material(fit);
+        CHECK(material.name() == "synthetic, fitted " + family.name);
+        CHECK(material.model_name() == family.model);
+    }
+}
+
+TEST_CASE("derivatives of residuals are those of differences") {
+    const auto grid = spectral::WavelengthGrid::from_micrometres({0.9, 1.0});
+    const auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01, grid);
+    for (const std::string model : {"he", "kurt", "ggx"}) {
+        for (const Residual residual : {Residual::logarithmic, Residual::relative, Residual::cosine}) {
+            for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy}) {
+                const FitRequest request{.model = model,
+                                         .freed = {"scale"},
+                                         .residual = residual,
+                                         .loss = loss,
+                                         .loss_scale = 0.3};
+                const FitProblem problem{request, data};
+                auto x = problem.completed(problem.starts().front());
+                for (double& each : x) each *= 0.97;  // off every bound
+                const auto [values, columns] = problem.residuals(x, true);
+                REQUIRE(columns.size() == x.size());
+                for (std::size_t k = 0; k < x.size(); ++k) {
+                    const double step = 1e-4 * std::max(1.0, std::abs(x[k]));
+                    auto above = x, below = x;
+                    above[k] += step;
+                    below[k] -= step;
+                    const auto high = problem.residuals(above, false).residuals;
+                    const auto low = problem.residuals(below, false).residuals;
+                    double error = 0, size = 0;
+                    for (std::size_t r = 0; r < high.size(); ++r) {
+                        error = std::max(error, std::abs((high[r] - low[r]) / (2 * step) - columns[k][r]));
+                        size = std::max(size, std::abs(columns[k][r]));
+                    }
+                    INFO(model << ", " << name(residual) << ", " << name(loss) << ", "
+                               << problem.places()[problem.free()[k]].parameter.name);
+                    CHECK(error < 2e-2 * size);
+                }
+            }
         }
     }
 }
