@@ -76,7 +76,7 @@ void run(const TruthOptions& options) {
     }
     for (const validation::FigureTable& table : truth.tables) {
         const auto path = (folder / (table.stem + ".csv")).string();
-        spectral::write_file(path, table_csv(table, truth.provenance));
+        spectral::write_file(path, validation::table_csv(table, truth.provenance));
         std::cout << path << '\n';
     }
     for (const validation::Figure& figure : truth.section.figures)

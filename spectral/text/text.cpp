@@ -46,7 +46,8 @@ void require_file(const std::filesystem::path& path) {
 }
 
 bool is_text(std::string_view bytes) noexcept {
-    return !first_bad_byte(bytes);
+    const auto* const end = bytes.data() + bytes.size();
+    return std::find(bytes.data(), end, '\0') == end && utf8::is_valid(bytes.data(), end);
 }
 
 std::string read_text_file(const std::filesystem::path& path) {

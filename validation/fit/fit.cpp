@@ -23,7 +23,7 @@ double sum_of_squares(const std::vector<double>& values) {
 std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std::size_t count) {
     const auto starts = problem.starts();
     std::vector<double> costs(starts.size());
-    for_each(starts.size(),
+    spectral::parallel_for(starts.size(),
              [&](std::size_t i) { costs[i] = sum_of_squares(problem.projected_residuals(starts[i], false).residuals); });
     std::vector<std::size_t> order(starts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

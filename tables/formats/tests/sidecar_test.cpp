@@ -12,7 +12,7 @@ using namespace hts::tables;
 
 TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
     const auto plastic =
-        testing::brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.7, 4));
+        tables::testing::brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.7, 4));
     const hts::testing::TemporaryFolder folder;
     const auto file = folder / "hts-sidecar-test.bsdf";
     write_with_sidecar(file, plastic,
