@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/charts/chart_methods.hpp"
+#include "bench/phi/chart_methods.hpp"
 #include "bench/phi/phi_reference.hpp"
 
 namespace hts::bench {

@@ -1,4 +1,4 @@
-#include "bench/charts/chart_methods.hpp"
+#include "bench/phi/chart_methods.hpp"
 
 #include <algorithm>
 #include <array>
