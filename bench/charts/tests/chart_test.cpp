@@ -163,6 +163,6 @@ TEST_CASE("the scripts draw every method and print machine, commit and seed") {
     }
     const std::string maps = error_map_script(small_chart());
     for (const ErrorMap& map : small_chart().maps) {
-        CHECK(maps.find("'" + map.method->title() + "'") != std::string::npos);
+        CHECK(maps.find(hts::output::gnuplot_string(map.method->title())) != std::string::npos);
     }
 }

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tables/table/tests/table_fixture.hpp"
 #include "tables/sharing/slice_file.hpp"
+#include "tables/table/tests/table_fixture.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
