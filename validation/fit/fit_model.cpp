@@ -87,8 +87,9 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
 
 void FitModel::read_index() {
     try {
-        const auto constants = spectral::optical_constants_from(
-            spectral::JsonValue::parse(layout_.index, "fit: index"), {});
+        static_cast<void>(spectral::JsonValue::parse(layout_.index, "fit: index"));  // alone, for its own errors
+        const auto file = spectral::JsonValue::parse(R"({"index": )" + layout_.index + "}", "fit");
+        const auto constants = spectral::optical_constants_from(file["index"], {});
         for (const double um : layout_.wavelengths)
             indices_.push_back(constants.index(Wavelength::from_micrometres(um), layout_.outside));
     } catch (const Error& error) {
