@@ -27,8 +27,8 @@ std::string heading(const std::string& title, const std::string& caption) {
     return page_label(title, 0.015, 0.955, 18) + page_label(caption, 0.015, 0.9, 13);
 }
 
-/// Radiance that the facets send through, times the cosine: what an instrument inside the glass would see. Positive angles
-/// lie on the side that light is refracted to.
+/// Radiance that the facets send through, times the cosine: what an instrument inside the glass would see.
+/// Positive angles lie on the side that light is refracted to.
 double transmitted(const WalterBsdf& glass, double theta_i, double theta_o) {
     const SidedDirection in{Side::front, Direction::from_degrees(theta_i, 180)};
     const SidedDirection out{Side::back, Direction::from_degrees(std::abs(theta_o), theta_o < 0 ? 180 : 0)};

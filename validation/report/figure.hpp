@@ -1,7 +1,7 @@
 /// Figures as data: a gnuplot script and the numbers it reads. The command line draws them.
 ///
-/// The canvas is white and colours are those of Okabe and Ito, so that pictures stand on light and dark pages and are
-/// read with all kinds of colour vision.
+/// The canvas is white and colours are those of Okabe and Ito, so that pictures stand on light and dark pages
+/// and are read with all kinds of colour vision.
 #pragma once
 
 #include <string>
