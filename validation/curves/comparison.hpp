@@ -1,5 +1,5 @@
-/// How far a model is from a set of curves: residuals in log and linear, chi squared, where the maxima lie, and the criteria
-/// that are asked of some sets.
+/// How far a model is from a set of curves: residuals in log and linear, chi squared, where the maxima lie,
+/// and the criteria that are asked of some sets.
 ///
 ///     const Prediction prediction{set};
 ///     const Comparison result = comparison(set, prediction.values(reflector));
@@ -24,7 +24,8 @@ struct FiguresOfMerit {
     double mean_log = 0;          ///< of ln(model / measured): the model's bias
     double rms = 0;               ///< of model - measured, in the unit of the values
     double relative_rms = 0;      ///< rms over the root mean square of the measured values
-    /// Sum of ((model - measured)/uncertainty)^2 over points - free parameters; none without uncertainties or points to spare.
+    /// Sum of ((model - measured)/uncertainty)^2 over points - free parameters; none without uncertainties or
+    /// points to spare.
     std::optional<double> reduced_chi_squared{};
 };
 
@@ -62,7 +63,8 @@ struct PointRange {
 [[nodiscard]] FiguresOfMerit figures_of_merit(const CurveSet& set, std::span<const double> model,
                                               const PointRange& range, int free_parameters = 0);
 
-/// The middle of measured and of computed values far from the mirror direction: what is left of a diffuse plateau.
+/// The middle of measured and of computed values far from the mirror direction: what is left of a diffuse
+/// plateau.
 struct Plateau {
     double measured, computed;
 };
@@ -70,8 +72,8 @@ struct Plateau {
 /// Medians over the points in a range.
 [[nodiscard]] Plateau plateau(const CurveSet& set, std::span<const double> model, const PointRange& range);
 
-/// What is asked of a set by name: of "mwir-aluminium-sandblasted" the median deviation and the maxima, of "blue-acrylic" the
-/// plateau; nothing of others.
+/// What is asked of a set by name: of "mwir-aluminium-sandblasted" the median deviation and the maxima, of
+/// "blue-acrylic" the plateau; nothing of others.
 [[nodiscard]] std::vector<Check> criteria(const CurveSet& set, const Comparison& result);
 
 }  // namespace hts::validation

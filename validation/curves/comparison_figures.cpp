@@ -103,8 +103,8 @@ Decades decades_of(const Curve& curve) {
 
 // ---- polar
 
-/// Up to five curves, from the first to the last; those at grazing angles, whose peaks dwarf all else, only if there are no
-/// others.
+/// Up to five curves, from the first to the last; those at grazing angles, whose peaks dwarf all else, only
+/// if there are no others.
 std::vector<std::size_t> few_curves(const CurveSet& set) {
     constexpr double grazing = 75;
     std::vector<std::size_t> candidates, result;
@@ -117,7 +117,8 @@ std::vector<std::size_t> few_curves(const CurveSet& set) {
     return result;
 }
 
-/// How values become radii, 1 at the outermost circle; larger ones, of a model's peak, are cut off just outside.
+/// How values become radii, 1 at the outermost circle; larger ones, of a model's peak, are cut off just
+/// outside.
 struct Radius {
     double largest = 0;
     int decades = 0;  // 0: linear

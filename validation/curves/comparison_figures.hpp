@@ -1,5 +1,5 @@
-/// Pictures of a comparison: measured points and computed lines, on a logarithmic axis and in polar form, and what is between
-/// them. Each says by whom its points were measured.
+/// Pictures of a comparison: measured points and computed lines, on a logarithmic axis and in polar form, and
+/// what is between them. Each says by whom its points were measured.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace hts::validation {
 
-/// The curves of a set at every half degree, with the model's values: what is drawn as lines. Those of scattered pairs are
-/// without points, and there are no lines at all if none has any.
+/// The curves of a set at every half degree, with the model's values: what is drawn as lines. Those of
+/// scattered pairs are without points, and there are no lines at all if none has any.
 [[nodiscard]] std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& material,
                                              const AveragingNodes& nodes, spectral::OutsideRange policy,
                                              double scale = 1);
@@ -30,7 +30,8 @@ struct ComparisonPicture {
 
 /// A panel per curve, logarithmic; scattered pairs against the tilt of the facet that would mirror them.
 [[nodiscard]] Figure log_overlay(const ComparisonPicture& picture);
-/// Up to five of the in-plane curves; logarithmic over four decades where the values span more than thirtyfold.
+/// Up to five of the in-plane curves; logarithmic over four decades where the values span more than
+/// thirtyfold.
 [[nodiscard]] Figure polar_overlay(const ComparisonPicture& picture);
 /// ln(model / measured) of every point.
 [[nodiscard]] Figure residual_plot(const ComparisonPicture& picture);

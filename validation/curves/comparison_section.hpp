@@ -20,11 +20,12 @@ struct Trial {
     std::string stem{};  ///< of all files; that of the set if empty
 };
 
-/// Model, roughness and albedo as a material file gives them: "he: rms roughness 0.28 um, correlation length 1.77 um, Al".
+/// Model, roughness and albedo as a material file gives them: "he: rms roughness 0.28 um, correlation length
+/// 1.77 um, Al".
 [[nodiscard]] std::string described(const spectral::Material& material);
 
-/// Plots, a table of figures of merit (all points and each curve), the reciprocity of the data, and the criteria of the set.
-/// hts::Error where the model is not known in a band of the set.
+/// Plots, a table of figures of merit (all points and each curve), the reciprocity of the data, and the
+/// criteria of the set. hts::Error where the model is not known in a band of the set.
 [[nodiscard]] Section comparison_section(const CurveSet& set, const spectral::Material& material,
                                          const Trial& trial);
 
@@ -38,7 +39,8 @@ struct MeasurementSlot {
 /// The dashed curves of He et al. 1991, Figures 7 to 11.
 [[nodiscard]] std::vector<MeasurementSlot> measurement_slots();
 
-/// Each slot's comparison if `folder` holds its file (STEM.json, a curve set), else a line "measurement not available".
+/// Each slot's comparison if `folder` holds its file (STEM.json, a curve set), else a line "measurement not
+/// available".
 [[nodiscard]] Section slots_section(const std::filesystem::path& folder);
 
 }  // namespace hts::validation

@@ -1,11 +1,13 @@
 /// Reflectance curves as somebody measured, digitised or computed them, and the files that hold them.
 ///
-/// A CurveSet is one surface seen by one instrument: curves, each at one wavelength or over one band, of points that are a
-/// pair of directions, a value and its uncertainty. Conventions of directions in hts/direction.hpp; here they are in degrees
-/// and the light of a point stands at azimuth 0 unless the point says otherwise. Within the plane of incidence a scattering
-/// angle is positive on the mirror's side and negative on the light's.
+/// A CurveSet is one surface seen by one instrument: curves, each at one wavelength or over one band, of
+/// points that are a pair of directions, a value and its uncertainty. Conventions of directions in
+/// hts/direction.hpp; here they are in degrees and the light of a point stands at azimuth 0 unless the point
+/// says otherwise. Within the plane of incidence a scattering angle is positive on the mirror's side and
+/// negative on the light's.
 ///
-/// The file is JSON, described in validation/curves/data/README.md. `read_curves` accepts nothing that `checked` would not.
+/// The file is JSON, described in validation/curves/data/README.md. `read_curves` accepts nothing that
+/// `checked` would not.
 #pragma once
 
 #include <cstddef>
@@ -78,8 +80,8 @@ struct Curve {
 
     /// The angle that stands still [deg]: theta_i, or theta_r for Sweep::incident; 0 for scattered pairs.
     [[nodiscard]] double fixed_angle() const noexcept;
-    /// The other one, of a point, positive on the mirror's side of the direction that stands still [deg]; of scattered pairs
-    /// theta_r.
+    /// The other one, of a point, positive on the mirror's side of the direction that stands still [deg]; of
+    /// scattered pairs theta_r.
     [[nodiscard]] double swept_angle(const CurvePoint& point) const noexcept;
 };
 
@@ -112,9 +114,10 @@ struct CurveSet {
     [[nodiscard]] std::size_t point_count() const noexcept;
 };
 
-/// The set itself if it holds together: hts::Error "place: …" that names quantity, value, unit and legal range for a text
-/// that lacks, a set without points, angles outside 0 … 90 deg, values that are negative or no numbers, uncertainties that
-/// only some points have, a solid angle outside 0 … 2 pi sr, and directions that stand twice in one curve.
+/// The set itself if it holds together: hts::Error "place: …" that names quantity, value, unit and legal
+/// range for a text that lacks, a set without points, angles outside 0 … 90 deg, values that are negative or
+/// no numbers, uncertainties that only some points have, a solid angle outside 0 … 2 pi sr, and directions
+/// that stand twice in one curve.
 [[nodiscard]] CurveSet checked(CurveSet set, const std::string& place);
 
 /// Reads a curve file; hts::Error "path: key "curves[2].points": …" that names key and legal range.

@@ -1,14 +1,17 @@
 /// Reads other people's files of scattered light into curve sets.
 ///
-///   csv         a header line with named columns; angles carry their unit in the name, "theta_i_deg" or "…_rad"
-///   fred        FRED's scatter table: "type bsdf_data", "format angles=deg bsdf=value scale=1", a line "theta_i phi_i" before
-///               the lines "theta_s phi_s bsdf" it lights
-///   astm        ASTM E1392: lines "KEY value", the last "VARS theta_i,phi_i,theta_s,phi_s,…", then one line per point, in
-///               radians; channels named "450nm" carry their wavelength
-///   digitised   pixels read off a printed figure, with the calibration of its axes (JSON, see validation/curves/digitised.hpp)
+///   csv         a header line with named columns; angles carry their unit in the name, "theta_i_deg" or
+///               "…_rad"
+///   fred        FRED's scatter table: "type bsdf_data", "format angles=deg bsdf=value scale=1", a line
+///               "theta_i phi_i" before the lines "theta_s phi_s bsdf" it lights
+///   astm        ASTM E1392: lines "KEY value", the last "VARS theta_i,phi_i,theta_s,phi_s,…", then one line
+///               per point, in radians; channels named "450nm" carry their wavelength
+///   digitised   pixels read off a printed figure, with the calibration of its axes (JSON, see
+///               validation/curves/digitised.hpp)
 ///
-/// None of them says all that a curve set must; the rest is a recipe, a JSON file described in validation/curves/data/README.md.
-/// Numbers are never changed: an import selects, converts units and conventions, and says so.
+/// None of them says all that a curve set must; the rest is a recipe, a JSON file described in
+/// validation/curves/data/README.md. Numbers are never changed: an import selects, converts units and
+/// conventions, and says so.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +53,12 @@ struct ImportRecipe {
     std::map<std::string, std::string>
         angle_columns{};  ///< csv: "theta_i", "phi_i", "theta_r", "phi_r" -> column
     std::vector<ValueColumn> values{};
-    /// Sign of an in-plane angle on the mirror's side, 1 or -1; azimuth of the mirror direction as the file counts [deg], where
-    /// the light stands at 0: 180 or 0.
+    /// Sign of an in-plane angle on the mirror's side, 1 or -1; azimuth of the mirror direction as the file
+    /// counts [deg], where the light stands at 0: 180 or 0.
     double mirror_sign = 1, mirror_azimuth = 180;
     Selection selection{};
-    /// The smallest step of the printed values, step / sqrt 12 of which is the standard deviation of rounding.
+    /// The smallest step of the printed values, step / sqrt 12 of which is the standard deviation of
+    /// rounding.
     double resolution = 0;
     /// Whether pairs that swap light and viewer tell how far the values can be trusted.
     bool uncertainty_from_reciprocity = false;
@@ -64,8 +68,8 @@ struct ImportRecipe {
 ///   surface   what the file shows, in place of the recipe's key "surface"; empty: the key must be there
 [[nodiscard]] ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface = "");
 
-/// Reads a file as the recipe says. hts::Error "path:line: …" for what is no number, missing columns, angles outside 0 … 90
-/// deg, negative values that the recipe does not leave out, and directions that stand twice.
+/// Reads a file as the recipe says. hts::Error "path:line: …" for what is no number, missing columns, angles
+/// outside 0 … 90 deg, negative values that the recipe does not leave out, and directions that stand twice.
 ///   how   the command, for CurveSet::how
 [[nodiscard]] CurveSet imported_curves(const std::filesystem::path& path, const ImportRecipe& recipe,
                                        const std::string& how);

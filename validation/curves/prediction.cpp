@@ -94,8 +94,8 @@ struct Cone {
     std::vector<ConeNode> nodes;
 };
 
-/// The middle of the light that both the source's cone sends and the detector's mirrored cone takes, and its amount over
-/// both projected solid angles [1/sr].
+/// The middle of the light that both the source's cone sends and the detector's mirrored cone takes, and its
+/// amount over both projected solid angles [1/sr].
 struct SpecularView {
     Direction incidence;
     double weight;
@@ -252,7 +252,8 @@ Prediction::Prediction(const spectral::WavelengthGrid& wavelengths,
     for (const auto& [pair, wavelength] : points) {
         if (pairs.empty() || !same(pairs.back().in, pair.in) || !same(pairs.back().out, pair.out))
             pairs.push_back(pair);
-        rows_.push_back({0, pairs.size() - 1, pairs.size(), wavelength, wavelength + 1, 0, 0, 1, rows_.size()});
+        const std::size_t last = pairs.size();
+        rows_.push_back({0, last - 1, last, wavelength, wavelength + 1, 0, 0, 1, rows_.size()});
     }
     pair_weights_.front().assign(pairs.size(), 1);
 }

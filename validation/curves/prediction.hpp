@@ -1,21 +1,24 @@
 /// What the instrument behind a set of curves would have measured on a surface that a model describes.
 ///
-/// The source fills a cone about `in`, the detector one about `out`, and a detector of a band adds up wavelengths. With
-/// projected solid angles, dw' = cos theta dw,
+/// The source fills a cone about `in`, the detector one about `out`, and a detector of a band adds up
+/// wavelengths. With projected solid angles, dw' = cos theta dw,
 ///
-///   f_measured = integral f dw'_i dw'_r / (W'_i W'_r) + specular                                 averaged over the band
-///   specular   = integral rho_s(in) dw'_i over the light whose mirror direction the detector sees / (W'_i W'_r)
+///   f_measured = integral f dw'_i dw'_r / (W'_i W'_r) + specular     averaged over the band
+///   specular   = integral rho_s(in) dw'_i over the light whose mirror direction the detector sees
+///                / (W'_i W'_r)
 ///
-/// which is rho_s/(cos theta_i w_i) where the source's cone holds the detector's [He91 (70)]. The average is reciprocal. What
-/// of a cone is below the horizon neither lights nor is seen. A cone that nobody stated is taken as a single direction; where
-/// neither is stated, the specular term, which has no finite value then, is left out.
+/// which is rho_s/(cos theta_i w_i) where the source's cone holds the detector's [He91 (70)]. The average is
+/// reciprocal. What of a cone is below the horizon neither lights nor is seen. A cone that nobody stated is
+/// taken as a single direction; where neither is stated, the specular term, which has no finite value then,
+/// is left out.
 ///
 /// Everything geometric is prepared once:
 ///
 ///     const Prediction prediction{set};
 ///     for (…) residuals = prediction.values(material) …      // any number of times, a few ns per node
 ///
-/// Averaging is linear, so `average` carries derivatives of the nodes as well as values, and `change` takes them to the values.
+/// Averaging is linear, so `average` carries derivatives of the nodes as well as values, and `change` takes
+/// them to the values.
 #pragma once
 
 #include <cstddef>
@@ -29,20 +32,22 @@
 namespace hts::validation {
 
 namespace accuracy {
-/// Of the specular term, relative: rho_s is taken at the middle of the light that reaches the detector. For cones up to 2e-3 sr and incidence
-/// up to 75 deg.
+/// Of the specular term, relative: rho_s is taken at the middle of the light that reaches the detector. For
+/// cones up to 2e-3 sr and incidence up to 75 deg.
 inline constexpr double specular_average = 5e-3;
-/// Of the band 2 ... 5.7 um with 8 wavelengths, relative to the largest value of a curve, sigma_0 0.1 ... 2 um.
+/// Of the band 2 ... 5.7 um with 8 wavelengths, relative to the largest value of a curve, sigma_0 0.1 ... 2
+/// um.
 inline constexpr double band_average = 4e-6;
-/// Of `common_solid_angle`, relative, for half angles from 0.01 and parts from 1 % of the overlapping range on.
+/// Of `common_solid_angle`, relative, for half angles from 0.01 and parts from 1 % of the overlapping range
+/// on.
 inline constexpr double common_solid_angle = 5e-9;
 }  // namespace accuracy
 
 /// Nodes of the averages.
 struct AveragingNodes {
     int wavelengths = 8;  ///< per band, of Gauss and Legendre; 1 for a single wavelength
-    int rings =
-        2;  ///< per cone, with 4 nodes per ring each: exact for polynomials of degree 4 rings - 2; 0: the axis alone
+    /// Per cone, with 4 nodes per ring each: exact for polynomials of degree 4 rings - 2; 0: the axis alone.
+    int rings = 2;
 };
 
 /// Part of two cones that they share [sr].
@@ -71,7 +76,8 @@ class Prediction {
 
     /// hts::Error for numbers of nodes outside 1 … 64 wavelengths and 0 … 8 rings.
     explicit Prediction(const CurveSet& set, AveragingNodes nodes = {});
-    /// Of an instrument that sees the BRDF itself at single pairs; neighbours of the same pair share its evaluation.
+    /// Of an instrument that sees the BRDF itself at single pairs; neighbours of the same pair share its
+    /// evaluation.
     Prediction(const spectral::WavelengthGrid& wavelengths, std::span<const PairAtWavelength> points);
 
     [[nodiscard]] const std::vector<Job>& jobs() const noexcept { return jobs_; }
@@ -82,8 +88,8 @@ class Prediction {
     ///   model   at the job's wavelengths
     [[nodiscard]] static Answer answer(const Job& job, const spectral::Evaluator& model);
 
-    /// The points of all curves in order, in the quantity and scale of the set; a set of unknown scale is predicted as if it
-    /// were absolute. Runs on the calling thread.
+    /// The points of all curves in order, in the quantity and scale of the set; a set of unknown scale is
+    /// predicted as if it were absolute. Runs on the calling thread.
     ///   error   of the engine: at most 1e-6, relative; of the averages: see AveragingNodes
     [[nodiscard]] std::vector<double> values(
         const spectral::Material& material,
@@ -92,8 +98,8 @@ class Prediction {
     [[nodiscard]] std::vector<double> values(std::span<const Answer> answers) const {
         return seen(average(answers));
     }
-    /// The measured BRDF [1/sr] of each point, then of the mirror direction of each where the scale is specular: linear in the
-    /// answers, before quantity and scale.
+    /// The measured BRDF [1/sr] of each point, then of the mirror direction of each where the scale is
+    /// specular: linear in the answers, before quantity and scale.
     [[nodiscard]] std::vector<double> average(std::span<const Answer> answers) const;
     /// The values of all points from these averages.
     [[nodiscard]] std::vector<double> seen(std::span<const double> averages) const;

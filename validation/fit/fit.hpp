@@ -1,19 +1,22 @@
-/// Fits models to measured reflectance: the parameters that come closest, how sure they are, and what the data cannot tell.
+/// Fits models to measured reflectance: the parameters that come closest, how sure they are, and what the
+/// data cannot tell.
 ///
 ///     const FitData data = fit_data("my plate", grid, samples);
 ///     const Fit fit = fitted(FitRequest{.model = "he", .index = "\"Al\""}, data);
 ///     fit.parameters[0].value;   // sigma0 [um]
 ///     fit.statements;            // "sigma0 and tau apart: only sigma0/tau = 0.158 +- 0.002"
 ///
-/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp), for several lobes also the best fit with one
-/// lobe less. The most promising ones are followed
-/// to their minimum by Levenberg and Marquardt's method within bounds (Ceres Solver), lengths and widths by their
-/// logarithms. Parameters on which predictions depend affinely (albedos, weights of lobes) are separated where the
-/// residuals allow it: for each trial of the others their best values follow from linear least squares within bounds (variable
-/// projection), so that the search is over shapes alone. Starts run on all cores; the result has the same bits for any number.
+/// Method. Starts are all combinations of each parameter's starts (fit_model.hpp), for several lobes also the
+/// best fit with one lobe less. The most promising ones are followed to their minimum by Levenberg and
+/// Marquardt's method within bounds (Ceres Solver), lengths and widths by their logarithms. Parameters on
+/// which predictions depend affinely (albedos, weights of lobes) are separated where the residuals allow it:
+/// for each trial of the others their best values follow from linear least squares within bounds (variable
+/// projection), so that the search is over shapes alone. Starts run on all cores; the result has the same
+/// bits for any number.
 ///
-/// Uncertainties are those of linearised least squares, s^2 (J'J)^-1 with s^2 the variance of the residuals: they
-/// take the residuals for independent noise. Where the model is wrong in some systematic way, they are too small.
+/// Uncertainties are those of linearised least squares, s^2 (J'J)^-1 with s^2 the variance of the residuals:
+/// they take the residuals for independent noise. Where the model is wrong in some systematic way, they are
+/// too small.
 #pragma once
 
 #include <functional>
@@ -50,10 +53,10 @@ struct FitRequest {
     std::string model = "he";
     int lobes = 1;
     std::string index{};  ///< JSON of the material file's key, where the optical constants are known
-    /// Held at a value, by name or key: {"a", 0}, {"n", 1.5}. A name without channel or lobe means all of them.
+    /// Held at a value, by name or key: {"a", 0}, {"n", 1.5}. A name without channel or lobe means all of
+    /// them.
     std::map<std::string, double> fixed{};
-    std::vector<std::string>
-        freed{};  ///< parameters that are tied or fixed unless named here: "my", "k", "scale"
+    std::vector<std::string> freed{};  ///< that are tied or fixed unless named here: "my", "k", "scale"
     std::map<std::string, double> starts{};  ///< the only start of a parameter
     Residual residual = Residual::logarithmic;
     Loss loss = Loss::squares;
@@ -85,8 +88,9 @@ struct FitStatistics {
     double l2;              ///< the same times cos theta_i [Kurt10, after Ngan et al. 2005]
     std::optional<double> reduced_chi_squared;  ///< where uncertainties are known
     double cost;                                ///< sum of rho over all data
-    double
-        aic;  ///< n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of one residual and loss to the same data
+    /// n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of
+    /// one residual and loss to the same data.
+    double aic;
     double bic;  ///< n ln(cost/n) + k ln n, Schwarz
 };
 
@@ -114,10 +118,13 @@ struct Fit {
     [[nodiscard]] const FittedParameter& parameter(const std::string& name) const;
 };
 
-/// RequestError that names an unknown model or parameter, one both freed and fixed, a start or fixed value out of bounds;
-/// hts::Error for fewer data than free parameters, uncertainties that are needed and not there, a value of 0 where its logarithm is needed.
-///   with_a_lobe_less   the fit of the same request but for that, where it was made already: it is not made again
-[[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data, const Fit* with_a_lobe_less = nullptr);
+/// RequestError that names an unknown model or parameter, one both freed and fixed, a start or fixed value
+/// out of bounds; hts::Error for fewer data than free parameters, uncertainties that are needed and not
+/// there, a value of 0 where its logarithm is needed.
+///   with_a_lobe_less   the fit of the same request but for that, where it was made already: it is not made
+///                      again
+[[nodiscard]] Fit fitted(const FitRequest& request, const FitData& data,
+                         const Fit* with_a_lobe_less = nullptr);
 
 /// The fitted material as it is read from its file, without the scale.
 [[nodiscard]] spectral::Material fitted_material(const Fit& fit);

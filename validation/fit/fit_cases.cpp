@@ -12,7 +12,8 @@ FitCase plain_case(const std::string& set) {
     return {set, set, {.index = known_index(set), .followed_starts = 4}};
 }
 
-/// A smooth surface scatters from within alone. At 70 and 80 deg of incidence the instrument's values fall to nothing.
+/// A smooth surface scatters from within alone. At 70 and 80 deg of incidence the instrument's values fall to
+/// nothing.
 FitCase blue_acrylic() {
     FitCase result = plain_case("blue-acrylic");
     result.label = "blue-acrylic, as smooth";

@@ -7,7 +7,8 @@ using Answers = std::vector<Prediction::Answer>;  // one per job
 
 Prediction::Answer nothing(const Prediction::Job& job) {
     const std::size_t count = job.wavelengths.size();
-    return {std::vector<double>(job.pairs.size() * count), std::vector<double>(job.incidences.size() * count)};
+    return {std::vector<double>(job.pairs.size() * count),
+            std::vector<double>(job.incidences.size() * count)};
 }
 
 void add(std::vector<double>& sum, double factor, const std::vector<double>& values) {

@@ -1,4 +1,5 @@
-/// What an instrument averages of a model, and how that changes with the model's parameters. Private to the fits.
+/// What an instrument averages of a model, and how that changes with the model's parameters. Private to the
+/// fits.
 #pragma once
 
 #include <span>
@@ -26,7 +27,8 @@ struct Changes {
 [[nodiscard]] Columns averages(const FitModel& model, const Prediction& instrument,
                                const std::vector<std::vector<double>>& values);
 
-/// Exact for models with a gradient; for others differences between both sides of each move, a lobe's from that lobe alone.
+/// Exact for models with a gradient; for others differences between both sides of each move, a lobe's from
+/// that lobe alone.
 [[nodiscard]] Changes changes(const FitModel& model, const Prediction& instrument,
                               const std::vector<double>& values, std::span<const Move> moves);
 

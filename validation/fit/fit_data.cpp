@@ -36,7 +36,8 @@ FitData checked(FitData data) {
     return data;
 }
 
-FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths, const std::vector<FitSample>& samples) {
+FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths,
+                 const std::vector<FitSample>& samples) {
     FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}};
     data.channels.resize(data.wavelengths.size());
     std::iota(data.channels.begin(), data.channels.end(), std::size_t{0});

@@ -27,13 +27,14 @@ struct FitData {
     std::vector<double> values;
     std::vector<double> uncertainties;  ///< as many, or none where they are not known
     std::vector<double> cosines;        ///< cos theta_i of each datum
-    std::shared_ptr<const Prediction> instrument{};  ///< what it would have shown of a surface, a value per datum
+    /// What it would have shown of a surface, a value per datum.
+    std::shared_ptr<const Prediction> instrument{};
     spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of optical constants
 };
 
 /// Plain samples; each wavelength is a channel of its own.
-/// hts::Error "NAME: sample 3: …" for values that are negative or no numbers, uncertainties that only some have, wavelengths
-/// that are not in the grid.
+/// hts::Error "NAME: sample 3: …" for values that are negative or no numbers, uncertainties that only some
+/// have, wavelengths that are not in the grid.
 [[nodiscard]] FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths,
                                const std::vector<FitSample>& samples);
 

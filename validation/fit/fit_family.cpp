@@ -157,7 +157,8 @@ Prediction::Answer ashikhmin(Numbers numbers, const Prediction::Job& job) {
 
 }  // namespace
 
-// A line per model: its name here and in material files, keys that are no numbers, numbers, numbers of each lobe, and the model.
+// A line per model: its name here and in material files, keys that are no numbers, numbers, numbers of each
+// lobe, and the model.
 const std::vector<FitFamily>& fit_families() {
     static const std::vector<FitFamily> families{
         {"he",

@@ -1,9 +1,9 @@
-/// Every model of the library as something with parameters to fit: which numbers may move, how far, from where a search starts,
-/// and what the model of such numbers answers to an instrument.
+/// Every model of the library as something with parameters to fit: which numbers may move, how far, from
+/// where a search starts, and what the model of such numbers answers to an instrument.
 ///
-/// A model joins with a line in fit_family.cpp that lists the keys of its material file and what its numbers mean. A test holds
-/// that against the registry of models (spectral/models/material.hpp), so that what is fitted and the material file that comes
-/// out of a fit are the same thing.
+/// A model joins with a line in fit_family.cpp that lists the keys of its material file and what its numbers
+/// mean. A test holds that against the registry of models (spectral/models/material.hpp), so that what is
+/// fitted and the material file that comes out of a fit are the same thing.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace hts::validation {
 enum class Motion {
     factors,  ///< by factors: its logarithm is what is fitted; positive lengths, widths, exponents
     steps,    ///< by differences
-    linear,  ///< by differences, and the BRDF is an affine function of it and of all others of this kind together
+    linear,   ///< the same, and the BRDF is an affine function of it and of all others of this kind together
 };
 
 /// What the starts of a parameter are multiples of.
@@ -53,8 +53,8 @@ struct ModelNumbers {
 
 /// A line of the list of models.
 struct FitFamily {
-    /// What the models of several numbers answer, all of a pair (an incidence) together: they share what the numbers have in
-    /// common. hts::Error where a number is not allowed.
+    /// What the models of several numbers answer, all of a pair (an incidence) together: they share what the
+    /// numbers have in common. hts::Error where a number is not allowed.
     using Answer = std::function<Prediction::Answer(std::span<const ModelNumbers>, const Prediction::Job&)>;
     /// Derivatives of the answers of one model at a job's wavelengths, by each number of its own.
     using Gradient =

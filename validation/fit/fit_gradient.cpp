@@ -1,6 +1,7 @@
 #include "validation/fit/fit_gradient.hpp"
 
 #include <array>
+#include <optional>
 
 #include "hts/he_torrance_gradient.hpp"
 #include "hts/terms.hpp"
@@ -9,6 +10,24 @@ namespace hts::validation {
 namespace {
 
 constexpr std::size_t columns = 5;
+
+/// The view of a direction, found anew only where it is not that of the call before: neighbours share one.
+class Views {
+  public:
+    explicit Views(const Surface& surface) : surface_{surface} {}
+
+    const ViewGradient& of(const Direction& direction) {
+        const Vector3 v = direction.vector();
+        if (!last_ || v.x != at_.x || v.y != at_.y || v.z != at_.z) last_ = view_gradient(surface_, direction);
+        at_ = v;
+        return *last_;
+    }
+
+  private:
+    const Surface& surface_;
+    Vector3 at_{};
+    std::optional<ViewGradient> last_;
+};
 
 /// The numbers of a fit among the derivatives.
 std::array<double, columns> in_order(const Gradient<>& by) {
@@ -23,8 +42,9 @@ std::vector<Prediction::Answer> he_torrance_gradient(std::span<const ModelNumber
     const std::size_t count = numbers.size();
     std::vector<Prediction::Answer> result(columns, {std::vector<double>(job.pairs.size() * count),
                                                      std::vector<double>(job.incidences.size() * count)});
+    Views ins{surface}, outs{surface};
     for (std::size_t i = 0; i < job.pairs.size(); ++i) {
-        const PairGradient pair{surface, job.pairs[i].in, job.pairs[i].out};
+        const PairGradient pair{surface, ins.of(job.pairs[i].in), outs.of(job.pairs[i].out)};
         for (std::size_t w = 0; w < count; ++w) {
             const ModelNumbers& at = numbers[w];
             const auto by =

@@ -78,11 +78,14 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
         if (layout_.index.empty() || !of_index(family_, family_.parameters[i]))
             place(family_.parameters[i], {}, i);
     }
-    const auto lobes = static_cast<std::size_t>(family_.lobe.empty() ? 0 : layout_.lobes);
-    for (std::size_t lobe = 0; lobe < lobes; ++lobe) {
+    for (std::size_t lobe = 0; lobe < lobe_count(); ++lobe) {
         for (std::size_t i = 0; i < family_.lobe.size(); ++i) place(family_.lobe[i], lobe, i);
     }
     if (!layout_.index.empty()) read_index();
+}
+
+std::size_t FitModel::lobe_count() const noexcept {
+    return static_cast<std::size_t>(family_.lobe.empty() ? 0 : layout_.lobes);
 }
 
 void FitModel::read_index() {
@@ -124,7 +127,7 @@ std::size_t FitModel::layout_place(double um) const {
 
 std::vector<ModelNumbers> FitModel::numbers(const FitTrial& trial,
                                             const spectral::WavelengthGrid& wavelengths) const {
-    const std::size_t lobes = family_.lobe.empty() ? 0 : trial.lobe ? 1 : static_cast<std::size_t>(layout_.lobes);
+    const std::size_t lobes = trial.lobe ? 1 : lobe_count();
     const ModelNumbers empty{wavelengths[0],
                              {1, 0},
                              std::vector<double>(family_.parameters.size()),
@@ -160,7 +163,8 @@ std::vector<Prediction::Answer> FitModel::answers(std::span<const FitTrial> tria
         return result;
     }
     std::vector<ModelNumbers> all;
-    for (const FitTrial& trial : trials) std::ranges::move(numbers(trial, job.wavelengths), std::back_inserter(all));
+    for (const FitTrial& trial : trials)
+        std::ranges::move(numbers(trial, job.wavelengths), std::back_inserter(all));
     const auto [brdf, specular] = family_.answer(all, job);
     const std::size_t count = job.wavelengths.size();
     for (std::size_t first = 0; first < all.size(); first += count) {

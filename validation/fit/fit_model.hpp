@@ -1,5 +1,5 @@
-/// A model of the list (fit_family.hpp) laid out for data: its parameters by lobe and channel, the model that their values make, and
-/// the material file that says the same.
+/// A model of the list (fit_family.hpp) laid out for data: its parameters by lobe and channel, the model that
+/// their values make, and the material file that says the same.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@
 
 namespace hts::validation {
 
-/// What was asked of a fit cannot be, whatever the data: a model or parameter that is not known, a value out of bounds.
+/// What was asked of a fit cannot be, whatever the data: a model or parameter that is not known, a value out
+/// of bounds.
 class RequestError : public Error {
   public:
     using Error::Error;
@@ -34,7 +35,8 @@ struct FitParameter {
 /// How the model is laid out for data.
 struct FitLayout {
     int lobes = 1;  ///< 1 to 3; of models with lobes
-    /// Wavelengths of the data [um] and which channel each belongs to; parameters that are linear get a value per channel.
+    /// Wavelengths of the data [um] and which channel each belongs to; parameters that are linear get a value
+    /// per channel.
     std::vector<double> wavelengths;
     std::vector<std::size_t> channels;
     /// JSON of the key "index" where it is known, "\"Al\""; else n and k are parameters.
@@ -61,8 +63,8 @@ class FitModel {
     [[nodiscard]] const FitLayout& layout() const noexcept { return layout_; }
     [[nodiscard]] const std::vector<FitParameter>& parameters() const noexcept { return parameters_; }
 
-    /// What the model answers to a job at some of the layout's wavelengths, for each of some trials, which share what they
-    /// have in common; hts::Error where a value is not allowed.
+    /// What the model answers to a job at some of the layout's wavelengths, for each of some trials, which
+    /// share what they have in common; hts::Error where a value is not allowed.
     [[nodiscard]] std::vector<Prediction::Answer> answers(std::span<const FitTrial> trials,
                                                           const Prediction::Job& job) const;
     /// Whether a parameter matters at any wavelength of a job.
@@ -78,6 +80,7 @@ class FitModel {
   private:
     void place(const ParameterRange& range, std::optional<std::size_t> lobe, std::size_t number);
     void read_index();
+    [[nodiscard]] std::size_t lobe_count() const noexcept;
     [[nodiscard]] std::size_t layout_place(double um) const;
     [[nodiscard]] std::vector<ModelNumbers> numbers(const FitTrial& trial,
                                                     const spectral::WavelengthGrid& wavelengths) const;

@@ -65,7 +65,8 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
     : request_{request},
       data_{data},
       model_{request.model, layout(request, data)},
-      separable_{data.instrument->is_affine() && request.residual != Residual::logarithmic && request.loss == Loss::squares} {
+      separable_{data.instrument->is_affine() && request.residual != Residual::logarithmic &&
+                 request.loss == Loss::squares} {
     if (!(request.loss_scale > 0))
         throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
@@ -198,7 +199,8 @@ std::vector<double> FitProblem::start(std::size_t combination) const {
         const double start = range.starts[combination % choices(i)] * start_unit(i, values);
         values[i] = std::clamp(start, range.lowest, range.highest);
         combination /= choices(i);
-        if (range.motion == Motion::linear && data_.instrument->is_affine() && !places_[i].start_given) linear.push_back(i);
+        const bool follows = range.motion == Motion::linear && !places_[i].start_given;
+        if (follows && data_.instrument->is_affine()) linear.push_back(i);
     }
     set_tied(values);
     if (!linear.empty()) values = best_linear(values, linear);

@@ -45,8 +45,8 @@ class FitProblem {
     [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
-    /// Residuals as the solver sees them, of what is searched with the best of what is separated. The derivatives leave out
-    /// what the separated ones can make up for, as they stand [Kaufman 1975].
+    /// Residuals as the solver sees them, of what is searched with the best of what is separated. The
+    /// derivatives leave out what the separated ones can make up for, as they stand [Kaufman 1975].
     [[nodiscard]] Linearised projected_residuals(std::span<const double> searched, bool with_jacobian) const;
     /// The same at any coordinates of all free parameters.
     [[nodiscard]] Linearised residuals(std::span<const double> coordinates, bool with_jacobian) const;

@@ -52,7 +52,8 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
                        .followed_starts = request.followed_starts};
         if (set.scale == Scale::unknown) fit.freed.emplace_back("scale");
         const auto fewer = std::ranges::find(result, ModelChoice{choice.model, choice.lobes - 1}, choice_of);
-        result.push_back(fitted(fit, spectral ? with_bands : plain, fewer == result.end() ? nullptr : &*fewer));
+        result.push_back(
+            fitted(fit, spectral ? with_bands : plain, fewer == result.end() ? nullptr : &*fewer));
     }
     return result;
 }

@@ -19,7 +19,8 @@ struct ModelChoice {
     [[nodiscard]] bool operator==(const ModelChoice&) const noexcept = default;
 };
 
-/// All of the library but those whose trials take long; Kurt's with 1, 2 and 3 lobes. Anisotropic ones with equal widths.
+/// All of the library but those whose trials take long; Kurt's with 1, 2 and 3 lobes. Anisotropic ones with
+/// equal widths.
 [[nodiscard]] std::vector<ModelChoice> compared_models();
 
 struct ComparisonRequest {

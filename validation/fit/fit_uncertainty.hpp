@@ -22,9 +22,10 @@ struct Uncertainty {
     std::vector<std::string> statements;
 };
 
-/// From the derivatives of residuals after the coordinates (logarithms for Motion::factors) and the residuals' variance. A direction in
-/// the space of parameters is not determined when one standard error along it is 30 % or more of the parameters; of one that is
-/// determined only together with another, their ratio or product is given with its own error.
+/// From the derivatives of residuals after the coordinates (logarithms for Motion::factors) and the
+/// residuals' variance. A direction in the space of parameters is not determined when one standard error
+/// along it is 30 % or more of the parameters; of one that is determined only together with another, their
+/// ratio or product is given with its own error.
 [[nodiscard]] Uncertainty uncertainty(const std::vector<FreeParameter>& parameters, const Columns& jacobian,
                                       double variance);
 

@@ -20,8 +20,9 @@ Eigen::MatrixXd matrix_of(const Columns& columns, std::size_t rows) {
     return matrix;
 }
 
-/// Minimises x'Ax/2 - b'x within bounds: unknowns are freed from their bounds one at a time, the one that promises most first,
-/// and are held again where the free solution would pass a bound (Lawson and Hanson; Stark and Parker).
+/// Minimises x'Ax/2 - b'x within bounds: unknowns are freed from their bounds one at a time, the one that
+/// promises most first, and are held again where the free solution would pass a bound (Lawson and Hanson;
+/// Stark and Parker).
 class BoundedQuadratic {
   public:
     BoundedQuadratic(Eigen::MatrixXd a, Eigen::VectorXd b, const std::vector<Bounds>& bounds)
@@ -179,8 +180,8 @@ Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
     }
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(most_iterations), &problem, &summary);
-    return {start, half_sum_of_squares(residuals(start, false).residuals), static_cast<int>(summary.iterations.size()) - 1,
-            summary.termination_type == ceres::CONVERGENCE};
+    return {start, half_sum_of_squares(residuals(start, false).residuals),
+            static_cast<int>(summary.iterations.size()) - 1, summary.termination_type == ceres::CONVERGENCE};
 }
 
 }  // namespace hts::validation

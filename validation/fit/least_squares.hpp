@@ -14,8 +14,8 @@ struct Bounds {
 /// Columns of a matrix, all of one length.
 using Columns = std::vector<std::vector<double>>;
 
-/// The x within bounds that minimises |sum_j x_j columns_j - target|^2, the global minimum. Columns that are 0 or depend on
-/// others leave x at a bound.
+/// The x within bounds that minimises |sum_j x_j columns_j - target|^2, the global minimum. Columns that are
+/// 0 or depend on others leave x at a bound.
 [[nodiscard]] std::vector<double> bounded_linear_solution(const Columns& columns,
                                                           std::span<const double> target,
                                                           const std::vector<Bounds>& bounds);
@@ -38,8 +38,8 @@ struct Minimum {
     bool converged;
 };
 
-/// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start within them.
-/// The same bits for the same start.
+/// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start
+/// within them. The same bits for the same start.
 [[nodiscard]] Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
                                     const std::vector<Bounds>& bounds, int most_iterations);
 

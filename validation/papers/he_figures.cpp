@@ -32,7 +32,8 @@ Material ceramic() {
 }
 
 Material sandpaper() {
-    return he_torrance_material("220-grit sandpaper, σ₀/τ = 4.4", {44, 10}, built_in_optical_constants("Al2O3"));
+    return he_torrance_material("220-grit sandpaper, σ₀/τ = 4.4", {44, 10},
+                                built_in_optical_constants("Al2O3"));
 }
 
 Material plastic() {

@@ -88,8 +88,8 @@ constexpr std::array map_angles{0.0, 20.0, 40.0, 60.0, 67.5, 75.0, 80.0, 85.0, 8
 constexpr std::array map_limits{60.0, 75.0, 85.0, 89.0};
 constexpr double map_top = 1.5;
 
-/// The exponent with which the albedo at one angle is 1, at most map_top; it grows with the exponent, its logarithm nearly
-/// in proportion, so secants soon meet it.
+/// The exponent with which the albedo at one angle is 1, at most map_top; it grows with the exponent, its
+/// logarithm nearly in proportion, so secants soon meet it.
 double largest_alpha(double m, double degrees) {
     const auto excess = [&](double alpha) { return std::log(albedo({1, m, m, alpha}, degrees)); };
     double before = 0, alpha = 0.5;

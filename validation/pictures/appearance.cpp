@@ -67,8 +67,8 @@ Spectrum operator*(double factor, const Spectrum& a) noexcept {
 
 namespace {
 
-/// Mean over incident light from everywhere of what the diffuse lobes reflect: the uniform part and, by evenly spread draws,
-/// the rest.
+/// Mean over incident light from everywhere of what the diffuse lobes reflect: the uniform part and, by
+/// evenly spread draws, the rest.
 Spectrum average_albedo(const Appearance& appearance, const Spectrum& uniform) {
     constexpr std::uint32_t draws = 8192;
     Spectrum sum = uniform;

@@ -16,11 +16,13 @@ inline constexpr double rendered_brdf = 1e-3;
 
 namespace hts::validation {
 
-/// Pictures are computed at 0.40, 0.41 ... 0.70 um, which is what a colour takes (spectral/colour/colour.hpp).
+/// Pictures are computed at 0.40, 0.41 ... 0.70 um, which is what a colour takes
+/// (spectral/colour/colour.hpp).
 inline constexpr std::size_t bands = 31;
 [[nodiscard]] const spectral::WavelengthGrid& picture_wavelengths();
 
-/// A value per wavelength of a picture. Radiances are relative to the illuminant's, D65: 1 is as white paper in the sun.
+/// A value per wavelength of a picture. Radiances are relative to the illuminant's, D65: 1 is as white paper
+/// in the sun.
 struct Spectrum {
     std::array<double, bands> values{};
 
@@ -59,12 +61,13 @@ class Appearance {
     /// Whether there is a mirror term at all.
     [[nodiscard]] bool has_specular() const noexcept { return mirror_.properties().specular_term; }
 
-    /// Share of uniform incident light that the diffuse terms reflect, rho_hd of [He91 (12)], a function of wavelength alone.
+    /// Share of uniform incident light that the diffuse terms reflect, rho_hd of [He91 (12)], a function of
+    /// wavelength alone.
     ///   error   accuracy::rendered_albedo
     [[nodiscard]] const Spectrum& diffuse_albedo() const noexcept { return diffuse_albedo_; }
 
-    /// Draws for one of three wavelengths, which u[3] chooses; the density is that of all three together, so that no
-    /// wavelength's weight brdf cos/pdf runs away.   u   four numbers in [0, 1)
+    /// Draws for one of three wavelengths, which u[3] chooses; the density is that of all three together, so
+    /// that no wavelength's weight brdf cos/pdf runs away. u four numbers in [0, 1)
     [[nodiscard]] SpectralDraw draw(const Direction& in, const std::array<double, 4>& u) const noexcept;
     /// Density in solid angle of `draw` drawing `out` from a diffuse lobe [1/sr].
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;

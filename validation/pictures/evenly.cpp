@@ -18,8 +18,8 @@ std::uint32_t reversed(std::uint32_t x) {
     return (x >> 16) | (x << 16);
 }
 
-/// Owen's scrambling of a binary fraction: every digit is turned or not as those above it say. On the reversed number that
-/// is a hash in which bits move upwards only.
+/// Owen's scrambling of a binary fraction: every digit is turned or not as those above it say. On the
+/// reversed number that is a hash in which bits move upwards only.
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     x = reversed(x) + seed;
     x ^= x * 0x6c50b47cu;

@@ -1,8 +1,8 @@
 /// Points that fill the unit square evenly, for pixels, lights and paths.
 ///
-/// The (0, 2)-sequence of van der Corput and Sobol, its order and its digits scrambled by a hash (Owen's scrambling), so that
-/// two dimensions of the same sample, or the same of two pixels, know nothing of each other. A point depends on its numbers
-/// alone: pictures have the same bits for any number of threads.
+/// The (0, 2)-sequence of van der Corput and Sobol, its order and its digits scrambled by a hash (Owen's
+/// scrambling), so that two dimensions of the same sample, or the same of two pixels, know nothing of each
+/// other. A point depends on its numbers alone: pictures have the same bits for any number of threads.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-/// The scenes that `hts render` knows: those of He et al. 1991, and shapes on which any material is looked at.
+/// The scenes that `hts render` knows: those of He et al. 1991, and shapes on which any material is looked
+/// at.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,8 @@ struct Gallery {
 [[nodiscard]] Picture picture_of(const Gallery& gallery, RenderSettings settings,
                                  const Progress& progress = {});
 
-/// fig12, fig13 and fig14 of He et al. 1991; Ashikhmin et al. 2000, Figs 1, 5, 7, 9 and 11; Kurt et al. 2010, Figs 4 and 13.
+/// fig12, fig13 and fig14 of He et al. 1991; Ashikhmin et al. 2000, Figs 1, 5, 7, 9 and 11; Kurt et al. 2010,
+/// Figs 4 and 13.
 [[nodiscard]] const std::vector<Gallery>& galleries();
 
 /// Of the cylinders of fig12 and fig13, which stand upright about the scene's z axis.

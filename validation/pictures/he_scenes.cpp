@@ -1,4 +1,5 @@
-// The scenes of He et al. 1991, section 5. The paper gives materials and parameters; places, lights and camera are chosen here.
+// The scenes of He et al. 1991, section 5. The paper gives materials and parameters; places, lights and
+// camera are chosen here.
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
-// Pictures of the microfacet papers: Ashikhmin, Premoze and Shirley 2000, Kurt, Szirmay-Kalos and Krivanek 2010. Densities,
-// widths and Kurt's parameters are the papers'; colours that they do not give, shapes and lights are chosen here.
+// Pictures of the microfacet papers: Ashikhmin, Premoze and Shirley 2000, Kurt, Szirmay-Kalos and Krivanek
+// 2010. Densities, widths and Kurt's parameters are the papers'; colours that they do not give, shapes and
+// lights are chosen here.
 
 #include <cmath>
 #include <limits>
@@ -70,7 +71,8 @@ NormalDensity pictured(double sigma, double extent, const Value& value) {
     ValueGrid grid{edge, edge, {}};
     for (std::size_t row = 0; row < edge; ++row) {
         for (std::size_t column = 0; column < edge; ++column) {
-            // on a sphere the facet that mirrors the light leans away from the highlight's centre: half a turn makes it upright
+            // on a sphere the facet that mirrors the light leans away from the highlight's centre: half a
+            // turn makes it upright
             const auto from_centre = [](std::size_t i) {
                 return 2 * (static_cast<double>(i) + 0.5) / edge - 1;
             };

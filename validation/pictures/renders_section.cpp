@@ -1,4 +1,5 @@
-// The pictures of the papers' scenes for the report, and what the text of He et al. 1991 says one sees in them.
+// The pictures of the papers' scenes for the report, and what the text of He et al. 1991 says one sees in
+// them.
 
 #include "validation/pictures/renders_section.hpp"
 

@@ -5,7 +5,8 @@
 
 namespace hts::validation {
 
-/// Every gallery, small with Effort::quick, and what the text of He et al. 1991 says of Figs 12 and 14, measured in the scenes.
+/// Every gallery, small with Effort::quick, and what the text of He et al. 1991 says of Figs 12 and 14,
+/// measured in the scenes.
 [[nodiscard]] Section renders_section(Effort effort);
 
 }  // namespace hts::validation

@@ -55,7 +55,8 @@ class AreaLight {
 /// A pinhole camera.
 class Camera {
   public:
-    ///   up is the scene's z, which the line of sight must not follow     field_of_view   across, [deg] 0 ... 180 exclusive
+    ///   up is the scene's z, which the line of sight must not follow
+    ///   field_of_view   across, [deg] 0 ... 180 exclusive
     Camera(Vector3 place, Vector3 looks_at, double field_of_view);
     /// Through a point of the picture: x from the left, y from the top, 0 ... 1 across its width.
     [[nodiscard]] Ray ray(double x, double y, double height_over_width) const noexcept;

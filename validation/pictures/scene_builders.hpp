@@ -7,8 +7,8 @@
 
 namespace hts::validation {
 
-/// A spectrum for each of red, green and blue: held below 0.49 um (blue), about 0.54 (green) and above 0.61 (red), joined by
-/// straight lines.
+/// A spectrum for each of red, green and blue: held below 0.49 um (blue), about 0.54 (green) and above 0.61
+/// (red), joined by straight lines.
 [[nodiscard]] spectral::PiecewiseLinear from_rgb(const std::array<double, 3>& rgb);
 
 /// A perfectly diffuse material.   rgb   albedo, 0 ... 1

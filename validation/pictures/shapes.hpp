@@ -1,7 +1,8 @@
 /// Shapes of a scene and where a ray meets them, in closed form but for the folds of a cloth.
 ///
-/// Every shape says at the point met which way is outward and, for anisotropic surfaces, which way along the surface its x
-/// axis runs. Shapes are seen from outside; cloth and rectangles have two sides, of which the normal is the upper one.
+/// Every shape says at the point met which way is outward and, for anisotropic surfaces, which way along the
+/// surface its x axis runs. Shapes are seen from outside; cloth and rectangles have two sides, of which the
+/// normal is the upper one.
 #pragma once
 
 #include <array>

@@ -20,9 +20,10 @@ constexpr double pi = std::numbers::pi;
 // zeta'(-2) and zeta'(-4)
 constexpr double zeta_2 = -0.030448457058393271, zeta_4 = 0.0079838114502686243;
 
-/// By how much the rule's weight of the logarithm's coefficient differs from the step at the nodes 0, 1 and 2 steps off,
-/// in steps: integral log|t| f(t) dt = h sum' log|t_j| f(t_j) + h (log(h/2pi) f(0) + zeta'(-2) D2 f + zeta'(-4)/12 D4 f),
-/// D2 and D4 the second and fourth differences over five nodes; the first correction is at the node itself.
+/// By how much the rule's weight of the logarithm's coefficient differs from the step at the nodes 0, 1 and 2
+/// steps off, in steps: integral log|t| f(t) dt = h sum' log|t_j| f(t_j) + h (log(h/2pi) f(0) + zeta'(-2) D2
+/// f + zeta'(-4)/12 D4 f), D2 and D4 the second and fourth differences over five nodes; the first correction
+/// is at the node itself.
 struct Corrections {
     double own;
     std::array<double, 2> neighbours;

@@ -154,8 +154,8 @@ Count nearer_count(const FigureTable& map, std::string_view one, std::string_vie
     return count;
 }
 
-/// rms distance of a model [dB] over the lobe of a row of the map, weighted with the exact energy, up to an angle of
-/// scattering.
+/// rms distance of a model [dB] over the lobe of a row of the map, weighted with the exact energy, up to an
+/// angle of scattering.
 double lobe_distance(const FigureTable& lobes, const std::vector<double>& map_row, const std::string& model,
                      double most_theta_r) {
     const std::size_t te = column_of(lobes, "exact_te"), tm = column_of(lobes, "exact_tm"),

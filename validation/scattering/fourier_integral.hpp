@@ -1,11 +1,12 @@
-/// The directional-diffuse term before shadowing (sigma = sigma_0, S = 1), against the diffraction integral that it
-/// stands for, summed over explicit surfaces and averaged.
+/// The directional-diffuse term before shadowing (sigma = sigma_0, S = 1), against the diffraction integral
+/// that it stands for, summed over explicit surfaces and averaged.
 ///
-/// A perfectly reflecting surface is periodic with period L along x and y; light falls in along k_i and is seen along
-/// k_r, both with horizontal parts that are multiples of 2 pi/L, so that the integral over a period has no edges and needs no
-/// window. Kirchhoff's integral with the surface's own slopes p and q,
+/// A perfectly reflecting surface is periodic with period L along x and y; light falls in along k_i and is
+/// seen along k_r, both with horizontal parts that are multiples of 2 pi/L, so that the integral over a
+/// period has no edges and needs no window. Kirchhoff's integral with the surface's own slopes p and q,
 ///
-///   N = 2 integral (-k_ix p - k_iy q + k_iz) exp(-i v r) dx dy,   BRDF = |N|^2/(16 pi^2 L^2 cos theta_i cos theta_r),
+///   N = 2 integral (-k_ix p - k_iy q + k_iz) exp(-i v r) dx dy
+///   BRDF = |N|^2/(16 pi^2 L^2 cos theta_i cos theta_r),
 ///
 /// knows neither Phi nor G [He91 (76)-(78)]. v_xy = 0, where the mirror term is, is left out. Lengths are in
 /// wavelengths.

@@ -45,7 +45,8 @@ std::vector<double> wave_numbers(std::size_t samples, double step) {
     return result;
 }
 
-/// Square root of the transform of C over samples a step apart: sqrt(tau sqrt(pi)/step) exp(-(kappa tau)^2/8).
+/// Square root of the transform of C over samples a step apart: sqrt(tau sqrt(pi)/step) exp(-(kappa
+/// tau)^2/8).
 double amplitude_filter(double wave_number, double step, double correlation_length) {
     const double scaled = wave_number * correlation_length;
     return std::sqrt(correlation_length / (std::numbers::inv_sqrtpi * step)) * std::exp(-scaled * scaled / 8);

@@ -1,10 +1,10 @@
 /// Random surfaces to be scattered from: heights of normal distribution with autocorrelation
 /// C(r) = exp(-r^2/tau^2) [He91 (48)], in one dimension or two, with exact derivatives.
 ///
-/// A surface is periodic and sampled evenly: white noise is filtered by the square root of the spectrum, so that
-/// covariances at the samples are those of C, wrapped round the period. Derivatives are those of the trigonometric
-/// polynomial through the samples. Lengths are in any one unit. The same seed gives the same surface on every machine
-/// with the same mathematical library.
+/// A surface is periodic and sampled evenly: white noise is filtered by the square root of the spectrum, so
+/// that covariances at the samples are those of C, wrapped round the period. Derivatives are those of the
+/// trigonometric polynomial through the samples. Lengths are in any one unit. The same seed gives the same
+/// surface on every machine with the same mathematical library.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 /// What the studies of the ground truth share: tables that are kept as data, and the data kept.
 ///
-/// `hts truth STUDY --output validation/scattering/data` writes them anew; they are embedded in this library, so that
-/// a quick report can show the full result beside the few cases it computes itself.
+/// `hts truth STUDY --output validation/scattering/data` writes them anew; they are embedded in this library,
+/// so that a quick report can show the full result beside the few cases it computes itself.
 #pragma once
 
 #include <string>
@@ -40,8 +40,8 @@ using AddResults = void (*)(Section& section, const std::vector<FigureTable>& ta
 [[nodiscard]] GroundTruth ground_truth(std::string provenance, std::vector<FigureTable> tables, Section empty,
                                        AddResults add_results);
 
-/// The section of a study as computed now; of a quick one the checks are said to be of few realisations, and the full
-/// result that is kept stands beside, with its own checks and in the figures' place.
+/// The section of a study as computed now; of a quick one the checks are said to be of few realisations, and
+/// the full result that is kept stands beside, with its own checks and in the figures' place.
 [[nodiscard]] Section section_of(GroundTruth computed, Effort effort, AddResults add_results);
 
 /// Position of a column; it must be there.

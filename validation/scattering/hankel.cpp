@@ -35,7 +35,8 @@ Hankel near(Complex z) {
 }
 
 /// h of both orders, away from 0: with w = -iz
-///   K_nu(w) = sqrt(pi/2w) exp(-w)/Gamma(nu + 1/2) integral exp(-q^2) q^(2 nu) (1 + q^2/2w)^(nu - 1/2) dq over all q
+///   K_nu(w) = sqrt(pi/2w) exp(-w)/Gamma(nu + 1/2) integral exp(-q^2) q^(2 nu) (1 + q^2/2w)^(nu - 1/2) dq,
+///   over all q
 /// [NIST (10.32.8)], where the trapezoidal rule's error falls as exp(-2 pi |z|^(1/2)/step), and H_nu from
 /// K_nu [NIST (10.27.8)].
 Hankel far(Complex z) {

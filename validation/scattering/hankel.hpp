@@ -21,8 +21,8 @@ struct Bessel {
 };
 [[nodiscard]] Bessel bessel(std::complex<double> z) noexcept;
 
-/// H(kr) at distances r = 0 … largest. H(z) = exp(iz)/sqrt(z) h(1/z) with h smooth, which is tabulated with its derivative
-/// from |z| = 1.5 on; nearer, the power series.
+/// H(kr) at distances r = 0 … largest. H(z) = exp(iz)/sqrt(z) h(1/z) with h smooth, which is tabulated with
+/// its derivative from |z| = 1.5 on; nearer, the power series.
 class HankelTable {
   public:
     ///   largest   distance up to which it is asked      wave_number   k, not 0, in the quadrant Re, Im >= 0

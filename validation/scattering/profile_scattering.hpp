@@ -1,16 +1,17 @@
-/// Closed forms for light scattered by surfaces that are rough in one dimension, a perfectly conducting profile z(x):
-/// what the exact solution of `moment_method` is held against.
+/// Closed forms for light scattered by surfaces that are rough in one dimension, a perfectly conducting
+/// profile z(x): what the exact solution of `moment_method` is held against.
 ///
-/// The Kirchhoff current of a beam that lights the length L is N = 2i integral (k_i n) exp(-i v r) dl. The integrand's
-/// slope is integrated away, z' -> -v_x/v_z, which leaves N = -i |v|^2/v_z integral exp(-i v r) dx. Of Gaussian heights
-/// with C = exp(-xi^2/tau^2) the incoherent part of <|N|^2>/L is
+/// The Kirchhoff current of a beam that lights the length L is N = 2i integral (k_i n) exp(-i v r) dl. The
+/// integrand's slope is integrated away, z' -> -v_x/v_z, which leaves N = -i |v|^2/v_z integral exp(-i v r)
+/// dx. Of Gaussian heights with C = exp(-xi^2/tau^2) the incoherent part of <|N|^2>/L is
 ///
-///   (|v|^2/v_z)^2 integral exp(-i v_x xi) (exp(-g (1 - C)) - exp(-g)) dxi = (|v|^2/v_z)^2 sqrt(pi) tau Phi_1(g, t)
+///   (|v|^2/v_z)^2 integral exp(-i v_x xi) (exp(-g (1 - C)) - exp(-g)) dxi
+///     = (|v|^2/v_z)^2 sqrt(pi) tau Phi_1(g, t)
 ///   Phi_1(g, t) = exp(-g) sum_{m >= 1} g^m/(m! sqrt(m)) exp(-t/m),   g = (v_z sigma)^2,   t = (v_x tau/2)^2
 ///
-/// (the integral over xi gives sqrt(pi/m) tau exp(-t/m) where the one over a plane gives (pi tau^2/m) exp(-t/m): hence
-/// Phi_1's root of m in place of m). As |psi_s|^2 r = |N|^2/(8 pi k) and L cos theta_i of power falls in, the
-/// power scattered per angle, of all that falls in, is
+/// (the integral over xi gives sqrt(pi/m) tau exp(-t/m) where the one over a plane gives (pi tau^2/m)
+/// exp(-t/m): hence Phi_1's root of m in place of m). As |psi_s|^2 r = |N|^2/(8 pi k) and L cos theta_i of
+/// power falls in, the power scattered per angle, of all that falls in, is
 ///
 ///   k tau |v/k|^4/(v_z/k)^2 Phi_1(g, t) S/(8 sqrt(pi) cos theta_i)   [1/rad]
 ///

@@ -11,14 +11,15 @@ namespace hts::validation {
 
 class TaperedBeam {
   public:
-    ///   theta   angle of incidence [rad], 0 ... below pi/2      width   g      wave_number   in units of 1/width
+    ///   theta   angle of incidence [rad], 0 ... below pi/2      width   g
+    ///   wave_number   in units of 1/width
     TaperedBeam(double theta, double width, double wave_number) noexcept;
 
     [[nodiscard]] std::complex<double> field(double x, double z) const noexcept;
     /// (a d/dx + b d/dz) psi.
     [[nodiscard]] std::complex<double> derivative(double x, double z, double a, double b) const noexcept;
-    /// Power through a horizontal line, in units where a plane wave carries 1 per length across it [Thorsos88 (14)]:
-    /// sqrt(pi/2) g cos theta (1 - (1 + 2 tan^2 theta)/(2 (k g cos theta)^2)).
+    /// Power through a horizontal line, in units where a plane wave carries 1 per length across it [Thorsos88
+    /// (14)]: sqrt(pi/2) g cos theta (1 - (1 + 2 tan^2 theta)/(2 (k g cos theta)^2)).
     [[nodiscard]] double power() const noexcept;
 
   private:

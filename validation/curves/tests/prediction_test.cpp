@@ -45,7 +45,8 @@ Curve in_plane(Band band, double theta_i, std::vector<double> angles) {
     return curve;
 }
 
-/// Small equal parts of a cone of a solid angle, each with its middle: nothing that the library's own rule shares.
+/// Small equal parts of a cone of a solid angle, each with its middle: nothing that the library's own rule
+/// shares.
 struct Part {
     Direction direction;
     double weight;  // [sr, projected]
@@ -254,6 +255,44 @@ TEST_CASE("averages are linear in the answers and reciprocal") {
     Prediction::Answer answer{std::vector<double>(job.pairs.size() * 8, 0.25), {}};
     answer.specular_reflectance.assign(job.incidences.size() * 8, 0.5);
     CHECK(prediction.average(std::vector{answer})[0] == Approx(0.25).epsilon(1e-14));
+}
+
+TEST_CASE("changes of what is seen are the differences of what is seen") {
+    auto set = set_of(in_plane({2, 2}, 30, {30, 45, -20, 60}), 1e-3);
+    for (const Scale scale : {Scale::absolute, Scale::specular}) {
+        set.scale = scale;
+        const Prediction prediction{set};
+        CHECK(prediction.is_affine() == (scale == Scale::absolute));
+        const auto averages = [&](double rms_roughness) {
+            const auto model = exactly(aluminium(rms_roughness, 2, 0.1), 2);
+            return prediction.average(
+                std::vector{Prediction::answer(prediction.jobs().at(0), model.evaluator())});
+        };
+        const double step = 1e-5;
+        const auto middle = averages(0.3), above = averages(0.3 + step), below = averages(0.3 - step);
+        auto slope = above;
+        for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (above[i] - below[i]) / (2 * step);
+        const auto change = prediction.change(middle, slope);
+        for (std::size_t i = 0; i < change.size(); ++i) {
+            const double expected = (prediction.seen(above)[i] - prediction.seen(below)[i]) / (2 * step);
+            CHECK(change[i] == Approx(expected).epsilon(1e-6).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("single pairs are seen as they are, neighbours of one pair by one evaluation") {
+    const auto grid = spectral::WavelengthGrid::from_micrometres({1.0, 2.0});
+    const DirectionPair one{Direction::from_degrees(30, 0), Direction::from_degrees(40, 180)};
+    const DirectionPair other{Direction::from_degrees(10, 0), Direction::from_degrees(60, 90)};
+    const std::vector<PairAtWavelength> points{{one, 0}, {one, 1}, {other, 1}, {one, 0}};
+    const Prediction prediction{grid, points};
+    CHECK(prediction.jobs().at(0).pairs.size() == 3);
+    const auto material = aluminium(0.3, 2, 0.1);
+    const auto reflectance = material.at(grid);
+    const auto values = prediction.values(material);
+    REQUIRE(values.size() == points.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        CHECK(values[i] == reflectance.brdf(points[i].pair)[points[i].wavelength]);
 }
 
 TEST_CASE("a prediction refuses numbers of nodes that make no sense") {

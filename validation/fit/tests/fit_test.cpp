@@ -6,106 +6,17 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
-#include <sstream>
 
+#include "fit_samples.hpp"
 #include "hts/error.hpp"
 #include "hts/microfacet/diffuse.hpp"
 #include "hts/microfacet/kurt.hpp"
-#include "hts/tests/support/comparison.hpp"
-#include "spectral/materials/optical_constants_files.hpp"
-#include "spectral/models/he_torrance_material.hpp"
-#include "spectral/models/model_evaluator.hpp"
-#include "spectral/models/reflectance.hpp"
-#include "validation/fit/fit_problem.hpp"
-
-namespace {
 
 using namespace hts;
 using namespace hts::validation;
+using namespace hts::validation::testing;
 using Catch::Contains;
 using Catch::StartsWith;
-using hts::testing::Random;
-
-const auto one_micron = spectral::WavelengthGrid::from_micrometres({1.0});
-
-/// Pairs in the plane of incidence, as goniometers measure them.
-std::vector<DirectionPair> in_plane() {
-    std::vector<DirectionPair> pairs;
-    for (const double theta_i : {10.0, 30.0, 50.0, 70.0}) {
-        for (double theta_r = -75; theta_r < 80; theta_r += 5) {
-            pairs.push_back({Direction::from_degrees(theta_i, 0),
-                             Direction::from_degrees(std::abs(theta_r), theta_r < 0 ? 0 : 180)});
-        }
-    }
-    return pairs;
-}
-
-/// Pairs all over the hemisphere, half of them within 15 degrees of the mirror direction, where lobes are.
-std::vector<DirectionPair> all_around(int count) {
-    Random random{5};
-    std::vector<DirectionPair> pairs;
-    for (int i = 0; i < count; ++i) {
-        const double theta = random.uniform(0, 85), phi = random.uniform(0, 360);
-        const bool near = i % 2 == 0;
-        const double out =
-            near ? std::clamp(theta + random.uniform(-15, 15), 0.0, 85.0) : random.uniform(0, 85);
-        const double turn = near ? phi + 180 + random.uniform(-15, 15) : random.uniform(0, 360);
-        pairs.push_back({Direction::from_degrees(theta, phi), Direction::from_degrees(out, turn)});
-    }
-    return pairs;
-}
-
-/// A standard normal number.
-double gaussian(Random& random) {
-    return std::sqrt(-2 * std::log(random.uniform(1e-12, 1))) *
-           std::cos(random.uniform(0, 6.283185307179586));
-}
-
-/// What an instrument with noise in proportion to the value would show.
-FitData seen(const spectral::Material& material, const std::vector<DirectionPair>& pairs, double noise,
-             const spectral::WavelengthGrid& grid = one_micron) {
-    Random random{11};
-    const auto reflectance = material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
-    std::vector<FitSample> samples;
-    std::vector<double> spectrum(grid.size());
-    for (const DirectionPair& pair : pairs) {
-        reflectance.brdf(pair, spectrum);
-        for (std::size_t w = 0; w < grid.size(); ++w) {
-            const double value = spectrum[w] * (1 + noise * gaussian(random));
-            samples.push_back({pair, w, value, noise * spectrum[w]});
-        }
-    }
-    return fit_data("synthetic", grid, samples);
-}
-
-spectral::Material he(double rms, double length, double albedo) {
-    return spectral::he_torrance_material("synthetic", {rms, length}, spectral::built_in_optical_constants("Al"),
-                                          spectral::DiffuseAlbedo{albedo});
-}
-
-/// A model that is the same at every wavelength.
-template <ReflectanceModel Model>
-spectral::Material constantly(const Model& model) {
-    return spectral::material_of([=](const Wavelength&, spectral::OutsideRange) { return model; });
-}
-
-spectral::Material material_of(const FitModel& model, const std::vector<double>& values) {
-    return spectral::material_from_text(model.material_text(values, model.name()), "");
-}
-
-std::string in_words(const Fit& fit) {
-    std::ostringstream text;
-    for (const auto& p : fit.parameters) {
-        text << p.name << " = " << p.value << " +- " << p.standard_error << ' ' << p.unit << " ("
-             << name(p.outcome) << ")\n";
-    }
-    text << "rms log " << fit.statistics.rms_log << ", starts " << fit.starts_at_best << " of "
-         << fit.starts.size() << '\n';
-    for (const auto& statement : fit.statements) text << statement << '\n';
-    return text.str();
-}
-
-}  // namespace
 
 TEST_CASE("He-Torrance parameters come back from noisy data") {
     const auto [rms, length, albedo] =
@@ -180,115 +91,6 @@ TEST_CASE("two lobes are told apart") {
     CHECK(fit.parameter(narrow_first ? "mx2" : "mx1").value == Approx(0.4).epsilon(0.01));
     CHECK(fit.parameter(narrow_first ? "ks1" : "ks2").value == Approx(0.3).epsilon(0.02));
     CHECK(fit.parameter("kd").value == Approx(0.05).epsilon(0.02));
-}
-
-TEST_CASE("every model finds its own parameters again") {
-    for (const FitFamily& family : fit_families()) {
-        INFO(family.name);
-        if (family.costly && !hts::testing::exhaustive()) continue;
-        const FitModel model{family.name, {1, {1.0}, {0}, ""}};
-        std::vector<double> values;
-        for (const FitParameter& parameter : model.parameters()) {
-            const auto& starts = parameter.range.starts;
-            double value = starts[starts.size() / 2] * 1.17;
-            if (parameter.range.symbol == "tau") value *= values.back();
-            if (!parameter.range.tied_to.empty()) value = values.back();
-            values.push_back(value);
-        }
-        const auto data = seen(material_of(model, values), in_plane(), 1e-5);
-        FitRequest request{.model = family.name, .residual = Residual::relative, .followed_starts = 4};
-        if (family.has_index) request.fixed = {{"n", 1.5 * 1.17}};
-        const Fit fit = fitted(request, data);
-        INFO(in_words(fit));
-        CHECK(fit.statistics.rms_log < 2e-5);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            CHECK(fit.parameters[i].value == Approx(values[i]).epsilon(2e-3));
-        }
-    }
-}
-
-TEST_CASE("a trial is what the material file of its numbers says, to the bit, and names it") {
-    const auto grid = spectral::WavelengthGrid::from_micrometres({0.5, 0.6});
-    const Prediction::Job job{grid, {1, 1}, in_plane(), {Direction::from_degrees(30, 0)}};
-    for (const FitFamily& family : fit_families()) {
-        for (const std::string index : {"", "\"Al\""}) {
-            if (!index.empty() && !family.has_index) continue;
-            INFO(family.name << " " << index);
-            const FitModel model{family.name, {family.lobe.empty() ? 1 : 3, {0.5, 0.6}, {0, 1}, index}};
-            std::vector<double> values;
-            for (const FitParameter& parameter : model.parameters()) {
-                const auto& starts = parameter.range.starts;
-                values.push_back(starts.back() * (1 + 0.01 * static_cast<double>(values.size())));
-            }
-            const auto material = material_of(model, values);
-            CHECK(material.name() == family.name);
-            CHECK(material.model_name() == family.model);
-            CHECK_FALSE(material.model_source().empty());
-            const auto reflectance =
-                material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}});
-            const auto read = Prediction::answer(job, reflectance.evaluator());
-            const std::vector<FitTrial> trials(2, {values});
-            for (const auto& answer : model.answers(trials, job)) {
-                CHECK(answer.brdf == read.brdf);
-                CHECK(answer.specular_reflectance == read.specular_reflectance);
-            }
-        }
-    }
-}
-
-TEST_CASE("fitted materials of every model keep name and model") {
-    const auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01);
-    for (const FitFamily& family : fit_families()) {
-        if (family.costly) continue;
-        const Fit fit = fitted({.model = family.name, .followed_starts = 1, .most_iterations = 1}, data);
-        const auto material = fitted_material(fit);
-        CHECK(material.name() == "synthetic, fitted " + family.name);
-        CHECK(material.model_name() == family.model);
-    }
-}
-
-TEST_CASE("derivatives of residuals are those of differences") {
-    const auto grid = spectral::WavelengthGrid::from_micrometres({0.9, 1.0});
-    const auto data = seen(he(0.2, 1.5, 0.1), in_plane(), 0.01, grid);
-    for (const std::string model : {"he", "kurt", "ggx"}) {
-        for (const Residual residual : {Residual::logarithmic, Residual::relative, Residual::cosine}) {
-            for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy}) {
-                const FitRequest request{.model = model,
-                                         .freed = {"scale"},
-                                         .residual = residual,
-                                         .loss = loss,
-                                         .loss_scale = 0.3};
-                const FitProblem problem{request, data};
-                auto x = problem.completed(problem.starts().front());
-                for (double& each : x) each *= 0.97;  // off every bound
-                const auto [values, columns] = problem.residuals(x, true);
-                REQUIRE(columns.size() == x.size());
-                for (std::size_t k = 0; k < x.size(); ++k) {
-                    const double step = 1e-4 * std::max(1.0, std::abs(x[k]));
-                    auto above = x, below = x;
-                    above[k] += step;
-                    below[k] -= step;
-                    const auto high = problem.residuals(above, false).residuals;
-                    const auto low = problem.residuals(below, false).residuals;
-                    double error = 0, size = 0;
-                    for (std::size_t r = 0; r < high.size(); ++r) {
-                        error = std::max(error, std::abs((high[r] - low[r]) / (2 * step) - columns[k][r]));
-                        size = std::max(size, std::abs(columns[k][r]));
-                    }
-                    INFO(model << ", " << name(residual) << ", " << name(loss) << ", "
-                               << problem.places()[problem.free()[k]].parameter.name);
-                    CHECK(error < 2e-2 * size);
-                }
-            }
-        }
-    }
-}
-
-TEST_CASE("every model that is registered can be fitted") {
-    for (const spectral::ModelEntry& entry : spectral::built_in_models()) {
-        INFO(entry.name);
-        CHECK(std::ranges::find(fit_families(), entry.name, &FitFamily::model) != fit_families().end());
-    }
 }
 
 TEST_CASE("wild values do not mislead a robust fit") {

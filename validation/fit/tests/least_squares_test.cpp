@@ -1,10 +1,10 @@
 #include "validation/fit/least_squares.hpp"
 
 #include <catch2/catch.hpp>
-#include <vector>
 
 #include "hts/tests/support/comparison.hpp"
 
+using namespace hts;
 using namespace hts::validation;
 using hts::testing::Random;
 
@@ -33,4 +33,25 @@ TEST_CASE("bounded linear least squares finds what a search finds") {
             if (x[j] < bounds[j].highest) CHECK(gradient > -1e-12);
         }
     }
+}
+
+TEST_CASE("what is left beside columns is at right angles to them") {
+    Random random{8};
+    Columns columns(3, std::vector<double>(7)), others(2, std::vector<double>(7));
+    for (Columns* matrix : {&columns, &others}) {
+        for (auto& column : *matrix) {
+            for (double& x : column) x = random.uniform(-1, 1);
+        }
+    }
+    others.push_back(others.front());  // which depends on another
+    const Columns left = beside(columns, others);
+    for (const auto& column : left) {
+        for (const auto& other : others) {
+            double sum = 0;
+            for (std::size_t i = 0; i < column.size(); ++i) sum += column[i] * other[i];
+            CHECK(sum == Approx(0).margin(1e-14));
+        }
+    }
+    CHECK(beside(left, others)[1][3] == Approx(left[1][3]).epsilon(1e-13));
+    CHECK(beside(columns, {}) == columns);
 }

@@ -161,10 +161,8 @@ TEST_CASE("a mirror shows the pixel that its normal says") {
     for (const double z : {0.95, 1.05, 1.15, 1.25}) {
         const Vector3 image = normalised(Vector3{0, 2, -z} - Vector3{0, -2, 1});
         const double cosine = -image.z;
-        const double expected =
-            z > 1 && z < 1.2 ? spectral::facet_reflectance(
-                                   spectral::built_in_optical_constants("Al").index(picture_wavelengths()[15]), cosine)
-                             : 0;
+        const auto index = spectral::built_in_optical_constants("Al").index(picture_wavelengths()[15]);
+        const double expected = z > 1 && z < 1.2 ? spectral::facet_reflectance(index, cosine) : 0;
         CHECK(radiance(scene, {{0, -2, 1}, image}, 1).values[15] == Approx(expected).margin(1e-12));
     }
 }

@@ -117,8 +117,9 @@ FacetSurface::Hit FacetSurface::at(double x, double y) const {
     return {{x, y, z}, {-facet.slope_x / field_.step, -facet.slope_y / field_.step, 1}};
 }
 
-/// From cell to cell along the ray; in each, along the one or two triangles that it passes over. The ray is above the
-/// surface until it is below a triangle at the end of its way over it: heights agree along edges, so nothing slips through.
+/// From cell to cell along the ray; in each, along the one or two triangles that it passes over. The ray is
+/// above the surface until it is below a triangle at the end of its way over it: heights agree along edges,
+/// so nothing slips through.
 std::optional<FacetSurface::Hit> FacetSurface::first_hit(const Ray& ray) const {
     Vector3 origin = ray.origin;
     const bool outside = origin.z > highest_;

@@ -1,5 +1,5 @@
-/// Geometric optics on explicit surfaces: rays through Gaussian height fields of perfect mirrors, however often they are
-/// reflected. Only sigma_0/tau matters; tau is the unit of length.
+/// Geometric optics on explicit surfaces: rays through Gaussian height fields of perfect mirrors, however
+/// often they are reflected. Only sigma_0/tau matters; tau is the unit of length.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ class FacetSurface {
     struct Hit {
         Vector3 point, normal;  ///< normal upwards, not of unit length
     };
-    /// The first facet that a ray from above the surface or from a point on it meets; none if it leaves upwards.
-    /// A ray that leaves a facet must go to its upper side.
+    /// The first facet that a ray from above the surface or from a point on it meets; none if it leaves
+    /// upwards. A ray that leaves a facet must go to its upper side.
     [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const;
     /// Point and facet at a place in the period.
     [[nodiscard]] Hit at(double x, double y) const;
@@ -58,8 +58,7 @@ struct ShadowingPoint {
     double lit_and_seen;    ///< from the mirror direction
     double smith;           ///< S_1 [He91 (24)]
     double he_torrance;     ///< S = S_1^2 [He91 (23)]
-    double
-        correlated;  ///< share lit and seen if heights are correlated, 1/(1 + Lambda_i + Lambda_r) of facing points
+    double correlated;      ///< share lit and seen if heights are, 1/(1 + Lambda_i + Lambda_r) of facing points
 };
 
 /// Where the light of one direction goes.

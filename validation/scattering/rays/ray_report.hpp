@@ -1,4 +1,5 @@
-/// Rays through explicit surfaces as a study: shadowing, light reflected once and more often, and where it goes.
+/// Rays through explicit surfaces as a study: shadowing, light reflected once and more often, and where it
+/// goes.
 #pragma once
 
 #include "validation/scattering/ground_truth.hpp"

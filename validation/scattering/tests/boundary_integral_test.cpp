@@ -91,8 +91,8 @@ std::pair<Complex, Complex> with_slope(const Function& f, int m, double x) {
 }
 
 /// N of a circular cylinder, a sum over cylinder waves: psi_s = -sum i^m c_m H_m(kr) exp(i m angle), far away
-/// -(i/4) sqrt(2/(pi k r)) N. c_m = (eta J - J')/(eta H - H') with eta = n J'(n ka)/(rho J(n ka)), infinite (TE) and 0 (TM) on
-/// a conductor, index 0.
+/// -(i/4) sqrt(2/(pi k r)) N. c_m = (eta J - J')/(eta H - H') with eta = n J'(n ka)/(rho J(n ka)), infinite
+/// (TE) and 0 (TM) on a conductor, index 0.
 Amplitudes of_a_circle(double radius, double angle, double index) {
     const double ka = k * radius;
     const auto hankel = [](int m, double x) { return boost::math::cyl_hankel_1(m, x); };
