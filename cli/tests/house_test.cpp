@@ -55,20 +55,24 @@ bool is_source(const fs::path& path) {
 }
 
 bool is_test(const fs::path& path) {
-    return std::ranges::any_of(path, [](const fs::path& part) { return part == "tests" || part == "examples"; });
+    return std::ranges::any_of(path,
+                               [](const fs::path& part) { return part == "tests" || part == "examples"; });
 }
 
 bool is_generated(const fs::path& path) {
     const auto folder = path.parent_path().string();
-    return folder.ends_with("hts/phi/tables") && (path.stem() == "high" || path.stem() == "medium" || path.stem() == "low");
+    return folder.ends_with("hts/phi/tables") &&
+           (path.stem() == "high" || path.stem() == "medium" || path.stem() == "low");
 }
 
 /// The headers that a file includes as "folder/….hpp".
 std::vector<fs::path> included(const fs::path& file) {
-    static const std::regex include{R"re(#include ["<]((hts|spectral|tables|validation|bench|cli)/[^">]+)[">])re"};
+    static const std::regex include{
+        R"re(#include ["<]((hts|spectral|tables|validation|bench|cli)/[^">]+)[">])re"};
     const std::string text = read(file);
     std::vector<fs::path> result;
-    for (std::sregex_iterator match{text.begin(), text.end(), include}; match != std::sregex_iterator{}; ++match)
+    for (std::sregex_iterator match{text.begin(), text.end(), include}; match != std::sregex_iterator{};
+         ++match)
         result.emplace_back((*match)[1].str());
     return result;
 }
@@ -118,12 +122,14 @@ TEST_CASE("includes between the rooms of a folder point only one way") {
         for_each_source(folder, [&](const fs::path& file) {
             const bool page_of_hts = folder.name == "hts" && file.parent_path() == "hts";
             const bool umbrella = file == fs::path{folder.name} / (folder.name + ".hpp");
-            if (is_test(file) || page_of_hts || umbrella || file.filename().string().starts_with("generate_")) return;
+            if (is_test(file) || page_of_hts || umbrella || file.filename().string().starts_with("generate_"))
+                return;
             const std::size_t own = room_of(folder, file);
             INFO(file.string() << " stands in no room of the list");
             REQUIRE(own < folder.rooms.size());
             for (const fs::path& header : included(root / file)) {
-                if (*header.begin() != folder.name || (folder.name == "hts" && header.parent_path() == "hts")) continue;
+                if (*header.begin() != folder.name || (folder.name == "hts" && header.parent_path() == "hts"))
+                    continue;
                 INFO(file.string() << " includes " << header.string());
                 CHECK(room_of(folder, header) <= own);
             }

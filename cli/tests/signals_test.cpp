@@ -17,7 +17,8 @@ using namespace hts::cli::testing;
 /// out.csv.
 int exit_code_after(const Workplace& place, const std::string& signal, const std::string& before = "") {
     const std::string script = "cd '" + place.folder().string() + "' && mkfifo in && { " + before +
-                               " '" HTS_COMMAND "' phi --points in --output out.csv >/dev/null 2>&1 & } && "
+                               " '" HTS_COMMAND
+                               "' phi --points in --output out.csv >/dev/null 2>&1 & } && "
                                "exec 3<>in && echo 'g,t' >&3 && echo 1,2 >&3 && "
                                "for i in $(seq 1000); do ls out.csv.partial-* >/dev/null 2>&1 && break; "
                                "sleep 0.01; done && kill -" +

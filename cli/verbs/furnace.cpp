@@ -126,10 +126,11 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
               const std::string& title, Total&& total) {
     std::vector<double> totals;
     for (const FurnacePoint& point : points) totals.push_back(total(point));
-    output::draw(path.string(),
-         furnace_script(grid, totals, title,
-                        "Total reflectance of a rough surface whose facets reflect everything, |F|² = 1; "
-                        "energy is conserved where it is 1."));
+    output::draw(
+        path.string(),
+        furnace_script(grid, totals, title,
+                       "Total reflectance of a rough surface whose facets reflect everything, |F|² = 1; "
+                       "energy is conserved where it is 1."));
     std::cout << path.string() << '\n';
 }
 

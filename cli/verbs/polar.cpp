@@ -127,7 +127,7 @@ void write(const PolarOptions& options, const spectral::Reflectance& reflectance
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
     output::draw(options.output.path,
-         polar_script(drawn, style(options, reflectance.name(), data.filename().string())));
+                 polar_script(drawn, style(options, reflectance.name(), data.filename().string())));
 }
 
 void run(const PolarOptions& options) {

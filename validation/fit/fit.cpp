@@ -23,8 +23,9 @@ double sum_of_squares(const std::vector<double>& values) {
 std::vector<std::vector<double>> promising_starts(const FitProblem& problem, std::size_t count) {
     const auto starts = problem.starts();
     std::vector<double> costs(starts.size());
-    spectral::parallel_for(starts.size(),
-             [&](std::size_t i) { costs[i] = sum_of_squares(problem.projected_residuals(starts[i], false).residuals); });
+    spectral::parallel_for(starts.size(), [&](std::size_t i) {
+        costs[i] = sum_of_squares(problem.projected_residuals(starts[i], false).residuals);
+    });
     std::vector<std::size_t> order(starts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return costs[i]; });
@@ -76,9 +77,9 @@ std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const 
     if (request.lobes < 2) return {};
     const FitRequest fewer = with_a_lobe_less(request);
     const FitProblem smaller{fewer, data};
-    const auto found = made != nullptr
-                           ? values_of(*made)
-                           : smaller.values(smaller.completed(best_of(minima(smaller, fewer, data, nullptr)).x));
+    const auto found =
+        made != nullptr ? values_of(*made)
+                        : smaller.values(smaller.completed(best_of(minima(smaller, fewer, data, nullptr)).x));
     std::map<std::string, double> known;
     for (std::size_t i = 0; i < found.size(); ++i) known[address(smaller.places()[i].parameter)] = found[i];
     std::vector<std::vector<double>> result;

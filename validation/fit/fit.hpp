@@ -56,7 +56,7 @@ struct FitRequest {
     /// Held at a value, by name or key: {"a", 0}, {"n", 1.5}. A name without channel or lobe means all of
     /// them.
     std::map<std::string, double> fixed{};
-    std::vector<std::string> freed{};  ///< that are tied or fixed unless named here: "my", "k", "scale"
+    std::vector<std::string> freed{};        ///< that are tied or fixed unless named here: "my", "k", "scale"
     std::map<std::string, double> starts{};  ///< the only start of a parameter
     Residual residual = Residual::logarithmic;
     Loss loss = Loss::squares;

@@ -66,9 +66,9 @@ Prediction::Answer he_torrance(Numbers numbers, const Prediction::Job& job) {
     std::vector<SpectralSample> samples;
     for (const ModelNumbers& each : numbers)
         samples.push_back({each.wavelength, each.index, hts::uniform_diffuse(each.own[2])});
-    const auto model = spectral::he_torrance_reflectance("he", {numbers[0].own[0], numbers[0].own[1]},
-                                                         std::move(samples),
-                                                         Tolerance{hts::accuracy::finest_lane_tolerance});
+    const auto model =
+        spectral::he_torrance_reflectance("he", {numbers[0].own[0], numbers[0].own[1]}, std::move(samples),
+                                          Tolerance{hts::accuracy::finest_lane_tolerance});
     return Prediction::answer(job, model.evaluator());
 }
 
@@ -116,7 +116,9 @@ FitFamily::Answer each_by(Make make) {
 /// Value{numbers[first], …}, N of them.
 template <class Value, std::size_t N, std::size_t First = 0>
 Value of_numbers(const std::vector<double>& numbers) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return Value{numbers[First + I]...}; }
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Value{numbers[First + I]...};
+    }
     (std::make_index_sequence<N>{});
 }
 
@@ -218,8 +220,8 @@ const std::vector<FitFamily>& fit_families() {
          {linear("rd", "rd", 1), ks, f0, exponent("nx"), exponent("ny", "nx")},
          {},
          each_by([](const ModelNumbers& numbers) {
-             const auto& [rd, weight, mirror, nx, ny] = std::tie(
-                 numbers.own[0], numbers.own[1], numbers.own[2], numbers.own[3], numbers.own[4]);
+             const auto& [rd, weight, mirror, nx, ny] =
+                 std::tie(numbers.own[0], numbers.own[1], numbers.own[2], numbers.own[3], numbers.own[4]);
              return AshikhminShirley{rd, {mirror, nx, ny}, weight};
          })},
         {"lambert", "lambert", {}, {albedo}, {}, each_by([](const ModelNumbers& numbers) {

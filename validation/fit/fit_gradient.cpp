@@ -18,7 +18,8 @@ class Views {
 
     const ViewGradient& of(const Direction& direction) {
         const Vector3 v = direction.vector();
-        if (!last_ || v.x != at_.x || v.y != at_.y || v.z != at_.z) last_ = view_gradient(surface_, direction);
+        if (!last_ || v.x != at_.x || v.y != at_.y || v.z != at_.z)
+            last_ = view_gradient(surface_, direction);
         at_ = v;
         return *last_;
     }

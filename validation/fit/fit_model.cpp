@@ -90,7 +90,8 @@ std::size_t FitModel::lobe_count() const noexcept {
 
 void FitModel::read_index() {
     try {
-        static_cast<void>(spectral::JsonValue::parse(layout_.index, "fit: index"));  // alone, for its own errors
+        static_cast<void>(
+            spectral::JsonValue::parse(layout_.index, "fit: index"));  // alone, for its own errors
         const auto file = spectral::JsonValue::parse(R"({"index": )" + layout_.index + "}", "fit");
         const auto constants = spectral::optical_constants_from(file["index"], {});
         for (const double um : layout_.wavelengths)
@@ -146,8 +147,8 @@ std::vector<ModelNumbers> FitModel::numbers(const FitTrial& trial,
         numbers.wavelength = wavelengths[w];
         if (family_.has_index) {
             const std::size_t n = numbers.own.size() - 2;
-            numbers.index = indices_.empty() ? RefractiveIndex{numbers.own[n], numbers.own[n + 1]}
-                                             : indices_[at];
+            numbers.index =
+                indices_.empty() ? RefractiveIndex{numbers.own[n], numbers.own[n + 1]} : indices_[at];
         }
     }
     return result;
@@ -188,8 +189,7 @@ bool FitModel::concerns(const FitParameter& parameter, const Prediction::Job& jo
 
 std::vector<Prediction::Answer> FitModel::gradient(std::span<const double> values,
                                                    const Prediction::Job& job) const {
-    const auto by_number =
-        family_.gradient(numbers({{values.begin(), values.end()}}, job.wavelengths), job);
+    const auto by_number = family_.gradient(numbers({{values.begin(), values.end()}}, job.wavelengths), job);
     std::vector<Prediction::Answer> result;
     for (const FitParameter& parameter : parameters_) {
         result.push_back(by_number[parameter.number]);

@@ -52,7 +52,7 @@ inline double gaussian(hts::testing::Random& random) {
 
 /// What an instrument with noise in proportion to the value would show.
 inline FitData seen(const spectral::Material& material, const std::vector<DirectionPair>& pairs, double noise,
-             const spectral::WavelengthGrid& grid = one_micron) {
+                    const spectral::WavelengthGrid& grid = one_micron) {
     hts::testing::Random random{11};
     const auto reflectance = material.at(grid, {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
     std::vector<FitSample> samples;
