@@ -14,6 +14,9 @@ import sys
 COMMENT = re.compile(r"^(\s*)///(?!<)(?: (.*)|)$")
 MEMBER = re.compile(r"^(.*?///<)(.*)$")
 ITEM = re.compile(r"^( {2,5})(\S+(?: \S+){0,7}) {2,}(\S.*)$")
+GUIDE = re.compile(
+    r"^(?:template <[^;{}]*?>\s+)?[A-Z]\w*\([^;{}()]*\)\s*->\s*[^;{}]+;", re.MULTILINE
+)
 BULLET = re.compile(r"^ {2,5}\* (.*)$")
 CODE = re.compile(r";\s*(//.*)?$|^\s*#include")
 SECOND_KEY = re.compile(r"\s{3,}(?=(?:range|error|domain|cost|limits|result|phi|theta)\s{2,}\S)")
@@ -85,6 +88,11 @@ def rendered(lines):
     return out
 
 
+def without_deduction_guides(source):
+    """Doxygen takes them for functions of the name of their class."""
+    return GUIDE.sub(lambda match: "\n" * match[0].count("\n"), source)
+
+
 def filtered(source):
     result, block, margin, head = [], [], "", True
 
@@ -110,4 +118,4 @@ def filtered(source):
 
 
 if __name__ == "__main__":
-    sys.stdout.write(filtered(open(sys.argv[1], encoding="utf-8").read()))
+    sys.stdout.write(filtered(without_deduction_guides(open(sys.argv[1], encoding="utf-8").read())))
