@@ -23,8 +23,8 @@ struct True {
 };
 
 True reference_visibility(double slope, double degrees) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (degrees == 90) return {infinity, infinity, 0, 1 / (2 * slope * std::numbers::inv_sqrtpi)};
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (degrees == 90) return {unbounded, unbounded, 0, 1 / (2 * slope * std::numbers::inv_sqrtpi)};
     const auto theta = reference::radians(degrees);
     const auto exact = reference::obstruction(theta, slope);
     return {static_cast<double>(exact.K), static_cast<double>(exact.lambda), static_cast<double>(exact.S1),

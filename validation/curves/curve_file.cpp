@@ -15,7 +15,7 @@ namespace {
 using nlohmann::ordered_json;
 using spectral::JsonValue;
 
-constexpr const char* format = "hts curves";
+constexpr const char* curve_format = "hts curves";
 constexpr int format_version = 1;
 constexpr std::array kinds{CurveKind::measured, CurveKind::digitised, CurveKind::theory};
 constexpr std::array quantities{Quantity::brdf, Quantity::brdf_cosine, Quantity::reflectance_factor};
@@ -25,8 +25,8 @@ constexpr std::array scales{Scale::absolute, Scale::specular, Scale::unknown};
 
 void require_format(const JsonValue& file) {
     const JsonValue kind = file["format"], version = file["format_version"];
-    if (kind.text() != format)
-        throw kind.error(spectral::in_quotes(kind.text()) + ": must be " + spectral::in_quotes(format));
+    if (kind.text() != curve_format)
+        throw kind.error(spectral::in_quotes(kind.text()) + ": must be " + spectral::in_quotes(curve_format));
     if (version.number() != format_version)
         throw version.error(shortest(version.number()) + ": must be " + std::to_string(format_version));
 }
@@ -200,7 +200,7 @@ CurveSet read_curves(const std::filesystem::path& path) {
 
 std::string curves_text(const CurveSet& set) {
     Writer writer;
-    writer.add("format", format);
+    writer.add("format", curve_format);
     writer.add("format_version", format_version);
     writer.add("surface", set.surface);
     writer.add("kind", name(set.kind));

@@ -61,7 +61,7 @@ Changes differences(const FitModel& model, const Prediction& instrument, const s
         for (std::size_t m = 0; m < moves.size(); ++m) {
             by_move[m].push_back(concerned[m] ? slope(answers[next], answers[next + 1], moves[m].step)
                                               : nothing(job));
-            next += concerned[m] ? 2 : 0;
+            next += concerned[m] ? 2U : 0U;
         }
         all.push_back(std::move(answers.front()));
     }

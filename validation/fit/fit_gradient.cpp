@@ -9,7 +9,7 @@
 namespace hts::validation {
 namespace {
 
-constexpr std::size_t columns = 5;
+constexpr std::size_t parameter_count = 5;
 
 /// The view of a direction, found anew only where it is not that of the call before: neighbours share one.
 class Views {
@@ -31,7 +31,7 @@ class Views {
 };
 
 /// The numbers of a fit among the derivatives.
-std::array<double, columns> in_order(const Gradient<>& by) {
+std::array<double, parameter_count> in_order(const Gradient<>& by) {
     return {by.rms_roughness, by.correlation_length, by.diffuse_albedo, by.n, by.k};
 }
 
@@ -41,7 +41,7 @@ std::vector<Prediction::Answer> he_torrance_gradient(std::span<const ModelNumber
                                                      const Prediction::Job& job) {
     const Surface surface{numbers[0].own[0], numbers[0].own[1]};
     const std::size_t count = numbers.size();
-    std::vector<Prediction::Answer> result(columns, {std::vector<double>(job.pairs.size() * count),
+    std::vector<Prediction::Answer> result(parameter_count, {std::vector<double>(job.pairs.size() * count),
                                                      std::vector<double>(job.incidences.size() * count)});
     Views ins{surface}, outs{surface};
     for (std::size_t i = 0; i < job.pairs.size(); ++i) {
@@ -50,7 +50,7 @@ std::vector<Prediction::Answer> he_torrance_gradient(std::span<const ModelNumber
             const ModelNumbers& at = numbers[w];
             const auto by =
                 in_order(brdf_gradient(pair, at.wavelength, at.index, hts::uniform_diffuse(at.own[2])).by);
-            for (std::size_t c = 0; c < columns; ++c) result[c].brdf[i * count + w] = by[c];
+            for (std::size_t c = 0; c < parameter_count; ++c) result[c].brdf[i * count + w] = by[c];
         }
     }
     for (std::size_t i = 0; i < job.incidences.size(); ++i) {
@@ -58,7 +58,7 @@ std::vector<Prediction::Answer> he_torrance_gradient(std::span<const ModelNumber
         for (std::size_t w = 0; w < count; ++w) {
             const auto by = in_order(
                 specular_reflectance_gradient(surface, view, numbers[w].wavelength, numbers[w].index).by);
-            for (std::size_t c = 0; c < columns; ++c) result[c].specular_reflectance[i * count + w] = by[c];
+            for (std::size_t c = 0; c < parameter_count; ++c) result[c].specular_reflectance[i * count + w] = by[c];
         }
     }
     return result;
