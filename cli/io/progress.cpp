@@ -8,12 +8,12 @@
 namespace hts::cli {
 namespace {
 
-constexpr int columns = 40;
+constexpr int bar_columns = 40;
 
 std::string bar(double share) {
-    const int full = static_cast<int>(std::lround(share * columns));
+    const int full = static_cast<int>(std::lround(share * bar_columns));
     return '[' + std::string(static_cast<std::size_t>(full), '#') +
-           std::string(static_cast<std::size_t>(columns - full), ' ') + ']';
+           std::string(static_cast<std::size_t>(bar_columns - full), ' ') + ']';
 }
 
 }  // namespace
