@@ -58,7 +58,7 @@ output::Rows lines(const ChartData& data, Regime regime) {
     return rows;
 }
 
-Legend legend() {
+Legend method_legend() {
     constexpr std::array columns{0.015, 0.15, 0.29, 0.455, 0.555, 0.69, 0.815, 0.915};
     Legend legend;
     const auto all = families();
@@ -82,7 +82,7 @@ std::string error_time_script(const ChartData& data) {
                         "accurate. Errors against 50 digits at " +
                             std::to_string(data.settings.points) +
                             " random points per panel; times at as many more as fit, drawn beforehand.");
-    legend().set(script);
+    method_legend().set(script);
     script.set("regime", titles).data("points", of_points).data("lines", of_lines);
     return script.with("error-against-time");
 }

@@ -12,15 +12,15 @@
 namespace hts::cli {
 namespace {
 
-using Point = EnergyInfo::Point;
+using EnergyPoint = EnergyInfo::Point;
 using Json = nlohmann::ordered_json;
 
 /// Above 1 by more than the error of the integral.
-bool gains(const Point& point) {
+bool gains(const EnergyPoint& point) {
     return point.reflectance.total() > 1 + 1e-5;
 }
 
-std::string energy_text(const std::vector<Point>& points) {
+std::string energy_text(const std::vector<EnergyPoint>& points) {
     const auto count = std::count_if(points.begin(), points.end(), gains);
     if (count == 0) return "Reflects no more light than falls in, at any of these points.\n";
     return "Reflects MORE light than falls in at " + std::to_string(count) + " of " +
@@ -49,7 +49,7 @@ std::string info_text(const EnergyInfo& info) {
     text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
          << info.material.model_source() << ")\n\n"
          << std::left << "  wavelength    theta_i    reflectance in all    of it uniform diffuse\n";
-    for (const Point& point : info.points) {
+    for (const EnergyPoint& point : info.points) {
         text << "  " << std::setw(14) << shortest(point.wavelength) + " um" << std::setw(11)
              << shortest(point.theta) + " deg" << std::setw(22) << brief(point.reflectance.total())
              << brief(point.reflectance.uniform_diffuse) << '\n';
@@ -61,7 +61,7 @@ std::string info_text(const EnergyInfo& info) {
 
 std::string info_json(const EnergyInfo& info) {
     Json points = Json::array();
-    for (const Point& point : info.points) {
+    for (const EnergyPoint& point : info.points) {
         points.push_back({{"wavelength_um", point.wavelength},
                           {"theta_deg", point.theta},
                           {"directional_diffuse", point.reflectance.directional_diffuse},
@@ -82,7 +82,7 @@ void write_info_table(Output& output, const EnergyInfo& info) {
                       Format::csv,
                       {"wavelength_um", "theta_deg", "directional_diffuse", "uniform_diffuse", "total"}};
     std::string text;
-    for (const Point& point : info.points) {
+    for (const EnergyPoint& point : info.points) {
         TableWriter::Row row{table, text};
         row.field(shortest(point.wavelength)).field(shortest(point.theta));
         row.number(point.reflectance.directional_diffuse).number(point.reflectance.uniform_diffuse);

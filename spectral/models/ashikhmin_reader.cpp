@@ -1,5 +1,4 @@
 #include <limits>
-#include <numbers>
 
 #include "hts/microfacet/ashikhmin.hpp"
 #include "spectral/models/model_readers.hpp"
@@ -8,8 +7,6 @@
 
 namespace hts::spectral {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A number, or "infinity".
 double width_from(const JsonValue& width) {

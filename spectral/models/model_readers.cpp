@@ -16,8 +16,6 @@
 namespace hts::spectral {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 struct MakeAshikhminShirley {
     [[nodiscard]] AshikhminShirley operator()(double rd, double ks, double f0, double nx, double ny) const {
         return {rd, {f0, nx, ny}, ks};

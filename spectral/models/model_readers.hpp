@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@
 #include "spectral/models/spectral_number.hpp"
 
 namespace hts::spectral {
+
+/// NumberKey::unit of angles in degrees [rad].
+inline constexpr double degree = std::numbers::pi / 180;
 
 /// A key whose value is a number or {"table": [[um, value], …]}.
 struct NumberKey {

@@ -55,7 +55,7 @@ std::vector<std::string> texts(const std::string& before, const std::vector<doub
     return result;
 }
 
-Figure figure_2() {
+Figure kurt_figure_2() {
     const std::vector<double> widths{0.05, 0.1, 0.2, 0.3, 0.5, 1};
     Figure figure{
         "figure-2",
@@ -66,7 +66,7 @@ Figure figure_2() {
     return figure;
 }
 
-Figure figure_3() {
+Figure kurt_figure_3() {
     const std::vector<double> widths{0.05, 0.2, 0.5}, alphas{0, 0.1, 0.25, 0.5, 0.75, 1};
     Figure figure{"figure-3", {}, {}};
     std::vector<std::string> files;
@@ -140,7 +140,7 @@ Figure plausibility_map() {
 }  // namespace
 
 std::vector<Figure> kurt_figures() {
-    return {figure_2(), figure_3(), plausibility_map()};
+    return {kurt_figure_2(), kurt_figure_3(), plausibility_map()};
 }
 
 }  // namespace hts::validation

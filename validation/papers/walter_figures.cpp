@@ -76,7 +76,7 @@ FigureTable shadowing(const std::string& stem) {
     return table;
 }
 
-Figure figure_2() {
+Figure walter_figure_2() {
     std::vector<double> angles, refracted;
     for (const double theta_i : incidences) {
         angles.push_back(theta_i);
@@ -88,7 +88,7 @@ Figure figure_2() {
             script.set("theta_i", angles).set("refracted", refracted).with("walter-figure-2")};
 }
 
-Figure figure_8() {
+Figure walter_figure_8() {
     const std::vector<FacetDistribution> facets{FacetDistribution::beckmann(0.2),
                                                 FacetDistribution::phong(48), FacetDistribution::ggx(0.2)};
     return {"figure-8",
@@ -121,8 +121,8 @@ Figure sample_figure(const std::string& number, const MeasuredGlass& glass, doub
 }  // namespace
 
 std::vector<Figure> walter_figures() {
-    return {figure_2(),
-            figure_8(),
+    return {walter_figure_2(),
+            walter_figure_8(),
             sample_figure("10", measured_glasses[0], 60),
             sample_figure("11", measured_glasses[1], 60),
             sample_figure("13", measured_glasses[2], 60),
