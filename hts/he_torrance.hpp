@@ -1,7 +1,7 @@
 /// The model of He, Torrance, Sillion and Greenberg at one wavelength as a value: evaluated, and drawn from in proportion
 /// to what the surface reflects, with the density that draws have.
 ///
-/// The three terms of terms.hpp are lobes to choose from: the specular delta, the directional-diffuse lobe and
+/// The three terms of terms.hpp are lobes to choose from: the specular term, the directional-diffuse lobe and
 /// the uniform-diffuse one, each with a probability near its share of the albedo. The directional-diffuse term is drawn
 /// from a mixture of simple densities, all normalised in closed form, so that the density returned is that of the draw
 /// itself, to rounding. In the frame where the light is (s, 0, c), with q the slopes of the facet that mirrors the light

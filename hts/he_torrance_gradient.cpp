@@ -103,7 +103,7 @@ BrdfGradient lobe_gradient(const PairGradient& pair, const Wavelength& wavelengt
     return {lobe, by};
 }
 
-// ------------------------------------------------------------------------------------ the mirror term
+// ------------------------------------------------------------------------------------ the specular term
 
 /// exp(-g) S and its derivatives.
 BrdfGradient coherent_gradient(const Surface& surface, const ViewGradient& in, const Wavelength& wavelength) {

@@ -18,7 +18,7 @@
 ///                  0 there
 ///   theta = 90 deg a rough surface's lobe falls to 0 there with infinite slope: where cos theta < 1e-100 all
 ///                  its derivatives are taken for 0
-///   sigma_0 = 0    the lobe grows as sigma_0^2, the mirror term falls so: derivatives by both lengths are 0
+///   sigma_0 = 0    the lobe grows as sigma_0^2, the specular term falls so: derivatives by both lengths are 0
 ///   k = 0          one-sided; negative where n < sin theta_d, total reflection
 ///   n = sin theta_d (with k = 0)   the critical angle: Fresnel's amplitudes have no derivative, 0 is taken
 #pragma once
@@ -45,7 +45,7 @@ struct Gradient {
     Value correlation_length{};  ///< tau [1/um]
     Value n{}, k{};              ///< refractive index [1]
     Value diffuse_albedo{};      ///< a [1]
-    Value theta_i{};             ///< polar angles [1/rad]; the mirror term has theta_i alone
+    Value theta_i{};             ///< polar angles [1/rad]; the specular term has theta_i alone
     Value theta_r{};
     Value phi{};  ///< azimuth of the outgoing less that of the incident direction [1/rad]
 };

@@ -65,7 +65,7 @@ class HeTorranceSpectrum {
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     ///   result   pairs.size() * samples().size() values
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
-    /// Reflectance into the mirror direction, the specular delta [1], one value per sample.
+    /// Reflectance into the mirror direction, the specular term [1], one value per sample.
     ///   result   samples().size() values
     ///   error    relative, at most the tolerance, above 1e-280; accuracy::specular_reflectance where that is more
     void specular_reflectance(const Direction& in, std::span<double> result) const noexcept;

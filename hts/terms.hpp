@@ -15,7 +15,7 @@
 /// sigma^2 ~ sigma_0^2/(2 ln K): at 89.9999999999 deg it can still be a quarter of its value at 89.99 deg. At
 /// exactly 90 deg it is 0. A table should end short of the horizon. The specular reflectance of a mirror
 /// (sigma_0 = 0) is 1 there; that of a rough surface goes to 0 at every wavelength, since the model shadows the
-/// mirror term too, even where lambda >> sigma_0 and a real surface would reflect all.
+/// specular term too, even where lambda >> sigma_0 and a real surface would reflect all.
 #pragma once
 
 #include "hts/direction.hpp"
@@ -106,7 +106,7 @@ struct DirectionalDiffuse {
 [[nodiscard]] Mueller directional_diffuse_mueller(const Direction& in, const Direction& out,
                                                   const DirectionalDiffuse& term) noexcept;
 
-/// Coefficient of the specular delta: reflectance into the mirror direction. Not a BRDF value, so it does not
+/// Coefficient of the specular term: reflectance into the mirror direction. Not a BRDF value, so it does not
 /// add to one; averaged over a detector's or source's solid angle it is value() / (cos theta_i solid angle)
 /// [He91 (70)].
 class SpecularReflectance {

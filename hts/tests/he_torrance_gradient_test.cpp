@@ -93,7 +93,7 @@ void search_table(WorstCase& worst, const Derivative& derivative) {
 
 }  // namespace
 
-TEST_CASE("derivatives of the lobe and of the mirror term agree with differences at 80 digits") {
+TEST_CASE("derivatives of the lobe and of the specular term agree with differences at 80 digits") {
     const ReferenceTable table{"tests/reference/gradient.csv"};
     WorstCase lobe{"gradient of the directional-diffuse term", hts::accuracy::brdf_gradient};
     WorstCase mirror{"gradient of the specular reflectance", hts::accuracy::specular_gradient};

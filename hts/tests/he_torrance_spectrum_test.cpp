@@ -142,7 +142,7 @@ TEST_CASE("lanes keep the tolerance of the lobe's limits") {
     compare(1e-6, DiffuseLobe::none);
 }
 
-TEST_CASE("lanes keep the tolerance of the mirror term") {
+TEST_CASE("lanes keep the tolerance of the specular term") {
     for (const double tolerance : {1e-6, 1e-3}) {
         WorstCase worst{"specular reflectance at " + std::to_string(tolerance), tolerance};
         Random random{20261123};

@@ -14,7 +14,7 @@
 ///   * Real facets absorb |F|^2 < 1 once, so the light it returns has the colour of a single reflection; light that
 ///     truly met n facets would have |F|^(2n): coloured metals come out too bright and too little saturated.
 ///   * The light stays in the shape of the lobe; multiple scattering would spread it.
-///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the mirror term: grazing incidence gives a mirror.
+///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the specular term: grazing incidence gives a mirror.
 ///   * The uniform-diffuse term stays as it is, so rho_dh <= 1 needs the same care with a(lambda).
 ///   * s grows towards the horizon. Beyond 89.9 degrees it is kept, and energy is lost again.
 ///

@@ -100,7 +100,7 @@ std::string_view reason(Criterion criterion) noexcept {
         "the surface curves within a wavelength, so facets diffract instead of mirroring",
         "slopes are not gentle, so light is scattered more than once, which the model neglects",
         "shadowed light is lost in the model, where a real surface scatters it again",
-        "the mirror term is shadowed, where a surface this smooth would mirror all at grazing",
+        "the specular term is shadowed, where a surface this smooth would mirror all at grazing",
         "mirror and uniform-diffuse terms together may return more light than falls in"};
     return reasons[static_cast<std::size_t>(criterion)];
 }

@@ -1,7 +1,7 @@
 /// Plans: for every material of a scene the cheapest evaluator that is exact enough, as measured.
 ///
 /// The planner walks a ladder of evaluators, cheapest first. Of model he: the directional-diffuse lobe left out, to first order
-/// in g, in the limit of rough surfaces, or in full at a tolerance; the mirror term left out or kept; and, unless the scene is
+/// in g, in the limit of rough surfaces, or in full at a tolerance; the specular term left out or kept; and, unless the scene is
 /// polarised, fewer wavelengths than the scene's, between which the spectrum is interpolated. Of other models: the
 /// uniform-diffuse part alone, or all of it, at one, few or all wavelengths. It takes the first whose error, measured on random
 /// directions of the scene against the full model at accuracy::finest_tolerance, is at most `plan_headroom` times the tolerance.
@@ -16,10 +16,10 @@
 ///                                         in the scene for that theta_i and wavelength: the far tail of a lobe counts as
 ///                                         much as it is seen. Polarised: the largest difference of Mueller
 ///                                         elements over m00 + `floor_of_peak` f_peak
-///                         mirror term     |rho - rho_full| / (|F|^2 S + a), the share of all that is reflected, since
+///                         specular term     |rho - rho_full| / (|F|^2 S + a), the share of all that is reflected, since
 ///                                         mirror and lobe together reflect |F|^2 S (with energy compensation rho has its
 ///                                         factor, |F|^2 S has not)
-///   delta_e_2000          CIEDE2000 between the colours of the radiance factors pi f, and between those of the mirror term's
+///   delta_e_2000          CIEDE2000 between the colours of the radiance factors pi f, and between those of the specular term's
 ///                         reflectance, which is how white surroundings look in it. The white is the perfect diffuser
 ///                         under the scene's illuminant; where a highlight is brighter, both colours are
 ///                         exposed so that the brighter one has the luminance of that white
@@ -68,7 +68,7 @@ struct MeasuredRung {
 struct PlannedMaterial {
     std::string name;
     MeasuredRung choice;
-    /// What failed before: of each lobe form, with and without mirror term, the rung of the most wavelengths that was
+    /// What failed before: of each lobe form, with and without specular term, the rung of the most wavelengths that was
     /// still cheaper than the choice.
     std::vector<MeasuredRung> rejected;
     PlannedForm form;  ///< of the choice

@@ -16,7 +16,7 @@
 namespace hts::tables {
 
 /// A tabulated BRDF as a surface at any wavelength within those of the table.
-///   brdf   at most most_channels wavelengths, else hts::Error; its specular delta is left out
+///   brdf   at most most_channels wavelengths, else hts::Error; its specular term is left out
 [[nodiscard]] spectral::Material material_of_file(const spectral::Reflectance& brdf,
                                                   std::vector<std::string> notes = {});
 

@@ -1,4 +1,4 @@
-/// What stands beside a file of another program, FILE.json: what the file holds, and the specular delta that it does not.
+/// What stands beside a file of another program, FILE.json: what the file holds, and the specular term that it does not.
 ///
 ///   {"file", "format", "name", "value", "units", "normalisation", "wavelengths_um", "notes", ["suggested_alpha"],
 ///    "specular": {"treatment", "theta_i_deg": [...], "reflectance": [[per wavelength] per angle]}}

@@ -1,4 +1,4 @@
-/// The specular delta spread over a solid angle, for files that hold no delta.
+/// The specular term spread over a solid angle, for files that hold no delta.
 #pragma once
 
 #include <memory>

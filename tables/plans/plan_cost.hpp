@@ -12,7 +12,7 @@ namespace hts::tables {
 struct PlanCost {
     double
         diffuse;  ///< both diffuse terms at all wavelengths, a pair of directions (scalar: in batches of 256)
-    double mirror;  ///< the mirror term at all wavelengths, a direction of light; 0 where it is dropped
+    double mirror;  ///< the specular term at all wavelengths, a direction of light; 0 where it is dropped
     double colour;  ///< from a spectrum to its colour; 0 for spectra
     // What `diffuse` is made of:
     double directions;  ///< what the wavelengths share: shadowing, effective roughness

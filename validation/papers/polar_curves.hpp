@@ -8,7 +8,7 @@
 
 namespace hts::validation {
 
-/// How source and receiver widen the specular delta: both are cones of the same solid angle.
+/// How source and receiver widen the specular term: both are cones of the same solid angle.
 ///
 /// The delta reflects the source's cone into an equal cone about the mirror direction; a receiver off by the
 /// angle d takes in the part of it that overlaps its own cone. With radiance averaged over the source's

@@ -58,7 +58,7 @@ class Appearance {
     void brdf(std::span<const DirectionPair> pairs, std::span<Spectrum> result) const noexcept;
     /// Reflectance into the mirror direction; 0 for models without a delta.
     [[nodiscard]] Spectrum specular_reflectance(const Direction& in) const noexcept;
-    /// Whether there is a mirror term at all.
+    /// Whether there is a specular term at all.
     [[nodiscard]] bool has_specular() const noexcept { return mirror_.properties().specular_term; }
 
     /// Share of uniform incident light that the diffuse terms reflect, rho_hd of [He91 (12)], a function of

@@ -183,7 +183,7 @@ TEST_CASE("perturbation is advised for shallow roughness much finer than the wav
     CHECK_FALSE(verdict(0.05, 0.6, 1, 0).perturbation_advised);
 }
 
-TEST_CASE("a mirror term that shadowing alone takes away is noticed where the surface is smooth") {
+TEST_CASE("a specular term that shadowing alone takes away is noticed where the surface is smooth") {
     const auto mirror = [](double sigma, double degrees) {
         return verdict(sigma, 10 * sigma, 20 * sigma, degrees)[Criterion::mirror];
     };
@@ -191,7 +191,7 @@ TEST_CASE("a mirror term that shadowing alone takes away is noticed where the su
     CHECK(mirror(0.05, 80).severity() == Severity::outside);
     // 1 - 0.7374: S_1^2 of the furnace at 80 degrees, and exp(-g) = 0.990
     CHECK(mirror(0.05, 80).measured == Approx(0.2600).margin(5e-4));
-    // where g is large there is no mirror term to lose
+    // where g is large there is no specular term to lose
     CHECK(verdict(2, 20, 0.5, 80)[Criterion::mirror].severity() == Severity::fine);
 }
 

@@ -147,7 +147,7 @@ TEST_CASE("polarised reflection adds up to the BRDF") {
     }
 }
 
-TEST_CASE("the mirror term grows and the lobe fades with wavelength") {
+TEST_CASE("the specular term grows and the lobe fades with wavelength") {
     const Reflectance reflectance =
         rough_aluminium().at(WavelengthGrid::linear(0.5, 8, 16), {.tolerance = exactly});
     const auto specular = reflectance.specular_reflectance(Direction::from_degrees(10, 0));

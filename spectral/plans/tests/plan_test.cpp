@@ -225,7 +225,7 @@ TEST_CASE("a finer tolerance never takes a coarser lobe") {
     CHECK(coarsest == 1e-12);
 }
 
-TEST_CASE("the mirror term is dropped only where it does not count, and then is zero") {
+TEST_CASE("the specular term is dropped only where it does not count, and then is zero") {
     const Plan plan =
         plan_of(spectral_scene({metal("sandblasted", 16, 160), metal("ground", 0.18, 3)}, 1e-2));
     const auto planned = plan.reflectances();

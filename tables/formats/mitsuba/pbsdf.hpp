@@ -1,5 +1,5 @@
 /// Mueller matrices as files of the KAIST polarised measurements (`.pbsdf`, [Baek20]): Mitsuba 3 reads them (`measured_polarized`, in its
-/// `*_spectral_polarized` variants); five wavelengths, isotropic, front side only, no specular delta.
+/// `*_spectral_polarized` variants); five wavelengths, isotropic, front side only, no specular term.
 ///
 /// A file holds the Mueller matrix of the BRDF [1/sr], without the cosine, over theta_h, theta_d, phi_d of the half vector,
 /// multilinear between the nodes: with h the half vector of light w_L and view w_V, b = z x h/|z x h|, t = b x h,

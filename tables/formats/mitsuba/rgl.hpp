@@ -1,5 +1,5 @@
 /// Reflectances as files of the RGL group's measurements (`.bsdf`): Mitsuba 3 (`measured`), pbrt-v4 (`Material "measured"`) and
-/// powitacq read them; spectral, unpolarised, front side only, no specular delta.
+/// powitacq read them; spectral, unpolarised, front side only, no specular term.
 ///
 /// A file holds f cos(theta_o), not f [Dupuy18]. Half vectors m are points (u, v) of a square, u = sqrt(2 theta_m/pi),
 /// v = (phi_m - phi_i + pi)/(2 pi); per angle of incidence a density over that square (`vndf`) warps it to another one, s, on

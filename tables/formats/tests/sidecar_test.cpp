@@ -10,7 +10,7 @@
 using namespace hts;
 using namespace hts::tables;
 
-TEST_CASE("the sidecar says what the file holds and keeps the specular delta") {
+TEST_CASE("the sidecar says what the file holds and keeps the specular term") {
     const auto plastic =
         tables::testing::brdf_of("smooth-plastic.json", spectral::WavelengthGrid::linear(0.45, 0.7, 4));
     const hts::testing::TemporaryFolder folder;
