@@ -28,6 +28,9 @@ and for materials of model he:
                      measured, at one angle and one wavelength
   compensated_total  with --compensate-energy: the total with the optional, reciprocal
                      energy compensation, which is not part of the published model
+With --emissivity, 1 less the total by Kirchhoff's law, for surfaces that let no light through:
+  emissivity                     of unpolarised radiation
+  emissivity_s, emissivity_p     behind a polariser, for models with polarisation
 By reciprocity the columns are the hemispherical-directional reflectance too.
 
 Examples:
@@ -41,7 +44,12 @@ struct AlbedoOptions {
     std::vector<double> theta_i{0, 15, 30, 45, 60, 75, 85};
     double phi_i = 0, steepest = 85;
     std::optional<double> measured;
-    bool compensate = false;
+    bool compensate = false, emissivity = false;
+};
+
+/// 1 less the albedo of light in a state of polarisation.
+struct Emissivity {
+    double s, p;
 };
 
 /// What is asked of the library, checked.
@@ -50,6 +58,7 @@ struct AlbedoQuery {
     std::optional<spectral::Reflectance> compensated;
     std::vector<Direction> in;
     double steepest;  ///< [rad]
+    bool polarised;   ///< emissivities behind a polariser
 };
 
 /// All rows of one wavelength.
@@ -57,6 +66,7 @@ struct AlbedoSpectralRow {
     std::vector<spectral::HemisphericalReflectance> terms;
     std::optional<spectral::DiffuseAlbedoLimit> limit{};  // of rough surfaces
     std::vector<double> compensated;
+    std::vector<Emissivity> polarised;  // where asked for and known
 };
 
 AlbedoQuery query(const AlbedoOptions& options) {
@@ -76,7 +86,8 @@ AlbedoQuery query(const AlbedoOptions& options) {
     if (options.compensate) require_rough_surface(material, "--compensate-energy");
     auto how = options.material.evaluation();
     AlbedoQuery result{reflectance_from_option("--wavelengths", material, grid, how), std::nullopt,
-                       std::move(in), options.steepest * std::numbers::pi / 180};
+                       std::move(in), options.steepest * std::numbers::pi / 180,
+                       options.emissivity && material.properties().polarised};
     how.compensate_energy = true;
     if (options.compensate) result.compensated = material.at(grid, how);
     return result;
@@ -86,6 +97,12 @@ AlbedoSpectralRow evaluated(const AlbedoQuery& query, std::size_t wavelength) {
     AlbedoSpectralRow row;
     for (const Direction& in : query.in) {
         row.terms.push_back(query.reflectance.albedo(in, wavelength));
+        if (query.polarised) {
+            const auto of = [&](const Stokes& light) {
+                return 1 - query.reflectance.albedo(in, wavelength, light).total();
+            };
+            row.polarised.push_back({of(Stokes::s_polarised()), of(Stokes::p_polarised())});
+        }
         if (query.compensated) row.compensated.push_back(query.compensated->albedo(in, wavelength).total());
     }
     const auto& surface = query.reflectance.properties().surface;
@@ -95,12 +112,14 @@ AlbedoSpectralRow evaluated(const AlbedoQuery& query, std::size_t wavelength) {
     return row;
 }
 
-std::vector<std::string> columns(const AlbedoOptions& options, bool rough) {
+std::vector<std::string> columns(const AlbedoOptions& options, bool rough, bool polarised) {
     std::vector<std::string> names{"wavelength_um",       "theta_i_deg",     "specular",
                                    "directional_diffuse", "uniform_diffuse", "total"};
     if (rough) names.insert(names.end(), {"largest_albedo", "limited_at_deg"});
     if (options.measured) names.emplace_back("measured_albedo");
     if (options.compensate) names.emplace_back("compensated_total");
+    if (options.emissivity) names.emplace_back("emissivity");
+    if (polarised) names.insert(names.end(), {"emissivity_s", "emissivity_p"});
     return names;
 }
 
@@ -127,7 +146,7 @@ void run(const AlbedoOptions& options) {
 
     Output output{options.output.path};
     TableWriter table{output, format_of(options.output.path, options.output.json),
-                      columns(options, surface.has_value())};
+                      columns(options, surface.has_value(), asked.polarised)};
     std::string text;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (std::size_t j = 0; j < asked.in.size(); ++j) {
@@ -137,6 +156,8 @@ void run(const AlbedoOptions& options) {
             append(row, rows[i], j);
             if (albedo) row.number(*albedo);
             if (options.compensate) row.number(rows[i].compensated[j]);
+            if (options.emissivity) row.number(1 - rows[i].terms[j].total());
+            if (asked.polarised) row.number(rows[i].polarised[j].s).number(rows[i].polarised[j].p);
             row.end();
         }
     }
@@ -166,6 +187,7 @@ void add_albedo(CLI::App& program) {
             "a measured directional-hemispherical reflectance, 0 ... 1, to find the diffuse albedo from")
         ->check(number_within(0, 1));
     verb->add_flag("--compensate-energy", options->compensate, "add the total with energy compensation");
+    verb->add_flag("--emissivity", options->emissivity, "add the emissivities by Kirchhoff's law");
     options->output.add_to(*verb);
     verb->footer(albedo_help);
     verb->callback([options] { run(*options); });

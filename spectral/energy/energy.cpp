@@ -71,6 +71,27 @@ HemisphericalReflectance directional_hemispherical_reflectance(const Surface& su
             directional_diffuse_part(surface, facets, wavelength, seen), 0};
 }
 
+HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,
+                                                               const RefractiveIndex& index,
+                                                               const Wavelength& wavelength,
+                                                               const Direction& in,
+                                                               const Stokes& light) noexcept {
+    const View seen = view(surface, in);
+    const double s = (1 + light[1] / light.intensity()) / 2, p = 1 - s;  // shares of the light
+    const FresnelAmplitudes mirror = fresnel(in.cos_theta(), index);
+    const double specular =
+        coherent_fraction(surface, seen, wavelength) * (s * std::norm(mirror.s) + p * std::norm(mirror.p));
+    const double diffuse = lobe_integral(
+        surface, seen, wavelength,
+        [&](const PairFactors& pair, const Direction& out) {
+            const JonesMatrix facet = facet_jones(in, out, fresnel(pair.cos_theta_d(), index));
+            return s * (std::norm(facet.ss) + std::norm(facet.ps)) +
+                   p * (std::norm(facet.sp) + std::norm(facet.pp));
+        },
+        Tolerance{accuracy::hemispherical_reflectance});
+    return {specular, diffuse, 0};
+}
+
 HemisphericalReflectance bihemispherical_reflectance(const Surface& surface, const Facets& facets,
                                                      const Wavelength& wavelength) {
     const auto mean = [&](auto&& part) {

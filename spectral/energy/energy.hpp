@@ -12,6 +12,7 @@
 
 #include <variant>
 
+#include "hts/polarisation.hpp"
 #include "hts/surface.hpp"
 #include "hts/terms.hpp"
 
@@ -48,6 +49,14 @@ struct HemisphericalReflectance {
                                                                              const Facets& facets,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in) noexcept;
+
+/// The same of light in a state of polarisation. By the mirror symmetry of the surface only its s and p parts count.
+///   light   of positive intensity
+[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,
+                                                                             const RefractiveIndex& index,
+                                                                             const Wavelength& wavelength,
+                                                                             const Direction& in,
+                                                                             const Stokes& light) noexcept;
 
 /// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta), of a surface
 /// without uniform diffuse term.

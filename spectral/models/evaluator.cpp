@@ -64,6 +64,22 @@ HemisphericalReflectance Evaluator::albedo(const Direction& in, std::size_t wave
     return {spectrum[wavelength], diffuse - uniform, uniform};
 }
 
+HemisphericalReflectance Evaluator::albedo(const Direction& in, std::size_t wavelength,
+                                           const Stokes& light) const {
+    std::vector<Mueller> matrices(wavelengths_.size());
+    const auto reflected = [&] { return (matrices[wavelength] * light).intensity() / light.intensity(); };
+    const auto at_wavelength = [&](const Direction& out) {
+        mueller({in, out}, matrices);
+        return reflected();
+    };
+    const double diffuse = directional_albedo(at_wavelength, in);
+    std::vector<double> spectrum(wavelengths_.size());
+    uniform_diffuse(spectrum);
+    const double uniform = std::min(diffuse, spectrum[wavelength] * std::numbers::pi);
+    specular_mueller(in, matrices);
+    return {reflected(), diffuse - uniform, uniform};
+}
+
 std::shared_ptr<const DirectionSampler> Evaluator::sampler(std::size_t /*wavelength*/) const {
     throw Error{name_ + ": no directions can be drawn from it"};
 }

@@ -91,6 +91,9 @@ class Evaluator {
 
     /// Directional-hemispherical reflectance by term at one of the wavelengths.
     [[nodiscard]] virtual HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength) const;
+    /// The same of polarised light; only where polarised.
+    [[nodiscard]] virtual HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
+                                                          const Stokes& light) const;
     /// Draws at one of the wavelengths; hts::Error where nobody knows how.
     [[nodiscard]] virtual std::shared_ptr<const DirectionSampler> sampler(std::size_t wavelength) const;
 

@@ -105,6 +105,14 @@ class HeTorranceEvaluator final : public Evaluator {
         result.uniform_diffuse = sample.uniform_diffuse * std::numbers::pi;
         return result;
     }
+    [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
+                                                  const Stokes& light) const override {
+        const SpectralSample& sample = samples_[wavelength];
+        auto result = directional_hemispherical_reflectance(lobe_.surface(), sample.index, sample.wavelength,
+                                                            in, light);
+        result.uniform_diffuse = sample.uniform_diffuse * std::numbers::pi;
+        return result;
+    }
     [[nodiscard]] std::shared_ptr<const DirectionSampler> sampler(std::size_t wavelength) const override {
         return std::make_shared<const HeTorranceSampler>(lobe_.surface(), samples_[wavelength],
                                                          lobe_.tolerance());

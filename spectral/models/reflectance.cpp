@@ -123,6 +123,13 @@ HemisphericalReflectance Reflectance::albedo(const Direction& in, std::size_t wa
     return evaluator_->albedo(in, wavelength);
 }
 
+HemisphericalReflectance Reflectance::albedo(const Direction& in, std::size_t wavelength,
+                                             const Stokes& light) const {
+    require_wavelength(wavelength);
+    require_polarised();
+    return evaluator_->albedo(in, wavelength, light);
+}
+
 Sampler Reflectance::sampler(std::size_t wavelength) const {
     require_wavelength(wavelength);
     return Sampler{evaluator_->sampler(wavelength)};

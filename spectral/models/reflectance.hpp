@@ -102,6 +102,10 @@ class Reflectance {
     ///   error   accuracy::hemispherical_reflectance for rough surfaces, else hts::accuracy::directional_albedo
     ///   cost    1 to 100 ms
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength) const;
+    /// The same of light in a state of polarisation; hts::Error unless properties().polarised. By Kirchhoff's law 1 less the
+    /// total is the emissivity towards `in`, behind a polariser that passes this state.
+    [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
+                                                  const Stokes& light) const;
     /// Draws directions at one of the wavelengths; hts::Error where nobody knows how.
     ///   cost   some 30 ms of a rough surface
     [[nodiscard]] Sampler sampler(std::size_t wavelength) const;

@@ -1,5 +1,7 @@
 #include "spectral/models/reflectance.hpp"
 
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -16,6 +18,7 @@ using hts::Surface;
 using hts::Tolerance;
 using hts::spectral::DiffuseAlbedo;
 using hts::spectral::DirectionPair;
+using hts::spectral::Evaluator;
 using hts::spectral::Material;
 using hts::spectral::OutsideRange;
 using hts::spectral::Reflectance;
@@ -161,4 +164,34 @@ TEST_CASE("wavelengths beyond the optical constants are refused unless clamped")
     CHECK_THROWS_AS(tungsten.at(visible), hts::Error);
     const Reflectance clamped = tungsten.at(visible, {.outside = OutsideRange::clamp});
     CHECK(clamped.brdf(forward)[0] > 0);
+}
+
+TEST_CASE("the albedo of polarised light is that of its Mueller matrix over the hemisphere") {
+    const Reflectance reflectance = rough_aluminium(0.2).at(WavelengthGrid::from_micrometres({0.5, 3}));
+    double worst = 0;
+    for (const double theta : {0.0, 35.0, 70.0, 85.0}) {
+        const auto in = Direction::from_degrees(theta, 20);
+        for (std::size_t i = 0; i < reflectance.size(); ++i) {
+            const auto s = reflectance.albedo(in, i, Stokes::s_polarised());
+            const auto p = reflectance.albedo(in, i, Stokes::p_polarised());
+            const auto both = reflectance.albedo(in, i);
+            CHECK(std::abs((s.total() + p.total()) / 2 - both.total()) < 1e-7);
+            CHECK(reflectance.albedo(in, i, Stokes::unpolarised()).total() ==
+                  Approx(both.total()).epsilon(1e-7));
+            CHECK(s.uniform_diffuse == both.uniform_diffuse);
+            // by the way of every model that has Mueller matrices
+            const auto by_matrices =
+                reflectance.evaluator().Evaluator::albedo(in, i, Stokes{1, -0.3, 0.4, 0.5});
+            const auto direct = reflectance.albedo(in, i, Stokes{1, -0.3, 0.4, 0.5});
+            worst = std::max(worst, std::abs(by_matrices.total() - direct.total()));
+        }
+    }
+    std::printf("albedo of polarised light, by the lobe's integral and by matrices: worst difference %.2g\n",
+                worst);
+    CHECK(worst < 1e-6);
+    const Reflectance unpolarised =
+        hts::spectral::material_from_text(R"({"name": "w", "model": "lambert", "diffuse_albedo": 0.5})",
+                                          "w.json")
+            .at(WavelengthGrid::from_micrometres({0.5}));
+    CHECK_THROWS_AS(unpolarised.albedo(Direction::from_degrees(0, 0), 0, Stokes::s_polarised()), hts::Error);
 }

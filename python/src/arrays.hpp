@@ -1,0 +1,122 @@
+/// Arguments of Python as arrays of doubles, and NumPy's rules of broadcasting.
+#pragma once
+
+#include <Python.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hts::python {
+
+namespace nb = nanobind;
+
+/// Lengths of the axes of an array, the last one running fastest.
+using Shape = std::vector<std::ptrdiff_t>;
+
+[[nodiscard]] std::size_t size_of(const Shape& shape) noexcept;
+/// "(3, 4)", as Python writes it.
+[[nodiscard]] std::string text_of(const Shape& shape);
+
+/// An argument: real numbers of any shape, type and stride. Holds the array it looks at.
+class Operand {
+  public:
+    /// One number.
+    Operand(std::string name, double value);
+    /// Whatever numpy.asarray makes an array of real numbers; hts::Error that names the argument otherwise.
+    ///   last_axis   length that the last axis has to have, which then is no axis of the operand but holds the
+    ///               components of one value; 0 for none
+    Operand(std::string name, nb::handle value, std::ptrdiff_t last_axis = 0);
+    Operand(Operand&& other) noexcept;
+    Operand& operator=(Operand&&) = delete;
+    ~Operand();
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] const Shape& shape() const noexcept { return shape_; }
+    /// In elements.
+    [[nodiscard]] const Shape& strides() const noexcept { return strides_; }
+    [[nodiscard]] const double* data() const noexcept { return view_ ? data_ : &number_; }
+    /// Between the components of a value, in elements.
+    [[nodiscard]] std::ptrdiff_t component_stride() const noexcept { return component_stride_; }
+
+  private:
+    std::string name_;
+    double number_ = 0;
+    std::optional<Py_buffer> view_;
+    const double* data_ = nullptr;
+    Shape shape_, strides_;
+    std::ptrdiff_t component_stride_ = 0;
+};
+
+/// The common shape of operands, and where each has its value of an element.
+class Broadcast {
+  public:
+    /// hts::Error that names shapes which do not go together.
+    explicit Broadcast(std::span<const Operand* const> operands);
+
+    [[nodiscard]] const Shape& shape() const noexcept { return shape_; }
+    [[nodiscard]] std::size_t size() const noexcept { return size_of(shape_); }
+    /// Steps of an operand along the common axes; 0 where it is the same all along.
+    [[nodiscard]] Shape steps(const Operand& operand) const;
+
+  private:
+    Shape shape_;
+};
+
+/// Runs through some axes of a shape in order, and adds up the steps of several arrays.
+class Walk {
+  public:
+    /// Over the axes whose flag is set.
+    Walk(const Shape& shape, const std::vector<bool>& axes);
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Offset of the i-th element in an array with these steps along all axes of the shape.
+    [[nodiscard]] std::ptrdiff_t offset(std::size_t i, const Shape& steps) const noexcept;
+
+  private:
+    std::vector<std::size_t> axes_;
+    Shape lengths_;
+    std::size_t size_ = 1;
+};
+
+/// Where results go: a new array, or the one that a caller gave.
+class Result {
+  public:
+    ///   shape   of the result; where `out` is given, its own, else hts::Error
+    ///   out     None, or an array of float64 that may be written
+    ///   inputs  what must not change before it is read: where `out` shares memory with one of them, results wait in a
+    ///           new array
+    ///   together   how many of the last axes hold the values of one element, which then lie side by side
+    Result(const Shape& shape, nb::object out, std::span<const Operand* const> inputs,
+           std::size_t together = 0);
+    ~Result();
+    Result(const Result&) = delete;
+    Result& operator=(const Result&) = delete;
+
+    [[nodiscard]] double* data() const noexcept { return static_cast<double*>(view_.buf); }
+    [[nodiscard]] const Shape& strides() const noexcept { return strides_; }
+    /// The array, or the number where the shape is that of one.
+    [[nodiscard]] nb::object finish();
+
+  private:
+    nb::object out_, array_;
+    Py_buffer view_{};
+    Shape strides_;
+    bool scalar_;
+};
+
+/// numpy itself.
+[[nodiscard]] nb::module_ numpy();
+/// A new array of float64.
+[[nodiscard]] nb::object new_array(const Shape& shape);
+/// A new one-dimensional array of these values.
+[[nodiscard]] nb::object array_of(std::span<const double> values);
+
+}  // namespace hts::python

@@ -1,0 +1,418 @@
+#include "evaluation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "hts/error.hpp"
+
+namespace hts::python {
+namespace {
+
+using spectral::Reflectance;
+using spectral::WavelengthGrid;
+
+constexpr std::size_t block = 256;             // pairs evaluated at a time
+constexpr std::size_t between_signals = 1024;  // blocks after which Ctrl-C is looked for
+constexpr std::size_t most_kept = 256;
+
+/// A material of the same description whose optical constants are what a Python function says at these wavelengths.
+spectral::Material with_index(const std::string& description, const nb::object& index,
+                              const WavelengthGrid& grid) {
+    const nb::gil_scoped_acquire python;
+    const auto helper = nb::module_::import_("hts._description");
+    const auto text = nb::cast<std::string>(
+        helper.attr("with_sampled_index")(description, index, array_of(grid.micrometres())));
+    return spectral::material_from_text(text, "index of a function");
+}
+
+/// The operands of a call.
+struct Operands {
+    std::optional<Operand> wavelength;
+    std::vector<Operand> angles;     ///< theta_i, phi_i, theta_r, phi; or none
+    std::vector<Operand> vectors;    ///< incident, reflected; or none
+    std::vector<Operand> overrides;  ///< those given
+    std::vector<int> which;  ///< of overrides: 0 n, 1 k, 2 rms roughness, 3 correlation length, 4 albedo
+
+    [[nodiscard]] std::vector<const Operand*> all() const {
+        std::vector<const Operand*> all;
+        if (wavelength) all.push_back(&*wavelength);
+        for (const auto* group : {&angles, &vectors, &overrides}) {
+            for (const Operand& operand : *group) all.push_back(&operand);
+        }
+        return all;
+    }
+};
+
+bool given(nb::handle value) {
+    return value.is_valid() && !value.is_none();
+}
+
+void require_given(const char* name, nb::handle value) {
+    if (!given(value))
+        throw Error{std::string{name} + ": must be given, or incident and reflected as vectors"};
+}
+
+Operands operands_of(const Quantity& quantity, const Where& where) {
+    Operands of;
+    of.wavelength.emplace("wavelength", where.wavelength);
+    const bool vectors = given(where.incident) || given(where.reflected);
+    if (vectors) {
+        for (const nb::handle angle : {where.theta_i, where.theta_r, where.phi}) {
+            if (given(angle)) throw Error{"directions given twice: must be either angles or vectors"};
+        }
+        if (!given(where.incident)) throw Error{"incident: must be given with reflected"};
+        of.vectors.emplace_back("incident", where.incident, 3);
+        if (quantity.views) {
+            if (!given(where.reflected)) throw Error{"reflected: must be given with incident"};
+            of.vectors.emplace_back("reflected", where.reflected, 3);
+        } else if (given(where.reflected)) {
+            throw Error{std::string{"reflected: "} + quantity.name +
+                        " depends on the incident direction alone"};
+        }
+    } else {
+        require_given("theta_i", where.theta_i);
+        of.angles.emplace_back("theta_i", where.theta_i);
+        of.angles.emplace_back("phi_i", where.phi_i);
+        if (quantity.views) {
+            require_given("theta_r", where.theta_r);
+            require_given("phi", where.phi);
+            of.angles.emplace_back("theta_r", where.theta_r);
+            of.angles.emplace_back("phi", where.phi);
+        }
+    }
+    const std::pair<const char*, nb::handle> own[]{{"n", where.n},
+                                                   {"k", where.k},
+                                                   {"rms_roughness_um", where.rms_roughness},
+                                                   {"correlation_length_um", where.correlation_length},
+                                                   {"diffuse_albedo", where.diffuse_albedo}};
+    for (int i = 0; i < 5; ++i) {
+        if (!given(own[i].second)) continue;
+        of.overrides.emplace_back(own[i].first, own[i].second);
+        of.which.push_back(i);
+    }
+    return of;
+}
+
+/// "(3, 2)": the index of an element, for messages.
+std::string index_text(std::size_t i, const Shape& shape) {
+    Shape index(shape.size());
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+        const auto length = static_cast<std::size_t>(shape[axis]);
+        index[axis] = static_cast<std::ptrdiff_t>(i % length);
+        i /= length;
+    }
+    return text_of(index);
+}
+
+/// Reads pairs of directions from operands.
+class Pairs {
+  public:
+    Pairs(const Operands& of, const Broadcast& broadcast, bool degrees) : degrees_{degrees} {
+        for (const auto* group : {&of.angles, &of.vectors}) {
+            for (const Operand& operand : *group) {
+                data_.push_back(operand.data());
+                steps_.push_back(broadcast.steps(operand));
+                component_.push_back(operand.component_stride());
+            }
+        }
+        vectors_ = !of.vectors.empty();
+    }
+
+    [[nodiscard]] DirectionPair operator()(const Walk& walk, std::size_t i) const {
+        if (vectors_) {
+            const Direction in = vector(0, walk, i);
+            return {in, data_.size() > 1 ? vector(1, walk, i) : in};
+        }
+        const double phi_i = at(1, walk, i);
+        const Direction in = direction(at(0, walk, i), phi_i, degrees_);
+        if (data_.size() < 4) return {in, in};
+        return {in, direction(at(2, walk, i), phi_i + at(3, walk, i), degrees_)};
+    }
+
+  private:
+    [[nodiscard]] double at(std::size_t which, const Walk& walk, std::size_t i) const {
+        return data_[which][walk.offset(i, steps_[which])];
+    }
+    [[nodiscard]] Direction vector(std::size_t which, const Walk& walk, std::size_t i) const {
+        const double* v = data_[which] + walk.offset(i, steps_[which]);
+        const std::ptrdiff_t step = component_[which];
+        return Direction::from_vector({v[0], v[step], v[2 * step]});
+    }
+
+    std::vector<const double*> data_;
+    std::vector<Shape> steps_;
+    std::vector<std::ptrdiff_t> component_;
+    bool degrees_, vectors_ = false;
+};
+
+/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock; now and then looks
+/// whether somebody wants it to stop. The error of the lowest block is thrown.
+template <class Function>
+void in_blocks(std::size_t count, int threads, const Function& f) {
+    const std::size_t blocks = (count + block - 1) / block;
+    const int team = threads > 0 ? threads : omp_get_max_threads();
+    for (std::size_t from = 0; from < blocks; from += between_signals) {
+        const std::size_t to = std::min(blocks, from + between_signals);
+        std::exception_ptr failure;
+        std::size_t failed = to;
+        {
+            const nb::gil_scoped_release others_may_run;
+#pragma omp parallel for schedule(dynamic, 4) num_threads(team) if (team > 1 && to - from > 1)
+            for (std::ptrdiff_t j = static_cast<std::ptrdiff_t>(from); j < static_cast<std::ptrdiff_t>(to);
+                 ++j) {
+                const auto b = static_cast<std::size_t>(j);
+                try {
+                    f(b * block, std::min(block, count - b * block));
+                } catch (...) {
+#pragma omp critical(hts_python_failure)
+                    if (b < failed) {
+                        failed = b;
+                        failure = std::current_exception();
+                    }
+                }
+            }
+        }
+        if (failure) std::rethrow_exception(failure);
+        if (to < blocks && PyErr_CheckSignals() != 0) throw nb::python_error();
+    }
+}
+
+/// A call in full: what is to be computed, of what, and where it goes.
+class Call {
+  public:
+    Call(const PyMaterial& material, const Quantity& quantity, const Where& where, const How& how,
+         const Operands& operands, Result& result, const Broadcast& broadcast)
+        : material_{material},
+          quantity_{quantity},
+          how_{how},
+          threads_{where.threads},
+          operands_{operands},
+          shape_{broadcast.shape()},
+          pairs_{operands, broadcast, where.degrees},
+          wavelength_steps_{broadcast.steps(*operands.wavelength)},
+          out_{result.data()},
+          out_steps_{result.strides()},
+          each_{size_of(quantity.trailing)} {
+        out_steps_.resize(shape_.size());
+        for (const Operand& each : operands.overrides) override_steps_.push_back(broadcast.steps(each));
+        for (std::size_t axis = 0; axis < shape_.size(); ++axis) {
+            const auto moves = [&](const Operand& operand) { return broadcast.steps(operand)[axis] != 0; };
+            const bool spectral = wavelength_steps_[axis] != 0;
+            bool others = false;
+            for (const auto* group : {&operands.angles, &operands.vectors, &operands.overrides})
+                others = others || std::any_of(group->begin(), group->end(), moves);
+            along_wavelengths_.push_back(spectral && !others);
+            separable_ = separable_ && !(spectral && others);
+        }
+        for (const Operand& each : operands.overrides) separable_ = separable_ && size_of(each.shape()) == 1;
+        separable_ = separable_ && !quantity.samplers;
+    }
+
+    void run() const {
+        if (size_of(shape_) == 0) return;
+        separable_ ? by_spectra() : by_elements();
+    }
+
+  private:
+    /// What f returns; its error says which element it was.
+    template <class Function>
+    auto named(std::size_t i, const Function& f) const {
+        try {
+            return f();
+        } catch (const Error& error) {
+            if (size_of(shape_) == 1) throw;
+            const bool whole = !separable_;
+            throw Error{std::string{error.what()} +
+                        (whole ? " (element " + index_text(i, shape_) + ")"
+                               : " (pair of directions " + std::to_string(i) + ")")};
+        }
+    }
+
+    void store(const double* values, std::ptrdiff_t to) const { std::copy_n(values, each_, out_ + to); }
+
+    [[nodiscard]] Overrides overrides(const Walk& walk, std::size_t i) const {
+        Overrides result;
+        std::optional<double>* const places[]{&result.n, &result.k, &result.rms_roughness,
+                                              &result.correlation_length, &result.diffuse_albedo};
+        for (std::size_t o = 0; o < override_steps_.size(); ++o) {
+            *places[operands_.which[o]] = operands_.overrides[o].data()[walk.offset(i, override_steps_[o])];
+        }
+        return result;
+    }
+
+    /// Wavelengths run along axes of their own: whole spectra of each pair of directions, in batches.
+    void by_spectra() const {
+        std::vector<bool> along_pairs = along_wavelengths_;
+        along_pairs.flip();
+        const Walk spectrum{shape_, along_wavelengths_}, pairs{shape_, along_pairs};
+
+        std::vector<double> asked(spectrum.size());
+        std::vector<std::ptrdiff_t> to(spectrum.size());
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            asked[i] = operands_.wavelength->data()[spectrum.offset(i, wavelength_steps_)];
+            to[i] = spectrum.offset(i, out_steps_);
+        }
+        std::vector<double> sorted = asked;
+        std::ranges::sort(sorted);
+        const auto repeated = std::ranges::unique(sorted);
+        sorted.erase(repeated.begin(), repeated.end());
+        std::vector<std::size_t> place(asked.size());
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            place[i] = static_cast<std::size_t>(std::ranges::lower_bound(sorted, asked[i]) - sorted.begin());
+        }
+        const Overrides own = overrides(pairs, 0);
+        const Reflectance of = sorted.size() == 1
+                                   ? material_.at(sorted[0], how_, own)
+                                   : material_.at(WavelengthGrid::from_micrometres(sorted), how_, own);
+
+        const std::size_t values = of.size() * each_;
+        in_blocks(pairs.size(), threads_, [&](std::size_t first, std::size_t number) {
+            thread_local std::vector<DirectionPair> of_block;
+            thread_local std::vector<double> spectra;
+            of_block.clear();
+            for (std::size_t i = 0; i < number; ++i) of_block.push_back(pair(pairs, first + i));
+            spectra.resize(number * values);
+            quantity_.evaluate(of, of_block, spectra);
+            for (std::size_t i = 0; i < number; ++i) {
+                const std::ptrdiff_t base = pairs.offset(first + i, out_steps_);
+                for (std::size_t w = 0; w < place.size(); ++w)
+                    store(spectra.data() + i * values + place[w] * each_, base + to[w]);
+            }
+        });
+    }
+
+    /// Each element has a wavelength, or a surface, of its own.
+    void by_elements() const {
+        const Walk all{shape_, std::vector<bool>(shape_.size(), true)};
+        in_blocks(all.size(), threads_, [&](std::size_t first, std::size_t number) {
+            thread_local std::vector<double> values;
+            values.resize(each_);
+            for (std::size_t i = first; i < first + number; ++i) {
+                const DirectionPair one[1]{pair(all, i)};
+                const double wavelength = operands_.wavelength->data()[all.offset(i, wavelength_steps_)];
+                const std::span<double> of_one{values};
+                named(i, [&] {
+                    if (quantity_.samplers) {
+                        quantity_.of_sampler(material_.sampler(wavelength, how_), one, of_one);
+                    } else {
+                        quantity_.evaluate(material_.at(wavelength, how_, overrides(all, i)), one, of_one);
+                    }
+                });
+                store(values.data(), all.offset(i, out_steps_));
+            }
+        });
+    }
+
+    [[nodiscard]] DirectionPair pair(const Walk& walk, std::size_t i) const {
+        return named(i, [&] { return pairs_(walk, i); });
+    }
+
+    const PyMaterial& material_;
+    const Quantity& quantity_;
+    How how_;
+    int threads_;
+    const Operands& operands_;
+    Shape shape_;
+    Pairs pairs_;
+    Shape wavelength_steps_;
+    double* out_;
+    Shape out_steps_;
+    std::size_t each_;
+    std::vector<Shape> override_steps_;
+    std::vector<bool> along_wavelengths_;
+    bool separable_ = true;
+};
+
+bool is_number(nb::handle value) {
+    return value.is_valid() && (PyFloat_CheckExact(value.ptr()) || PyLong_CheckExact(value.ptr()));
+}
+
+/// One pair of directions at one wavelength, all of them plain numbers.
+std::optional<double> of_numbers(const PyMaterial& material, const Quantity& quantity, const Where& w,
+                                 const How& how) {
+    if (!quantity.trailing.empty() || quantity.samplers || given(w.incident) || given(w.reflected))
+        return std::nullopt;
+    if (!is_number(w.wavelength) || !is_number(w.theta_i) || !is_number(w.phi_i)) return std::nullopt;
+    if (quantity.views && (!is_number(w.theta_r) || !is_number(w.phi))) return std::nullopt;
+    for (const nb::handle own : {w.n, w.k, w.rms_roughness, w.correlation_length, w.diffuse_albedo}) {
+        if (given(own)) return std::nullopt;
+    }
+    const auto number = [](nb::handle value) { return nb::cast<double>(value); };
+    const double phi_i = number(w.phi_i);
+    const Direction in = direction(number(w.theta_i), phi_i, w.degrees);
+    const Direction out =
+        quantity.views ? direction(number(w.theta_r), phi_i + number(w.phi), w.degrees) : in;
+    const DirectionPair pair[1]{{in, out}};
+    double value[1];
+    quantity.evaluate(material.at(number(w.wavelength), how), pair, value);
+    return value[0];
+}
+
+}  // namespace
+
+Direction direction(double theta, double phi, bool degrees) {
+    return degrees ? Direction::from_degrees(theta, phi) : Direction::from_angles(theta, phi);
+}
+
+PyMaterial::PyMaterial(spectral::Material material, std::string description, nb::object index)
+    : material_{std::move(material)},
+      description_{std::move(description)},
+      index_{std::move(index)},
+      kept_{std::make_shared<Kept>()} {}
+
+Reflectance PyMaterial::at(const WavelengthGrid& grid, const How& how, const Overrides& own) const {
+    const spectral::EvaluationOptions options{
+        .tolerance = Tolerance{how.tolerance},
+        .outside = how.outside,
+        .compensate_energy = how.compensate_energy,
+        .instead = {own.n, own.k, own.rms_roughness, own.correlation_length, own.diffuse_albedo}};
+    if (index_.is_valid()) return with_index(description_, index_, grid).at(grid, options);
+    return material_.at(grid, options);
+}
+
+Reflectance PyMaterial::at(double wavelength, const How& how, const Overrides& own) const {
+    const Key key{wavelength, how, own};
+    {
+        const std::lock_guard lock{kept_->mutex};
+        if (const auto found = kept_->reflectances.find(key); found != kept_->reflectances.end())
+            return found->second;
+    }
+    const Reflectance made = at(WavelengthGrid::from_micrometres({wavelength}), how, own);
+    const std::lock_guard lock{kept_->mutex};
+    if (kept_->reflectances.size() >= most_kept) kept_->reflectances.clear();
+    return kept_->reflectances.emplace(key, made).first->second;
+}
+
+spectral::Sampler PyMaterial::sampler(double wavelength, const How& how) const {
+    const Key key{wavelength, how, {}};
+    {
+        const std::lock_guard lock{kept_->mutex};
+        if (const auto found = kept_->samplers.find(key); found != kept_->samplers.end())
+            return found->second;
+    }
+    const spectral::Sampler made = at(wavelength, how).sampler(0);
+    const std::lock_guard lock{kept_->mutex};
+    if (kept_->samplers.size() >= most_kept) kept_->samplers.clear();
+    return kept_->samplers.emplace(key, made).first->second;
+}
+
+nb::object evaluate(const PyMaterial& material, const Quantity& quantity, const Where& where, const How& how,
+                    nb::object out) {
+    if (out.is_none()) {
+        if (const auto value = of_numbers(material, quantity, where, how)) return nb::float_(*value);
+    }
+    const Operands operands = operands_of(quantity, where);
+    const auto all = operands.all();
+    const Broadcast broadcast{all};
+    Shape shape = broadcast.shape();
+    shape.insert(shape.end(), quantity.trailing.begin(), quantity.trailing.end());
+    Result result{shape, std::move(out), all, quantity.trailing.size()};
+    Call{material, quantity, where, how, operands, result, broadcast}.run();
+    return result.finish();
+}
+
+}  // namespace hts::python

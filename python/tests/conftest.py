@@ -1,0 +1,27 @@
+import pathlib
+
+import numpy as np
+import pytest
+
+import hts
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def aluminium() -> hts.Material:
+    return hts.Material(SOURCE / "cli/data/rough-aluminium.json")
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(7)
+
+
+@pytest.fixture(scope="session")
+def command() -> pathlib.Path:
+    """The command of the same checkout."""
+    path = SOURCE / "build/release/bin/hts"
+    if not path.exists():
+        pytest.skip(f"{path} is not built: ./run build")
+    return path
