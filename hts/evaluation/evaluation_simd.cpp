@@ -296,6 +296,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hts::evaluation_detail {
 
+bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
+    const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
+    return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
+           std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
+               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
+                      s.index.k() <= 1e6;
+           });
+}
+
 HWY_EXPORT(form_table);
 
 Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept {

@@ -50,6 +50,9 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
+/// Lengths and indices whose products stay far from the ends of a double's range, in any order.
+[[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
+
 /// False, and the result untouched, where the pair is not ordinary.
 using BrdfOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, double* result);
 using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, Mueller* result);
