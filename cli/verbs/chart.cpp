@@ -11,7 +11,6 @@
 #include "bench/charts/chart_tables.hpp"
 #include "cli/answers/model_chart.hpp"
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/verbs/verbs.hpp"
@@ -68,7 +67,6 @@ void write_chart(const fs::path& path, const bench::ChartTable& table, const std
 
 void run(const ChartOptions& options) {
     const fs::path folder{options.folder};
-    make_folder(folder);
     if (options.models) {
         const ModelChart chart = measured_models(options.quick, options.seed, progress());
         std::cout << write_figure(folder, model_figure(chart), true).string() << '\n';
@@ -89,9 +87,7 @@ void add_chart(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("chart", "speed against accuracy of every method, SVG by gnuplot");
     auto options = std::make_shared<ChartOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for pictures and tables")
-        ->required()
-        ->check(path_to_write());
+    fills(verb->add_option("-o,--output", options->folder, "folder for pictures and tables"))->required();
     verb->add_flag("--quick", options->quick, "fewer points, in less than a minute");
     verb->add_flag("--models", options->models, "instead: every model, fitted to He-Torrance");
     verb->add_option("--seed", options->seed, "of the random points")

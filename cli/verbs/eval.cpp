@@ -219,10 +219,10 @@ void add_eval(CLI::App& program) {
         program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
     auto options = std::make_shared<EvalOptions>();
     options->material.add_to(*verb);
-    verb->add_option("--plan", options->plan, "plan file of hts plan");
+    reads(verb->add_option("--plan", options->plan, "plan file of hts plan"));
     verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
-    verb->add_option("--points", options->points, "CSV file of points, - for standard input");
+    reads(verb->add_option("--points", options->points, "CSV file of points, - for standard input"));
     options->directions.add_to(*verb);
     options->output.add_to(*verb);
     verb->add_flag("--mueller", options->mueller,
@@ -241,7 +241,7 @@ void add_eval(CLI::App& program) {
         "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
         "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
     options->tolerance.add_to(*verb);
-    verb->add_option("--random-pairs", options->random_pairs,
+    verb->add_option("--random-pairs,--pairs,--samples,--count", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
                      "the BRDF at all wavelengths in one call; prints mean and speed")
         ->check(whole_number(1, 1'000'000'000));

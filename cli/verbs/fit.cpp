@@ -13,6 +13,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_table.hpp"
 
@@ -67,8 +68,8 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
         if (text == name(c)) return c;
         names.emplace_back(name(c));
     }
-    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " +
-                     spectral::joined(names)};
+    throw UsageError{option + ": " + spectral::in_quotes(text) + ": " +
+                     spectral::must_be_one_of(text, names)};
 }
 
 validation::FitSelection selection(const FitOptions& options) {
@@ -194,8 +195,10 @@ void add_fit(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
-    verb->add_option("curves", options->curves,
-                     "curve set: a file or a name of hts curves list; with --all-models several, or folders")
+    offers(reads(verb->add_option(
+               "curves", options->curves,
+               "curve set: a file or a name of hts curves list; with --all-models several, or folders")),
+           validation::built_in_curve_names())
         ->required();
     std::vector<CLI::Option*> of_one{
         verb->add_option("--model", options->model,
@@ -205,15 +208,14 @@ void add_fit(CLI::App& program) {
             ->check(whole_number(1, 3))
             ->capture_default_str(),
         verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
-        verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
-            ->delimiter(','),
+        comma_list(*verb, "--free", options->freed,
+                   "parameters to fit that are held otherwise: scale, k, my"),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
         verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
         verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
             ->check(number_within(1e-9, 1e9))
             ->capture_default_str(),
-        verb->add_option("--report", options->report, "everything about the fit (JSON)")
-            ->check(path_to_write())};
+        writes(verb->add_option("--report", options->report, "everything about the fit (JSON)"))};
     verb->add_option("--index", options->index,
                      "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
@@ -233,8 +235,7 @@ void add_fit(CLI::App& program) {
         ->capture_default_str();
     auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
     for (CLI::Option* option : of_one) all->excludes(option);
-    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
-        ->check(path_to_write());
+    writes(verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table"));
     verb->add_flag("--json", options->json, "print JSON");
     verb->footer(fit_help);
     verb->callback([options] { run(*options); });

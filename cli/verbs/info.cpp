@@ -27,7 +27,7 @@ Text by default; --json or an output .json give all of it, an output .csv a row 
 
 Examples:
   hts info cli/data/rough-aluminium.json
-  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output info.csv)";
+  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta-i 0,45,75 --output info.csv)";
 
 struct InfoOptions {
     std::string material, wavelengths = "0.38:0.78:9";
@@ -52,7 +52,7 @@ void report(const OutputOptions& options, const Info& info) {
 
 void run(const InfoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
-    require_angles("--theta", options.theta);
+    require_angles("--theta-i", options.theta);
     const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
     const auto material = spectral::read_material(options.material, tables::models_with_files());
     static_cast<void>(reflectance_from_option("--wavelengths", material, grid, {.outside = policy}));
@@ -69,12 +69,11 @@ void add_info(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("info", "a material's regime and where the model is valid for it");
     auto options = std::make_shared<InfoOptions>();
-    verb->add_option("material", options->material, "material file (JSON)")->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    reads(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
-    verb->add_option("--theta", options->theta, "angles of incidence [deg], 0 ... 90, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    comma_list(*verb, theta_i_names, options->theta,
+               "angles of incidence [deg], 0 ... 90, separated by commas");
     verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
     options->output.add_to(*verb);
     verb->get_option("--json")->description("write JSON instead of text");

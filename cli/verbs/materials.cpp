@@ -139,8 +139,9 @@ void add_materials(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("materials", "optical constants: list, or source, range and n, k of one");
     auto options = std::make_shared<MaterialsOptions>();
-    auto* name = verb->add_option("name", options->name, "built-in name or file");
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
+    auto* name = offers(reads(verb->add_option("name", options->name, "built-in name or file")),
+                        spectral::optical_constants_names());
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
     verb->add_flag("--clamp", options->clamp, "outside the range use the end values");
     options->output.add_to(*verb);
     verb->footer(materials_help);

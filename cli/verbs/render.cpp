@@ -105,8 +105,8 @@ void add_render(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("render", "pictures of the papers' scenes and of any material, PNG");
     auto options = std::make_shared<RenderOptions>();
-    verb->add_option("scene", options->scene, "which")->required()->check(CLI::IsMember(scene_names()));
-    verb->add_option("-o,--output", options->output, "picture, a .png file")->required();
+    one_of(verb->add_option("scene", options->scene, "which"), scene_names())->required();
+    writes(verb->add_option("-o,--output", options->output, "picture, a .png file"))->required();
     options->material.add_to(*verb);
     verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg], -360 ... 360")
         ->check(number_within(-360, 360))
@@ -114,7 +114,7 @@ void add_render(CLI::App& program) {
     verb->add_option("--size", options->size, "width of the picture, 16 ... 4096")
         ->capture_default_str()
         ->check(whole_number(16, 4096));
-    verb->add_option("--samples", options->samples, "rays or paths per pixel, 1 ... 65536")
+    verb->add_option("--samples,--count", options->samples, "rays or paths per pixel, 1 ... 65536")
         ->capture_default_str()
         ->check(whole_number(1, 65536));
     verb->add_option("--exposure", options->exposure, "factor of brightness, 0.001 ... 1000")

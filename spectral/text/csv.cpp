@@ -1,5 +1,7 @@
 #include "spectral/text/csv.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -7,6 +9,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "spectral/text/run_files.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -46,9 +50,14 @@ std::vector<std::string> fields_of(std::string_view line) {
 }
 
 std::unique_ptr<std::istream> opened(const std::string& path) {
-    if (path == "-") return std::make_unique<std::istream>(std::cin.rdbuf());
+    if (path == "-") {
+        // closed or a folder, which the stream would take for an empty file
+        if (::read(STDIN_FILENO, nullptr, 0) != 0)
+            throw Error{std::string{"<stdin>: cannot be read: "} + std::strerror(errno)};
+        return std::make_unique<std::istream>(std::cin.rdbuf());
+    }
     require_file(path);
-    auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+    auto file = std::make_unique<std::ifstream>(path_to_read(path), std::ios::binary);
     if (!*file) throw Error{path + ": cannot be read: " + std::strerror(errno)};
     if (file->peek() == std::istream::traits_type::eof()) throw Error{path + ": file is empty"};
     return file;
@@ -74,8 +83,8 @@ std::size_t CsvHeader::column(std::string_view column) const {
 void CsvHeader::require_known_columns(const std::vector<std::string>& known) const {
     for (const auto& name : columns_) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        throw Error{where_header() + "column " + in_quotes(name) + ": not known; must be one of " +
-                    joined(known)};
+        throw Error{where_header() + "column " + in_quotes(name) + ": not known; " +
+                    must_be_one_of(name, known)};
     }
 }
 
@@ -151,8 +160,11 @@ CsvTable::CsvTable(CsvReader rows) : CsvHeader{rows} {
         if (columns()[i].empty()) {
             throw Error{where_header() + "column " + std::to_string(i + 1) + " has no name"};
         }
-        static_cast<void>(column(columns()[i]));  // once
     }
+    std::vector<std::string_view> names{columns().begin(), columns().end()};
+    std::ranges::sort(names);
+    if (const auto twin = std::ranges::adjacent_find(names); twin != names.end())
+        static_cast<void>(column(*twin));  // says where
     while (auto row = rows.next()) rows_.push_back(std::move(*row));
 }
 

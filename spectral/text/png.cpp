@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "hts/error.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -48,7 +49,7 @@ double light(std::uint8_t component) {
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
+    std::ifstream file{path_to_read(path), std::ios::binary};
     std::string bytes{std::istreambuf_iterator<char>{file}, {}};
     if (!file || bytes.empty()) throw Error{"cannot be read: must be a PNG file"};
     return bytes;

@@ -9,18 +9,29 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+
+#include "spectral/text/run_files.hpp"
 
 namespace hts::spectral {
 namespace {
 
 constexpr std::string_view white_space = " \t\r\n\f\v";
 
+// A device may have no end: what is no text, or too long for one, is refused while it is read.
 std::string contents(const std::filesystem::path& path) {
+    constexpr std::size_t part = std::size_t{1} << 20, most = std::size_t{1} << 31;
     errno = 0;
-    std::ifstream file{path, std::ios::binary};
-    std::string text{std::istreambuf_iterator<char>{file}, {}};
+    std::ifstream file{path_to_read(path), std::ios::binary};
+    std::string text;
+    while (file.good()) {
+        const std::size_t before = text.size();
+        text.resize(before + part);
+        file.read(text.data() + before, part);
+        text.resize(before + static_cast<std::size_t>(file.gcount()));
+        if (text.find('\0', before) != std::string::npos) break;
+        if (text.size() > most) throw Error{path.string() + ": more than 2 GiB: must be less for a text"};
+    }
     if (!file.is_open() || file.bad()) {
         throw Error{path.string() + ": cannot be read: " + std::strerror(errno)};
     }
@@ -39,7 +50,7 @@ void require_utf8(const std::string& text, const std::filesystem::path& path) {
 
 void require_file(const std::filesystem::path& path) {
     std::error_code failure;
-    const auto status = std::filesystem::status(path, failure);
+    const auto status = std::filesystem::status(path_to_read(path), failure);
     if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
     if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
     if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "hts/error.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/merl.hpp"
@@ -25,7 +26,7 @@ constexpr const char* no_wavelength =
 
 std::string head_of(const Path& path) {
     std::string head(4096, '\0');
-    std::ifstream file{path, std::ios::binary};
+    std::ifstream file{spectral::path_to_read(path), std::ios::binary};
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
     return head;
@@ -119,7 +120,7 @@ const std::vector<BrdfFormat>& readable_formats() {
 
 BrdfFile read_brdf(const Path& path, const Wavelengths& wavelengths, std::string_view format) {
     std::vector<std::string> known;
-    if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored))
+    if (std::error_code ignored; !std::filesystem::is_regular_file(spectral::path_to_read(path), ignored))
         throw Error{path.string() + ": must be a file that exists"};
     const std::string head = head_of(path);
     for (const BrdfFormat& each : readable_formats()) {

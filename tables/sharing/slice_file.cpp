@@ -142,6 +142,13 @@ PartHeader header_from_bytes(std::string_view bytes, const std::string& name) {
     return header_from(std::string{bytes.substr(prelude_bytes, size)}, name);
 }
 
+bool is_header_cut_short(const std::filesystem::path& path) {
+    const std::string bytes = read_whole_file(path);
+    if (bytes.size() < prelude_bytes) return magic.substr(0, bytes.size()) == bytes.substr(0, magic.size());
+    return bytes.starts_with(magic) && from_little_endian<std::uint64_t>(std::string_view{bytes}.substr(16)) >
+                                           bytes.size() - prelude_bytes;
+}
+
 Part read_part(const std::filesystem::path& path) {
     const std::string bytes = read_whole_file(path);
     PartHeader header = header_from_bytes(bytes, path.string());

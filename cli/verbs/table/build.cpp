@@ -10,6 +10,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/sharing/table_parts.hpp"
 
@@ -86,7 +87,7 @@ void add_table_build(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("build", "build a table of a material");
     auto options = std::make_shared<BuildOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--tolerance", options->request.tolerance, "largest error, 1e-9 ... 0.5")
         ->check(number_within(1e-9, 0.5))
@@ -100,7 +101,11 @@ void add_table_build(CLI::App& table) {
                      "stop where a table would be larger, 1024 ... 2^52")
         ->check(whole_number(1024, std::uint64_t{1} << 52))
         ->capture_default_str();
-    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
+    writes(verb->add_option("--output,-o", options->output, "file to write"))
+        ->each([](const std::string& path) {
+            spectral::RunFiles::of_process()->will_continue(path + ".slices");
+        })
+        ->required();
     verb->footer(build_help);
     verb->callback([options] { run(*options); });
 }

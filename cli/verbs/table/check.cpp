@@ -4,6 +4,7 @@
 
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "hts/error.hpp"
 #include "tables/sharing/table_parts.hpp"
@@ -48,8 +49,8 @@ void run(const CheckOptions& options) {
     writer.finish();
     output.commit();
     if (error.largest > info.tolerance) {
-        throw Error{options.table + ": largest error " + brief(error.largest) +
-                    ": must be at most the tolerance " + brief(info.tolerance)};
+        throw CheckFailed{options.table + ": largest error " + brief(error.largest) +
+                          ": must be at most the tolerance " + brief(info.tolerance)};
     }
 }
 
@@ -59,8 +60,8 @@ void add_table_check(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("check", "measure the error of a table against the exact model");
     auto options = std::make_shared<CheckOptions>();
     constexpr std::uint64_t most = 100'000'000;
-    verb->add_option("table", options->table, "file to check")->required();
-    verb->add_option("--samples", options->samples, "pairs of directions, 1 ... 100000000")
+    reads(verb->add_option("table", options->table, "file to check"))->required();
+    verb->add_option(samples_names, options->samples, "pairs of directions, 1 ... 100000000")
         ->check(whole_number(1, most))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of the random directions")

@@ -113,12 +113,12 @@ void add_table_import(CLI::App& table) {
     auto options = std::make_shared<ImportOptions>();
     std::vector<std::string> names;
     for (const tables::BrdfFormat& format : tables::readable_formats()) names.push_back(format.name);
-    verb->add_option("source", options->source, "file to read")->required();
-    verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised")
-        ->check(CLI::IsMember(names));
-    verb->add_option("--wavelengths", options->wavelengths, "what the channels are called, a,b,c [um]");
-    verb->add_option("--output,-o", options->output, "material file to write (JSON)")->check(path_to_write());
-    verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV")->check(path_to_write());
+    reads(verb->add_option("source", options->source, "file to read"))->required();
+    one_of(verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised"),
+           names);
+    verb->add_option(wavelengths_names, options->wavelengths, "what the channels are called, a,b,c [um]");
+    writes(verb->add_option("--output,-o", options->output, "material file to write (JSON)"));
+    writes(verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV"));
     verb->add_flag("--json", options->json, "what it holds as JSON");
     verb->footer(import_help());
     verb->callback([options] { run(*options); });

@@ -111,8 +111,9 @@ void run(const LookupOptions& options) {
 void add_table_lookup(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("lookup", "values of a table at points");
     auto options = std::make_shared<LookupOptions>();
-    verb->add_option("table", options->table, "file to read")->required();
-    verb->add_option("--points", options->points, "CSV with a header, - for standard input")->required();
+    reads(verb->add_option("table", options->table, "file to read"))->required();
+    reads(verb->add_option("--points", options->points, "CSV with a header, - for standard input"))
+        ->required();
     options->output.add_to(*verb);
     verb->footer(lookup_help);
     verb->callback([options] { run(*options); });
