@@ -11,10 +11,12 @@
 
 #include "cli/io/arguments.hpp"
 #include "cli/io/help.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/io/signals.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/version.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/text/run_files.hpp"
 
 namespace {
@@ -68,6 +70,7 @@ int finished(hts::spectral::RunFiles& files) {
 
 void run(CLI::App& program, int argc, char** argv) {
     auto words = hts::cli::command_words(program, argc, argv);
+    const hts::spectral::Job job{words.empty() ? "" : words.front(), 1};
     std::ranges::reverse(words);  // as CLI11 takes them
     program.parse(std::move(words));
 }
@@ -77,6 +80,7 @@ void run(CLI::App& program, int argc, char** argv) {
 int main(int argc, char** argv) {
     hts::cli::keep_standard_streams();
     hts::cli::remove_partial_files_on_signals();
+    const hts::cli::ProgressWatcher watcher;
     hts::spectral::RunFiles files;
     files.serve_process();
     CLI::App program{"Reflectance of rough surfaces from physical optics (He, Torrance et al. 1991)", "hts"};

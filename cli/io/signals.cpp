@@ -6,12 +6,14 @@
 #include <array>
 #include <csignal>
 
+#include "cli/io/progress.hpp"
 #include "spectral/text/output.hpp"
 
 namespace hts::cli {
 namespace {
 
 extern "C" void remove_partial_files_and_end(int signal) {
+    erase_progress();
     spectral::remove_partial_files();
     static_cast<void>(std::signal(signal, SIG_DFL));
     static_cast<void>(std::raise(signal));

@@ -8,11 +8,11 @@
 #include "cli/answers/fit_report.hpp"
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/options.hpp"
-#include "cli/io/progress.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_table.hpp"
@@ -100,9 +100,6 @@ FitRequest request(const FitOptions& options) {
         }
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
-    result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
-        bar->show("fitting", static_cast<double>(done) / static_cast<double>(all));
-    };
     return result;
 }
 
@@ -160,6 +157,7 @@ void fit_all_models(const FitOptions& options) {
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
+    const spectral::Job job{"", names.size()};
     for (const std::string& name : names) {
         const CurveSet set = curves_from_argument(name);
         const auto fits = from_request([&] {
@@ -178,6 +176,7 @@ void fit_all_models(const FitOptions& options) {
             row.end();
         }
         table.add(text);
+        job.done();
     }
     table.finish();
     output.commit();

@@ -8,9 +8,9 @@
 
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/progress.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/progress.hpp"
 #include "validation/pictures/gallery.hpp"
 #include "validation/pictures/picture.hpp"
 
@@ -43,6 +43,8 @@ struct RenderOptions {
     double turn = 0, exposure = 1;
     bool path_trace = false;
 };
+
+constexpr std::size_t share_parts = 10'000;  // of a picture, as progress counts
 
 /// One panel with a material of the user's.
 struct ShapeScene {
@@ -86,8 +88,9 @@ void run(const RenderOptions& options) {
     settings.samples = static_cast<std::uint32_t>(options.samples);
     settings.path_trace = options.path_trace;
     auto picture = validation::picture_of(
-        chosen(options), settings,
-        [bar = std::make_shared<Progress>()](double share) { bar->show("rendering", share); });
+        chosen(options), settings, [job = std::make_shared<spectral::Job>("", share_parts)](double share) {
+            job->set_done(static_cast<std::size_t>(share * share_parts));
+        });
     for (auto& pixel : picture.pixels) pixel = options.exposure * pixel;
     write_file(options.output, validation::png(picture));
 }

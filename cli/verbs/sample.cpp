@@ -15,6 +15,7 @@
 #include "hts/sampling/random.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/output/script.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::cli {
 namespace {
@@ -99,7 +100,9 @@ void run(const SampleOptions& options) {
     output::Rows points;
     const Vector3 light = in.vector();
     points.push_back({light.x, light.y, 4});
+    const spectral::Job job{"", options.count};
     for (std::uint64_t i = 0; i < options.count; ++i) {
+        job.done();
         const Draw drawn = prepared.sample(in, random.uniforms());
         const Degrees out = degrees(drawn.out);
         std::string text;

@@ -18,6 +18,7 @@
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "hts/version.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/report/report_page.hpp"
@@ -78,14 +79,19 @@ void say(const Section& section) {
 
 std::vector<Section> sections_of(const ValidateOptions& options) {
     const auto effort = options.quick ? validation::Effort::quick : validation::Effort::full;
+    const auto is_wanted = [&](const ValidationPart& part) {
+        return options.only.empty() || std::ranges::find(options.only, part.name) != options.only.end();
+    };
     std::vector<Section> sections;
+    spectral::Job job{"", static_cast<std::size_t>(std::ranges::count_if(validation_parts(), is_wanted))};
     for (const ValidationPart& part : validation_parts()) {
-        if (!options.only.empty() && std::ranges::find(options.only, part.name) == options.only.end())
-            continue;
+        if (!is_wanted(part)) continue;
+        job.set_step(part.name);
         for (Section& section : part.make(effort, options.curves)) {
             say(section);
             sections.push_back(std::move(section));
         }
+        job.done();
     }
     return sections;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/text/run_files.hpp"
 
 namespace hts::spectral {
@@ -63,6 +64,7 @@ void Output::commit() {
 }
 
 void Output::flush() {
+    if (descriptor_ == STDOUT_FILENO) clear_progress();
     for (std::string_view rest = buffer_; !rest.empty();) {
         const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
         if (written < 0 && errno == EINTR) continue;

@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "cli/io/options.hpp"
-#include "cli/io/progress.hpp"
 #include "cli/io/summary.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/sharing/table_parts.hpp"
@@ -73,9 +73,14 @@ void run(const BuildOptions& options) {
     Ranks ranks{exact, job};
     if (!ranks.first()) return;
     {
-        Progress progress;
+        constexpr std::size_t parts = 10'000;
+        spectral::Job building{"", parts};
+        std::string before;
         build_table_file(exact, job, options.output, shard, ranks.worker(),
-                         [&](const std::string& step, double share) { progress.show(step, share); });
+                         [&](const std::string& step, double share) {
+                             if (step != before) building.restart(before = step);
+                             building.set_done(static_cast<std::size_t>(share * parts));
+                         });
     }
     watch.stop();
     if (shard.count == 1) report(options.output, watch.seconds());
