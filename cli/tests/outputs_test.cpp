@@ -244,6 +244,12 @@ TEST_CASE("what cannot be read ends with a message that says why") {
                     1, {"/dev/zero", "not UTF-8 text"});
     check_complaint(place.hts("eval -m /dev/zero --wavelength 0.5" + pair, "ulimit -v 4000000; timeout 20"),
                     1, {"/dev/zero"});
+    check_complaint(place.hts("phi --points /dev/zero", "ulimit -v 4000000; timeout 20"), 1,
+                    {"/dev/zero:1: not UTF-8 text"});
+    place.file("image.json", R"({"model": "ashikhmin", "f0": 0.9,
+                                 "normals": {"type": "image", "file": "/dev/zero"}})");
+    check_complaint(place.hts("eval -m image.json --wavelength 0.5" + pair, "ulimit -v 4000000; timeout 20"),
+                    1, {"/dev/zero", "PNG"});
     // standard output is closed: no file of the run takes its place
     CHECK(place.hts("phi --g 1 --t 1 -o a.csv 2> ../errors >&- #").exit_code == 0);
     CHECK(place.read("a.csv").starts_with("g,t,phi"));

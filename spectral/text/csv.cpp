@@ -49,6 +49,20 @@ std::vector<std::string> fields_of(std::string_view line) {
     }
 }
 
+// As std::getline; of what has no lines, such as a device, no more than the beginning is read.
+bool read_line(std::istream& stream, std::string& line) {
+    constexpr std::size_t longest = std::size_t{1} << 26;
+    using Traits = std::istream::traits_type;
+    line.clear();
+    for (auto c = stream.get(); !Traits::eq_int_type(c, Traits::eof()); c = stream.rdbuf()->sbumpc()) {
+        if (c == '\n') return true;
+        line += Traits::to_char_type(c);
+        if (c == '\0') return true;
+        if (line.size() > longest) throw Error{"line of more than 64 MiB: must be text in lines"};
+    }
+    return !line.empty();
+}
+
 std::unique_ptr<std::istream> opened(const std::string& path) {
     if (path == "-") {
         // closed or a folder, which the stream would take for an empty file
@@ -112,7 +126,7 @@ CsvReader::CsvReader(std::string name, std::unique_ptr<std::istream> stream)
 
 std::optional<CsvRow> CsvReader::next_line() {
     std::string text;
-    while (std::getline(*stream_, text)) {
+    while (located(name(), [&] { return read_line(*stream_, text); })) {
         ++line_;
         if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
         if (!is_text(text)) throw Error{where(line_) + "not UTF-8 text"};

@@ -277,10 +277,12 @@ void RunFiles::remove_at_end(const fs::path& path) {
 void RunFiles::publish(Target& output) {
     if (output.in_place) return copy_bytes(output.path, output.staged, output.target);
     const auto before = status_of(output.target);
+    output.created = !before;
     if (before) {
         // who owns it can be kept by few; its mode by all
         if (::chown(output.staged.c_str(), before->st_uid, before->st_gid) != 0) errno = 0;
         ::chmod(output.staged.c_str(), before->st_mode & 07777);
+        // where the medium cannot exchange two files, it can put one in place of the other
         if (::renameat2(AT_FDCWD, output.staged.c_str(), AT_FDCWD, output.target.c_str(), RENAME_EXCHANGE) ==
             0) {
             output.replaced = true;
@@ -296,7 +298,7 @@ void RunFiles::restore(Target& output) noexcept {
     if (output.replaced) {
         ::renameat2(AT_FDCWD, output.staged.c_str(), AT_FDCWD, output.target.c_str(), RENAME_EXCHANGE);
         output.replaced = false;
-    } else {
+    } else if (output.created) {
         ::rename(output.target.c_str(), output.staged.c_str());
     }
 }

@@ -97,6 +97,7 @@ class RunFiles {
         bool in_place = false;  // its bytes are replaced, not the file
         bool continued = false;
         bool replaced = false;  // `staged` holds the file of before
+        bool created = false;   // there was none
         std::string staged{};
         std::unique_ptr<Unfinished> unfinished{};
     };
