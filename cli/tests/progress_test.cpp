@@ -85,7 +85,7 @@ const std::string m = "-m '" HTS_SOURCE_DIR "/cli/data/rough-aluminium.json'";
 }  // namespace
 
 TEST_CASE("progress: drawn with the time left, within the width, and gone when a signal ends the run") {
-    for (const std::string arguments : {
+    for (const std::string& arguments : std::vector<std::string>{
              "furnace --output new",
              "truth moments --output new",
              "validate --only moments --output new",

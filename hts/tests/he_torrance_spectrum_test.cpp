@@ -254,7 +254,7 @@ TEST_CASE("a result of another size is an error, and nothing is written") {
         {0.28, 1.77}, {{um, RefractiveIndex{0.8, 6}, 0}, {um, RefractiveIndex{0.8, 6}, 0}}, Tolerance{1e-6}};
     const auto in = Direction::from_degrees(30, 0), out = Direction::from_degrees(40, 180);
     const std::vector<DirectionPair> pairs(3, DirectionPair{in, out});
-    for (const std::size_t size : {0, 1, 3, 5, 7}) {
+    for (const std::size_t size : {0U, 1U, 3U, 5U, 7U}) {
         std::vector<double> values(size, -1);
         std::vector<Mueller> matrices(size);
         CHECK_THROWS_AS(prepared.brdf({in, out}, values), hts::Error);
