@@ -211,8 +211,23 @@ void OutputOptions::add_to(CLI::App& verb, Beside beside) {
     verb.add_flag("--json", json, "write JSON instead of CSV");
 }
 
+void OutsideOption::add_to(CLI::App& verb) {
+    CLI::Option* outside = verb.add_option_function<std::string>(
+        "--outside",
+        [this](const std::string& text) {
+            policy = from_option("--outside", [&] { return spectral::outside_range_named(text); });
+        },
+        "beyond what is known of wavelengths and, of measured data,\ndirections: error (default), hold the "
+        "end "
+        "value, or zero");
+    one_of(outside, {"error", "hold", "zero"});
+    verb.add_flag_callback(
+            "--clamp", [this] { policy = spectral::OutsideRange::hold; }, "the same as --outside hold")
+        ->excludes(outside);
+}
+
 CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
-    verb.add_flag("--clamp", clamp, "outside the material's wavelength range use its end values");
+    outside.add_to(verb);
     return reads(verb.add_option(material_names, path, "material file (JSON)"));
 }
 
@@ -221,6 +236,15 @@ spectral::Material MaterialOptions::read() const {
     for (const std::string& warning : material.warnings())
         std::cerr << "hts: " << path << ": " << warning << '\n';
     return material;
+}
+
+void require_spectrum(const spectral::Material& material) {
+    const auto& channels = material.properties().channels;
+    if (channels.empty()) return;
+    throw Error{
+        material.name() + ": holds the channel" + (channels.size() == 1 ? " " : "s ") +
+        spectral::joined(channels) +
+        ", which are no spectrum: must hold wavelengths (wavelengths_um in the material file if they are)"};
 }
 
 void require_rough_surface(const spectral::Material& material, const std::string& option) {

@@ -39,23 +39,31 @@ struct OutputOptions {
     void add_to(CLI::App& verb, Beside beside = nullptr);
 };
 
-/// --material and --clamp.
+/// --outside error, hold or zero, and --clamp, which is --outside hold.
+struct OutsideOption {
+    spectral::OutsideRange policy = spectral::OutsideRange::error;
+
+    void add_to(CLI::App& verb);
+};
+
+/// --material and --outside.
 struct MaterialOptions {
     std::string path;
-    bool clamp = false;
+    OutsideOption outside{};
 
     /// The option of the file, for `required()`.
     CLI::Option* add_to(CLI::App& verb);
     /// Reads the file; what it warns of goes to standard error.
     [[nodiscard]] spectral::Material read() const;
-    [[nodiscard]] spectral::OutsideRange policy() const noexcept {
-        return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
-    }
+    [[nodiscard]] spectral::OutsideRange policy() const noexcept { return outside.policy; }
     /// Evaluation as exact as it can be, by this policy outside the material's range.
     [[nodiscard]] spectral::EvaluationOptions evaluation() const {
         return {.tolerance = Tolerance{hts::accuracy::finest_tolerance}, .outside = policy()};
     }
 };
+
+/// hts::Error of materials that hold the channels of a colour in place of a spectrum; luminance alone passes for grey.
+void require_spectrum(const spectral::Material& material);
 
 /// UsageError that names `option` where it asks for what only rough surfaces, or only polarised models, can.
 void require_rough_surface(const spectral::Material& material, const std::string& option);

@@ -16,7 +16,8 @@ namespace hts::cli {
 namespace {
 
 constexpr auto eval_help = R"(
-Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
+Points are CSV (semicolons, tabs or blanks between fields and decimal commas are read too)
+with the columns wavelength_um (or wavelength_nm), theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
 albedo, which go before the material's (model he alone). Without wavelength_um every row
 is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
@@ -124,10 +125,11 @@ CsvReader points_of(const EvalOptions& options) {
 }
 
 void evaluate_as_planned(const EvalOptions& options) {
-    if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
-        options.compensate || !options.polarisation.empty() || options.tolerance.value) {
+    if (wavelengths(options) || options.random_pairs || options.detail ||
+        options.material.policy() != spectral::OutsideRange::error || options.compensate ||
+        !options.polarisation.empty() || options.tolerance.value) {
         throw UsageError{
-            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
+            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --outside, "
             "--compensate-energy, --polarisation, --tolerance"};
     }
     CsvReader points = points_of(options);

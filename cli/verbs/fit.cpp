@@ -8,6 +8,7 @@
 #include "cli/answers/fit_report.hpp"
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/options.hpp"
+#include "cli/io/references.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
@@ -121,7 +122,7 @@ void fit_one(const FitOptions& options) {
     const Fit fit = from_request(
         [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
     if (!options.output.empty()) {
-        write_file(options.output, fit.material);
+        write_file(options.output, material_for(options.output, fit.material));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
             std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
                       << ", which a material cannot hold\n";

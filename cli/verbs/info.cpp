@@ -32,7 +32,7 @@ Examples:
 struct InfoOptions {
     std::string material, wavelengths = "0.38:0.78:9";
     std::vector<double> theta{0, 15, 30, 45, 60, 75};
-    bool clamp = false;
+    OutsideOption outside;
     OutputOptions output;
 };
 
@@ -53,8 +53,9 @@ void report(const OutputOptions& options, const Info& info) {
 void run(const InfoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     require_angles("--theta-i", options.theta);
-    const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+    const auto policy = options.outside.policy;
     const auto material = spectral::read_material(options.material, tables::models_with_files());
+    require_spectrum(material);
     static_cast<void>(reflectance_from_option("--wavelengths", material, grid, {.outside = policy}));
     if (material.properties().surface) {
         report(options.output, MaterialInfo{material, grid, options.theta, policy});
@@ -74,7 +75,7 @@ void add_info(CLI::App& program) {
         ->capture_default_str();
     comma_list(*verb, theta_i_names, options->theta,
                "angles of incidence [deg], 0 ... 90, separated by commas");
-    verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
+    options->outside.add_to(*verb);
     options->output.add_to(*verb);
     verb->get_option("--json")->description("write JSON instead of text");
     verb->footer(info_help);

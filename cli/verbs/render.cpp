@@ -72,9 +72,12 @@ Gallery chosen(const RenderOptions& options) {
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
     const auto material = options.material.read();
-    static_cast<void>(reflectance_from_option("hts render", material, validation::picture_wavelengths(),
-                                              {.outside = options.material.policy()}));
-    Scene scene = shape->of(validation::Appearance{material});
+    require_spectrum(material);
+    const auto policy = options.material.policy();
+    const auto known = reflectance_from_option("hts render", material, validation::picture_wavelengths(),
+                                               {.outside = policy});
+    if (known.properties().partial) static_cast<void>(known.sampler(0));  // refuses data that end too soon
+    Scene scene = shape->of(validation::Appearance{material, policy});
     for (auto& object : scene.objects) object.turn = options.turn * std::numbers::pi / 180;
     return {options.scene, material.name(), 1, 1, [scene] { return std::vector{scene}; }};
 }

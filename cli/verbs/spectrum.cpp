@@ -114,6 +114,7 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto material = options.material.read();
+    require_spectrum(material);
     if (!options.plot.empty()) output::require_gnuplot(options.plot);
     const auto reflectance = reflectance_of(options, material, grid);
     const auto spectrum = spectrum_of(reflectance, pair);

@@ -28,7 +28,7 @@ std::string header_text(const PartHeader& header) {
     text["library_version"] = library_version();
     text["material_path"] = job.source.material_path;
     text["material"] = job.source.material;
-    text["clamp"] = job.source.policy == spectral::OutsideRange::clamp;
+    text["clamp"] = job.source.policy == spectral::OutsideRange::hold;
     text["wavelengths_um"] = job.wavelengths_um;
     text["tolerance"] = job.request.tolerance;
     text["seed"] = job.request.seed;
@@ -78,7 +78,7 @@ PartHeader header_from(const std::string& text, const std::string& name) {
     }
     PartHeader header;
     header.job = {{head["name"].text(), head["material"].text(), head["material_path"].text(),
-                   head["clamp"].boolean() ? spectral::OutsideRange::clamp : spectral::OutsideRange::error},
+                   head["clamp"].boolean() ? spectral::OutsideRange::hold : spectral::OutsideRange::error},
                   numbers_in(head["wavelengths_um"]),
                   {head["tolerance"].number(), whole(head["seed"]), head["polarised"].boolean(),
                    whole(head["largest_bytes"])}};

@@ -1,5 +1,6 @@
 // hts table build: a table of a material, or one shard's part of it.
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -48,11 +49,19 @@ tables::TableShard shard_from_option(const std::string& text) {
     }
 }
 
+/// Where a material that names files is found from any folder; others need no such place.
+std::string path_for(const std::string& material, const std::string& path) {
+    const bool names_files = material.find("\"file\"") != std::string::npos;
+    return names_files ? std::filesystem::canonical(path).string() : path;
+}
+
 tables::TableJob job_from(const BuildOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = options.material.read();
-    return {{reflector.name(), spectral::read_text_file(options.material.path), options.material.path,
-             options.material.policy()},
+    if (options.material.policy() == spectral::OutsideRange::zero)
+        throw UsageError{"--outside zero: must be error or hold, since a table holds logarithms"};
+    const std::string text = spectral::read_text_file(options.material.path);
+    return {{reflector.name(), text, path_for(text, options.material.path), options.material.policy()},
             {grid.micrometres().begin(), grid.micrometres().end()},
             options.request};
 }

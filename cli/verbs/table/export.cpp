@@ -24,7 +24,8 @@ struct ExportOptions {
     double solid_angle = 0.001;
     std::size_t pairs = 100'000;
     std::uint64_t seed = 1;
-    bool json = false, clamp = false;
+    bool json = false;
+    OutsideOption outside;
 };
 
 std::string export_help() {
@@ -55,11 +56,14 @@ Reflectance table_of(const ExportOptions& options) {
 
 Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
     if (options.source.ends_with(".htst")) return table_of(options);
-    const MaterialOptions material{options.source, options.clamp};
+    const MaterialOptions material{options.source, options.outside};
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
+    const auto described = material.read();
+    const auto& channels = described.properties().channels;
+    if (format.name != "merl" || (!channels.empty() && channels.front() != "B")) require_spectrum(described);
     // far finer than any of these files holds
-    return reflectance_from_option("--wavelengths", material.read(), wavelengths,
+    return reflectance_from_option("--wavelengths", described, wavelengths,
                                    {.tolerance = Tolerance{1e-6}, .outside = material.policy()});
 }
 
@@ -97,7 +101,7 @@ void add_table_export(CLI::App& table) {
         return std::vector{path + ".json"};
     })->required();
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]");
-    verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
+    options->outside.add_to(*verb);
     auto* specular =
         one_of(verb->add_option("--specular", options->specular, "what becomes of the specular delta"),
                {"none", "box"})
