@@ -16,6 +16,7 @@
 #include "hts/version.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/models/he_torrance_material.hpp"
+#include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
 
 namespace hts::python {
