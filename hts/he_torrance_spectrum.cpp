@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "hts/error.hpp"
 #include "hts/evaluation/evaluation_simd.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
@@ -13,6 +15,7 @@ namespace {
 
 using evaluation_detail::Forms;
 using evaluation_detail::Prepared;
+using evaluation_detail::require_size;
 
 constexpr std::size_t padding = 8;  // the longest vector
 
@@ -90,13 +93,15 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
 }
 
-void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
+    require_size("brdf", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
     exact_brdf(pair, result);
 }
 
-void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
+    require_size("brdf", result.size(), count, pairs.size());
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
     if (lanes_take_all) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -105,17 +110,20 @@ void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<do
     }
 }
 
-void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
+    require_size("specular_reflectance", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
     exact_specular_reflectance(in, result);
 }
 
-void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_size("mueller", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
 }
 
-void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const noexcept {
+void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
+    require_size("specular_mueller", result.size(), samples_.size());
     const View seen = view(surface_, in);
     std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
         return hts::specular_mueller(surface_, seen, sample.wavelength, sample.index);

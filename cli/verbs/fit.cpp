@@ -8,11 +8,13 @@
 #include "cli/answers/fit_report.hpp"
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/options.hpp"
-#include "cli/io/progress.hpp"
+#include "cli/io/references.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_table.hpp"
 
@@ -67,8 +69,8 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
         if (text == name(c)) return c;
         names.emplace_back(name(c));
     }
-    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " +
-                     spectral::joined(names)};
+    throw UsageError{option + ": " + spectral::in_quotes(text) + ": " +
+                     spectral::must_be_one_of(text, names)};
 }
 
 validation::FitSelection selection(const FitOptions& options) {
@@ -99,9 +101,6 @@ FitRequest request(const FitOptions& options) {
         }
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
-    result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
-        bar->show("fitting", static_cast<double>(done) / static_cast<double>(all));
-    };
     return result;
 }
 
@@ -123,7 +122,7 @@ void fit_one(const FitOptions& options) {
     const Fit fit = from_request(
         [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
     if (!options.output.empty()) {
-        write_file(options.output, fit.material);
+        write_file(options.output, material_for(options.output, fit.material));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
             std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
                       << ", which a material cannot hold\n";
@@ -159,6 +158,7 @@ void fit_all_models(const FitOptions& options) {
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
+    const spectral::Job job{"", names.size()};
     for (const std::string& name : names) {
         const CurveSet set = curves_from_argument(name);
         const auto fits = from_request([&] {
@@ -177,6 +177,7 @@ void fit_all_models(const FitOptions& options) {
             row.end();
         }
         table.add(text);
+        job.done();
     }
     table.finish();
     output.commit();
@@ -194,8 +195,10 @@ void add_fit(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
-    verb->add_option("curves", options->curves,
-                     "curve set: a file or a name of hts curves list; with --all-models several, or folders")
+    offers(reads(verb->add_option(
+               "curves", options->curves,
+               "curve set: a file or a name of hts curves list; with --all-models several, or folders")),
+           validation::built_in_curve_names())
         ->required();
     std::vector<CLI::Option*> of_one{
         verb->add_option("--model", options->model,
@@ -205,15 +208,14 @@ void add_fit(CLI::App& program) {
             ->check(whole_number(1, 3))
             ->capture_default_str(),
         verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
-        verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
-            ->delimiter(','),
+        comma_list(*verb, "--free", options->freed,
+                   "parameters to fit that are held otherwise: scale, k, my"),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
         verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
         verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
             ->check(number_within(1e-9, 1e9))
             ->capture_default_str(),
-        verb->add_option("--report", options->report, "everything about the fit (JSON)")
-            ->check(path_to_write())};
+        writes(verb->add_option("--report", options->report, "everything about the fit (JSON)"))};
     verb->add_option("--index", options->index,
                      "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
@@ -233,8 +235,7 @@ void add_fit(CLI::App& program) {
         ->capture_default_str();
     auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
     for (CLI::Option* option : of_one) all->excludes(option);
-    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
-        ->check(path_to_write());
+    writes(verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table"));
     verb->add_flag("--json", options->json, "print JSON");
     verb->footer(fit_help);
     verb->callback([options] { run(*options); });

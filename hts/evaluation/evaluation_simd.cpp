@@ -2,7 +2,10 @@
 #include "hts/evaluation/evaluation_simd.hpp"
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
+
+#include "hts/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hts/evaluation/evaluation_simd.cpp"
@@ -303,6 +306,12 @@ bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples
                return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
                       s.index.k() <= 1e6;
            });
+}
+
+void require_size(const char* call, std::size_t size, std::size_t samples, std::size_t pairs) {
+    if (size == pairs * samples) return;
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
+                (pairs == 1 ? "" : "pairs x ") + "samples = " + std::to_string(pairs * samples)};
 }
 
 HWY_EXPORT(form_table);

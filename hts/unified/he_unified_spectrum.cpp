@@ -121,12 +121,14 @@ std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     return sum;
 }
 
-void HeUnifiedSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+void HeUnifiedSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
+    evaluation_detail::require_size("brdf", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
     exact_brdf(pair, result);
 }
 
-void HeUnifiedSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept {
+void HeUnifiedSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
+    evaluation_detail::require_size("brdf", result.size(), samples_.size(), pairs.size());
     const std::size_t count = samples_.size();
     if (lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data())) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -135,7 +137,8 @@ void HeUnifiedSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<dou
     }
 }
 
-void HeUnifiedSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+void HeUnifiedSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    evaluation_detail::require_size("mueller", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
 }
@@ -160,11 +163,13 @@ FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sam
     return mirrors_.empty() ? unified_mirror(in, waves_[sample]) : mirrors_[sample](in);
 }
 
-void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
+    evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) result[i] = mirror(in, i).unpolarised_reflectance();
 }
 
-void HeUnifiedSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const noexcept {
+void HeUnifiedSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
+    evaluation_detail::require_size("specular_mueller", result.size(), samples_.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const FresnelAmplitudes f = mirror(in, i);
         result[i] = Mueller::from_jones({f.s, 0.0, 0.0, f.p});

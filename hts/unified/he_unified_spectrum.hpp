@@ -35,19 +35,21 @@ class HeUnifiedSpectrum {
     /// Memory of this object alone.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
+    // Each call throws hts::Error where `result` has another size than it says, and nothing else.
+
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
     ///   error   relative, at most the tolerance, above 1e-280; accuracy::unified_brdf where that is more
-    void brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, all samples of a pair together, on the calling thread.
-    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
+    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Reflectance into the mirror direction, the specular delta [1], one value per sample.
     ///   error   accuracy::unified_mirror
-    void specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
+    void specular_reflectance(const Direction& in, std::span<double> result) const;
     /// Mueller matrix of both diffuse terms [1/sr], one per sample.
     ///   error    of each element relative to element 00, as of brdf
-    void mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
+    void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
     /// Mueller matrix of the specular term [1], one per sample.
-    void specular_mueller(const Direction& in, std::span<Mueller> result) const noexcept;
+    void specular_mueller(const Direction& in, std::span<Mueller> result) const;
 
     /// What a direction contributes, for unified_lobe.
     [[nodiscard]] UnifiedView view(const Direction& direction) const noexcept {

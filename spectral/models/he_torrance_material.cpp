@@ -261,7 +261,7 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
         return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
-    const Material material{prepare, properties_of(surface), {}, constants.name()};
+    const Material material{prepare, properties_of(surface), constants.warnings(), constants.name()};
     return surface.unified() ? material.named(name, "he_unified", unified_source)
                              : material.named(name, "he", published_source);
 }

@@ -62,7 +62,7 @@ FitData fit_data(const CurveSet& set, const FitSelection& selection) {
                  .uncertainties = {},
                  .cosines = {},
                  .instrument = prediction,
-                 .outside = spectral::OutsideRange::clamp};
+                 .outside = spectral::OutsideRange::hold};
     for (const Curve& curve : chosen.curves) {
         for (const CurvePoint& point : curve.points) {
             data.values.push_back(point.value);

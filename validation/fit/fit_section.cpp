@@ -105,7 +105,7 @@ Section section_of(const CaseResult& result) {
     return comparison_section(result.set, fitted_material(result.fit),
                               {.model = model,
                                .free_parameters = static_cast<int>(result.fit.statistics.free_parameters),
-                               .policy = spectral::OutsideRange::clamp,
+                               .policy = spectral::OutsideRange::hold,
                                .nodes = result.asked.selection.nodes,
                                .scale = scale});
 }
