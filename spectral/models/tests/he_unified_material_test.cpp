@@ -155,8 +155,8 @@ TEST_CASE("a perfect conductor of he_unified returns its light, and all of it wi
             const double alone =
                 directional_hemispherical_reflectance(surface, PerfectMirror{}, one_um, in).total();
             INFO(sigma << ' ' << tau << ' ' << degrees);
-            CHECK(alone > 0.93);
-            CHECK(alone < (degrees <= 75 ? 1.03 : 1.09));
+            CHECK(alone > 0.91);
+            CHECK(alone < (degrees <= 75 ? 1.03 : 1.13));
             const double total =
                 directional_hemispherical_reflectance(compensation, surface, PerfectMirror{}, one_um, in)
                     .total();
