@@ -50,6 +50,8 @@ void erase_in_turn() noexcept {
     erase_progress();
 }
 
+}  // namespace
+
 /// Hands on what is written to a stream, after it has erased what is drawn.
 class ErasingBuffer : public std::streambuf {
   public:
@@ -79,8 +81,6 @@ class ErasingBuffer : public std::streambuf {
     std::ostream& stream_;
     std::streambuf* below_;
 };
-
-}  // namespace
 
 std::string progress_line(const spectral::JobState& state, double seconds, std::size_t columns) {
     std::string end = " " + duration(seconds);

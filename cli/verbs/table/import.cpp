@@ -123,7 +123,7 @@ void run(const ImportOptions& options) {
                            .named(options.source, "measured", options.source)
                            .at(file.brdf.wavelengths(), {.outside = options.outside.policy});
     if (!options.output.empty())
-        write_file(options.output, read_back(options.output, material_text(options, file)));
+        write_file(options.output, verified(options.output, material_text(options, file)));
     if (!options.csv.empty()) {
         const auto grid = tables::csv_grid(file.brdf.properties().isotropic);
         write_file(options.csv, tables::scatter_csv(known, grid));
