@@ -14,6 +14,7 @@
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/text/text.hpp"
+#include "validation/fit/fit_findings.hpp"
 #include "validation/fit/fit_table.hpp"
 
 namespace hts::cli {
@@ -29,8 +30,10 @@ Prints the parameters with standard errors, how close the model comes, and what 
 cannot tell. Parameters are those of the material file, or their symbols (sigma0, tau, a);
 a factor "scale" on all values is 1 unless freed. Where --index is not given, n is fitted
 and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--free my).
---output writes the material, ready for --material of other verbs, without "scale", which
-no material has; --report writes everything.
+--output writes the material, ready for --material of other verbs; "scale", which no
+material has, stands beside it for hts compare. --report writes everything.
+Without a solid angle of source or detector the mirror term has no finite value and is
+not compared. --fix sigma0=measured holds the roughness that the curve set states.
 
 Examples:
   hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
@@ -44,7 +47,8 @@ struct FitOptions {
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
-    bool all_models = false, json = false;
+    bool all_models = false, json = false, clamp = false;
+    InstrumentOptions instrument;
 };
 
 /// A bare word is text, anything else JSON.
@@ -72,7 +76,10 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
 }
 
 validation::FitSelection selection(const FitOptions& options) {
-    return {options.largest_theta, options.most_points, {4, options.nodes}};
+    return {options.largest_theta,
+            options.most_points,
+            {4, options.nodes},
+            options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error};
 }
 
 validation::Residual residual(const FitOptions& options) {
@@ -80,7 +87,13 @@ validation::Residual residual(const FitOptions& options) {
     return choice("--residual", options.residual, {logarithmic, relative, weighted, cosine});
 }
 
-FitRequest request(const FitOptions& options) {
+/// sigma0 as it was measured by other means.
+double measured_roughness(const CurveSet& set) {
+    if (set.roughness) return set.roughness->rms_um;
+    throw UsageError{"--fix sigma0=measured: " + set.stem + " states no measured_roughness"};
+}
+
+FitRequest request(const FitOptions& options, const CurveSet& set) {
     using enum validation::Loss;
     FitRequest result{.model = options.model,
                       .lobes = options.lobes,
@@ -94,6 +107,8 @@ FitRequest request(const FitOptions& options) {
         if (text.starts_with("index=")) {
             if (!options.index.empty()) throw UsageError{"--fix index: must not come with --index"};
             result.index = json_of(text.substr(6));
+        } else if (text == "sigma0=measured") {
+            result.fixed["sigma0"] = measured_roughness(set);
         } else {
             result.fixed.insert(assignment("--fix", text));
         }
@@ -116,17 +131,17 @@ auto from_request(const Make& make) {
 }
 
 void fit_one(const FitOptions& options) {
-    const CurveSet set = curves_from_argument(options.curves.front());
-    FitRequest asked = request(options);
+    const CurveSet set = options.instrument.of(curves_from_argument(options.curves.front()));
+    FitRequest asked = request(options, set);
     if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
         asked.freed.emplace_back("scale");
     const Fit fit = from_request(
-        [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
+        [&] { return validation::fitted(asked, set, selection(options), {.other_ways = true}); });
     if (!options.output.empty()) {
-        write_file(options.output, fit.material);
+        write_file(options.output, material_file(fit));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
-            std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
-                      << ", which a material cannot hold\n";
+            std::cerr << "hts: " << options.output << " holds the factor scale = " << shortest(scale)
+                      << " for hts compare alone: a material cannot hold it\n";
         }
     }
     if (!options.report.empty()) write_file(options.report, fit_json(fit));
@@ -159,12 +174,18 @@ void fit_all_models(const FitOptions& options) {
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
-    for (const std::string& name : names) {
-        const CurveSet set = curves_from_argument(name);
+    Progress bar;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
+        const CurveSet set = options.instrument.of(curves_from_argument(name));
         const auto fits = from_request([&] {
             return validation::fits_of(
                 validation::compared_models(), set,
-                {residual(options), selection(options), json_of(options.index), options.followed_starts});
+                {residual(options), selection(options), json_of(options.index), options.followed_starts,
+                 [&](double share) {
+                     bar.show("fitting all models",
+                              (static_cast<double>(i) + share) / static_cast<double>(names.size()));
+                 }});
         });
         std::string text;
         for (const Fit& fit : fits) {
@@ -204,7 +225,7 @@ void add_fit(CLI::App& program) {
         verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")
             ->check(whole_number(1, 3))
             ->capture_default_str(),
-        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
+        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, index=Al, sigma0=measured"),
         verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
             ->delimiter(','),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
@@ -218,6 +239,8 @@ void add_fit(CLI::App& program) {
                      "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
         ->capture_default_str();
+    verb->add_flag("--clamp", options->clamp, "outside the index's wavelength range use its end values");
+    options->instrument.add_to(*verb);
     verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg], 0 ... 90")
         ->check(number_within(0, 90))
         ->capture_default_str();

@@ -148,7 +148,8 @@ std::vector<std::string> head_keys() {
             "scale",
             "source_solid_angle_sr",
             "detector_solid_angle_sr",
-            "measured_roughness"};
+            "measured_roughness",
+            "noise_floor"};
 }
 
 CurveSet head_from(const JsonValue& file, const std::string& surface) {
@@ -165,6 +166,7 @@ CurveSet head_from(const JsonValue& file, const std::string& surface) {
             .source_solid_angle = optional_number(file, "source_solid_angle_sr"),
             .detector_solid_angle = optional_number(file, "detector_solid_angle_sr"),
             .roughness = roughness_from(file),
+            .noise_floor = optional_number(file, "noise_floor"),
             .uncertainty = "",
             .curves = {}};
 }
@@ -217,6 +219,7 @@ std::string curves_text(const CurveSet& set) {
         const ordered_json roughness{{"rms_um", set.roughness->rms_um}, {"method", set.roughness->method}};
         writer.add("measured_roughness", roughness);
     }
+    if (set.noise_floor) writer.add("noise_floor", *set.noise_floor);
     if (!set.uncertainty.empty()) writer.add("uncertainty", set.uncertainty);
     writer.add_curves(set);
     return writer.text();

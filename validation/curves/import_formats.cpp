@@ -176,9 +176,12 @@ std::vector<ImportedPoint> read_csv_points(const fs::path& path, const ImportRec
     std::vector<ImportedPoint> points;
     for (const ValueColumn& value : recipe.values) {
         const std::size_t column = table.column(value.column);
+        std::optional<std::size_t> own;
+        if (!value.uncertainty.empty()) own = table.column(value.uncertainty);
         for (std::size_t row = 0; row < table.row_count(); ++row) {
             points.push_back(
                 {value.band.value(), directions(row, table.number(row, column)), table.line(row)});
+            if (own) points.back().point.uncertainty = table.number(row, *own);
         }
     }
     return points;

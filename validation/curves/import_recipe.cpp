@@ -1,5 +1,6 @@
 // The recipe of an import: what the imported file itself does not say.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -84,9 +85,13 @@ std::map<std::string, std::string> columns_from(const JsonValue& columns) {
 std::vector<ValueColumn> values_from(const JsonValue& list, ImportFormat format) {
     std::vector<ValueColumn> result;
     for (const JsonValue& item : list.items()) {
-        item.require_keys_among({"column", "wavelength_um", "band_um"});
+        item.require_keys_among({"column", "uncertainty_column", "wavelength_um", "band_um"});
         const bool named = format == ImportFormat::csv || format == ImportFormat::astm;
         ValueColumn value{named ? item["column"].text() : "", {}};
+        if (const auto own = item.find("uncertainty_column")) {
+            if (format != ImportFormat::csv) throw own->error("must come with format \"csv\"");
+            value.uncertainty = own->text();
+        }
         const bool lit = item.find("wavelength_um") || item.find("band_um");
         if (lit || format != ImportFormat::astm) value.band = band_from(item);
         result.push_back(std::move(value));
@@ -95,13 +100,27 @@ std::vector<ValueColumn> values_from(const JsonValue& list, ImportFormat format)
     return result;
 }
 
+/// Uncertainties of the values come from one source.
+void require_one_uncertainty(const JsonValue& file, const ImportRecipe& recipe) {
+    const auto own = [](const ValueColumn& value) { return !value.uncertainty.empty(); };
+    const auto columns = std::ranges::count_if(recipe.values, own);
+    if (columns > 0 && columns < std::ranges::ssize(recipe.values))
+        throw file["values"].error("\"uncertainty_column\" of some: must be of all or of none");
+    const bool relative = recipe.relative_uncertainty > 0;
+    if (recipe.uncertainty_from_reciprocity && (columns > 0 || relative))
+        throw file["uncertainty_from_reciprocity"].error(
+            "true: must not stand beside uncertainties that are known");
+    if (columns > 0 && relative)
+        throw file["relative_uncertainty"].error("must not stand beside \"uncertainty_column\"");
+}
+
 }  // namespace
 
 ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface) {
     const JsonValue file = JsonValue::read(path);
     auto keys = head_keys();
     keys.insert(keys.end(), {"format", "sweep", "columns", "values", "mirror_sign", "mirror_azimuth_deg",
-                             "keep", "resolution", "uncertainty_from_reciprocity"});
+                             "keep", "resolution", "relative_uncertainty", "uncertainty_from_reciprocity"});
     file.require_keys_among(keys);
     ImportRecipe recipe;
     recipe.format = named(file["format"], formats);
@@ -115,7 +134,9 @@ ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& s
     recipe.mirror_azimuth = one_of(file, "mirror_azimuth_deg", 180, 0);
     if (const auto keep = file.find("keep")) recipe.selection = selection_from(*keep);
     recipe.resolution = number_or(file, "resolution", 0, 0, 1e6);
+    recipe.relative_uncertainty = number_or(file, "relative_uncertainty", 0, 0, 10);
     recipe.uncertainty_from_reciprocity = flag(file, "uncertainty_from_reciprocity");
+    require_one_uncertainty(file, recipe);
     return recipe;
 }
 

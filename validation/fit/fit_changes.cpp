@@ -11,10 +11,6 @@ Prediction::Answer nothing(const Prediction::Job& job) {
             std::vector<double>(job.incidences.size() * count)};
 }
 
-void add(std::vector<double>& sum, double factor, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * values[i];
-}
-
 Prediction::Answer slope(const Prediction::Answer& above, const Prediction::Answer& below, double step) {
     const auto over = [&](const std::vector<double>& a, const std::vector<double>& b) {
         std::vector<double> result(a.size());
@@ -24,26 +20,24 @@ Prediction::Answer slope(const Prediction::Answer& above, const Prediction::Answ
     return {over(above.brdf, below.brdf), over(above.specular_reflectance, below.specular_reflectance)};
 }
 
-Changes exact_changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                      std::span<const Move> moves) {
-    std::vector<Answers> by_parameter(model.parameters().size());
+}  // namespace
+
+Columns averages(const FitModel& model, const Prediction& instrument,
+                 const std::vector<std::vector<double>>& values) {
+    std::vector<FitTrial> trials;
+    for (const auto& each : values) trials.push_back({each});
+    std::vector<Answers> answers(trials.size());
     for (const Prediction::Job& job : instrument.jobs()) {
-        Answers columns = model.gradient(values, job);
-        for (std::size_t i = 0; i < columns.size(); ++i) by_parameter[i].push_back(std::move(columns[i]));
+        auto of_job = model.answers(trials, job);
+        for (std::size_t i = 0; i < of_job.size(); ++i) answers[i].push_back(std::move(of_job[i]));
     }
-    Changes result{averages(model, instrument, {values}).front(), {}};
-    for (const Move& move : moves) {
-        std::vector<double> column(result.averages.size());
-        for (std::size_t i = 0; i < by_parameter.size(); ++i) {
-            if (move.above[i] != move.below[i]) add(column, move.rate, instrument.average(by_parameter[i]));
-        }
-        result.by.push_back(std::move(column));
-    }
+    Columns result;
+    for (const Answers& each : answers) result.push_back(instrument.average(each));
     return result;
 }
 
-Changes differences(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                    std::span<const Move> moves) {
+Changes changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
+                std::span<const Move> moves) {
     Answers all;
     std::vector<Answers> by_move(moves.size());
     for (const Prediction::Job& job : instrument.jobs()) {
@@ -68,28 +62,6 @@ Changes differences(const FitModel& model, const Prediction& instrument, const s
     Changes result{instrument.average(all), {}};
     for (const Answers& answers : by_move) result.by.push_back(instrument.average(answers));
     return result;
-}
-
-}  // namespace
-
-Columns averages(const FitModel& model, const Prediction& instrument,
-                 const std::vector<std::vector<double>>& values) {
-    std::vector<FitTrial> trials;
-    for (const auto& each : values) trials.push_back({each});
-    std::vector<Answers> answers(trials.size());
-    for (const Prediction::Job& job : instrument.jobs()) {
-        auto of_job = model.answers(trials, job);
-        for (std::size_t i = 0; i < of_job.size(); ++i) answers[i].push_back(std::move(of_job[i]));
-    }
-    Columns result;
-    for (const Answers& each : answers) result.push_back(instrument.average(each));
-    return result;
-}
-
-Changes changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                std::span<const Move> moves) {
-    return model.has_gradient() ? exact_changes(model, instrument, values, moves)
-                                : differences(model, instrument, values, moves);
 }
 
 }  // namespace hts::validation

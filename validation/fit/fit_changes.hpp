@@ -13,7 +13,6 @@ namespace hts::validation {
 /// A parameter that moves, and those tied to it.
 struct Move {
     std::size_t parameter;             ///< place in FitModel::parameters
-    double rate;                       ///< change of its value by what moves it
     std::vector<double> above, below;  ///< values of all parameters on both sides
     double step;                       ///< of what moves it, from below to above
 };
@@ -27,8 +26,8 @@ struct Changes {
 [[nodiscard]] Columns averages(const FitModel& model, const Prediction& instrument,
                                const std::vector<std::vector<double>>& values);
 
-/// Exact for models with a gradient; for others differences between both sides of each move, a lobe's from
-/// that lobe alone.
+/// Differences between both sides of each move, a lobe's from that lobe alone. Of He-Torrance they come from the
+/// vector kernels, which answer some ten times sooner than its exact derivatives (hts/he_torrance_gradient.hpp).
 [[nodiscard]] Changes changes(const FitModel& model, const Prediction& instrument,
                               const std::vector<double>& values, std::span<const Move> moves);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <tuple>
 
 #include "hts/error.hpp"
 
@@ -24,7 +25,8 @@ std::map<double, std::size_t> wavelengths(const Prediction& prediction) {
 
 CurveSet selected(const CurveSet& set, const FitSelection& selection) {
     const auto good = [&](const CurvePoint& point) {
-        return point.value > 0 && std::max(point.theta_i, point.theta_r) <= selection.largest_theta;
+        return (point.value > 0 || !selection.positive_only) &&
+               std::max(point.theta_i, point.theta_r) <= selection.largest_theta;
     };
     CurveSet result = set;
     std::size_t count = 0;
@@ -33,8 +35,8 @@ CurveSet selected(const CurveSet& set, const FitSelection& selection) {
         count += curve.points.size();
     }
     if (count == 0) {
-        throw Error{set.stem + ": no point > 0 up to " + std::to_string(selection.largest_theta) +
-                    " deg: must be at least one"};
+        throw Error{set.stem + (selection.positive_only ? ": no point > 0 up to " : ": no point up to ") +
+                    std::to_string(selection.largest_theta) + " deg: must be at least one"};
     }
     const std::size_t every =
         selection.most_points == 0 ? 1 : (count + selection.most_points - 1) / selection.most_points;
@@ -44,6 +46,12 @@ CurveSet selected(const CurveSet& set, const FitSelection& selection) {
     }
     std::erase_if(result.curves, [](const Curve& curve) { return curve.points.empty(); });
     return result;
+}
+
+FitSelection for_residual(FitSelection selection, Residual residual, const CurveSet& set) {
+    selection.positive_only =
+        residual == Residual::relative || (residual == Residual::logarithmic && !set.noise_floor);
+    return selection;
 }
 
 FitData fit_data(const CurveSet& set, const FitSelection& selection) {
@@ -61,10 +69,17 @@ FitData fit_data(const CurveSet& set, const FitSelection& selection) {
                  .values = {},
                  .uncertainties = {},
                  .cosines = {},
+                 .curves = {},
+                 .noise_floor = set.noise_floor.value_or(0),
                  .instrument = prediction,
-                 .outside = spectral::OutsideRange::clamp};
-    for (const Curve& curve : chosen.curves) {
-        for (const CurvePoint& point : curve.points) {
+                 .outside = selection.outside};
+    std::map<std::tuple<std::size_t, double, double>, std::size_t> curves;
+    for (std::size_t c = 0; c < chosen.curves.size(); ++c) {
+        for (const CurvePoint& point : chosen.curves[c].points) {
+            // scattered pairs: what one incident direction shows
+            const bool scattered = chosen.curves[c].sweep == Sweep::scattered;
+            const std::tuple key{c, scattered ? point.theta_i : 0, scattered ? point.phi_i : 0};
+            data.curves.push_back(curves.emplace(key, curves.size()).first->second);
             data.values.push_back(point.value);
             data.cosines.push_back(std::cos(point.theta_i * std::numbers::pi / 180));
             if (!set.uncertainty.empty()) data.uncertainties.push_back(point.uncertainty);

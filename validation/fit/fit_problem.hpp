@@ -45,11 +45,17 @@ class FitProblem {
     [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
+    /// Bounds of what is searched, and what is searched over: `projected_residuals`.
+    [[nodiscard]] std::vector<Bounds> searched_bounds() const;
+    [[nodiscard]] Residuals residuals_to_search() const;
     /// Residuals as the solver sees them, of what is searched with the best of what is separated. The
     /// derivatives leave out what the separated ones can make up for, as they stand [Kaufman 1975].
     [[nodiscard]] Linearised projected_residuals(std::span<const double> searched, bool with_jacobian) const;
     /// The same at any coordinates of all free parameters.
     [[nodiscard]] Linearised residuals(std::span<const double> coordinates, bool with_jacobian) const;
+
+    /// Derivatives of the residuals by the logarithm of a factor on what is predicted: what a wrong gain does.
+    [[nodiscard]] std::vector<double> change_with_gain(std::span<const double> coordinates) const;
 
     /// Values of all parameters.
     [[nodiscard]] std::vector<double> values(std::span<const double> coordinates) const;
