@@ -32,6 +32,8 @@ a factor "scale" on all values is 1 unless freed. Where --index is not given, n 
 and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--free my).
 --output writes the material, ready for --material of other verbs; "scale", which no
 material has, stands beside it for hts compare. --report writes everything.
+More sets after the first are hemispherical reflectances (1 - emissivity) of the same
+surface, to which "scale" does not apply.
 Without a solid angle of source or detector the mirror term has no finite value and is
 not compared. --fix sigma0=measured holds the roughness that the curve set states.
 
@@ -47,7 +49,7 @@ struct FitOptions {
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
-    bool all_models = false, json = false, clamp = false;
+    bool all_models = false, json = false, clamp = false, conserve_energy = false;
     InstrumentOptions instrument;
 };
 
@@ -102,6 +104,7 @@ FitRequest request(const FitOptions& options, const CurveSet& set) {
                       .residual = residual(options),
                       .loss = choice("--loss", options.loss, {squares, huber, cauchy}),
                       .loss_scale = options.loss_scale,
+                      .conserve_energy = options.conserve_energy,
                       .followed_starts = options.followed_starts};
     for (const std::string& text : options.fixed) {
         if (text.starts_with("index=")) {
@@ -131,12 +134,22 @@ auto from_request(const Make& make) {
 }
 
 void fit_one(const FitOptions& options) {
-    const CurveSet set = options.instrument.of(curves_from_argument(options.curves.front()));
+    std::vector<CurveSet> sets;
+    for (const std::string& name : options.curves) sets.push_back(curves_from_argument(name));
+    for (std::size_t i = 1; i < sets.size(); ++i) {
+        if (sets[i].quantity != validation::Quantity::hemispherical_reflectance)
+            throw UsageError{
+                "curves: " + options.curves[i] +
+                ": must be one set, and hemispherical reflectances of its surface, unless --all-models "
+                "is given"};
+    }
+    sets.front() = options.instrument.of(std::move(sets.front()));
+    const CurveSet& set = sets.front();
     FitRequest asked = request(options, set);
     if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
         asked.freed.emplace_back("scale");
     const Fit fit = from_request(
-        [&] { return validation::fitted(asked, set, selection(options), {.other_ways = true}); });
+        [&] { return validation::fitted(asked, sets, selection(options), {.other_ways = true}); });
     if (!options.output.empty()) {
         write_file(options.output, material_file(fit));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
@@ -205,7 +218,6 @@ void fit_all_models(const FitOptions& options) {
 
 void run(const FitOptions& options) {
     if (options.all_models) return fit_all_models(options);
-    if (options.curves.size() != 1) throw UsageError{"curves: must be one set, unless --all-models is given"};
     fit_one(options);
 }
 
@@ -216,7 +228,8 @@ void add_fit(CLI::App& program) {
         program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
     verb->add_option("curves", options->curves,
-                     "curve set: a file or a name of hts curves list; with --all-models several, or folders")
+                     "curve set: a file or a name of hts curves list; more of the same surface, as its "
+                     "hemispherical reflectance; with --all-models of any, or folders")
         ->required();
     std::vector<CLI::Option*> of_one{
         verb->add_option("--model", options->model,
@@ -229,6 +242,8 @@ void add_fit(CLI::App& program) {
         verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
             ->delimiter(','),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
+        verb->add_flag("--conserve-energy", options->conserve_energy,
+                       "hold what the material reflects at all of the light at most"),
         verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
         verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
             ->check(number_within(1e-9, 1e9))

@@ -63,7 +63,7 @@ std::string swept_label(const CurveSet& set) {
 }
 
 std::string value_label(const CurveSet& set) {
-    const std::string names[] = {"BRDF", "BRDF cos θ_r", "reflectance factor"};
+    const std::string names[] = {"BRDF", "BRDF cos θ_r", "reflectance factor", "hemispherical reflectance"};
     if (set.scale == Scale::specular)
         return names[static_cast<int>(set.quantity)] + " over that in the mirror direction";
     return names[static_cast<int>(set.quantity)] + " [" + unit(set.quantity) + "]";

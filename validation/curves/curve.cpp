@@ -79,6 +79,15 @@ void check_texts(const CurveSet& set) {
     given("how", set.how);
 }
 
+/// Reflectances into all directions have no angle of view.
+void check_views(const CurveSet& set) {
+    if (set.quantity != Quantity::hemispherical_reflectance) return;
+    for (const Curve& curve : set.curves) {
+        if (curve.sweep != Sweep::incident || curve.fixed_angle() != 0 || set.scale != Scale::absolute)
+            throw Error{"hemispherical_reflectance: must be absolute, in curves with \"theta_r_deg\" 0"};
+    }
+}
+
 void check_instrument(const CurveSet& set) {
     const auto cone = [](const char* key, const std::optional<double>& solid_angle) {
         const double sr = solid_angle.value_or(1);
@@ -100,7 +109,7 @@ const char* name(CurveKind kind) noexcept {
 }
 
 const char* name(Quantity quantity) noexcept {
-    constexpr std::array names{"brdf", "brdf_cosine", "reflectance_factor"};
+    constexpr std::array names{"brdf", "brdf_cosine", "reflectance_factor", "hemispherical_reflectance"};
     return names[static_cast<std::size_t>(quantity)];
 }
 
@@ -110,7 +119,7 @@ const char* name(Scale scale) noexcept {
 }
 
 const char* unit(Quantity quantity) noexcept {
-    return quantity == Quantity::reflectance_factor ? "1" : "1/sr";
+    return quantity == Quantity::brdf || quantity == Quantity::brdf_cosine ? "1/sr" : "1";
 }
 
 DirectionPair CurvePoint::pair() const {
@@ -159,6 +168,7 @@ CurveSet checked(CurveSet set, const std::string& place) {
             check_curve(set.curves[i], "key \"curves[" + std::to_string(i + 1) + "].points\"",
                         !set.uncertainty.empty(), set.noise_floor.has_value());
         }
+        check_views(set);
     });
     return set;
 }

@@ -28,6 +28,8 @@ enum class Quantity {
     brdf,                ///< f [1/sr]
     brdf_cosine,         ///< f cos theta_r [1/sr]
     reflectance_factor,  ///< pi f [1]
+    /// All light that leaves the surface over what comes along theta_i [1]; theta_r counts for nothing and is 0.
+    hemispherical_reflectance,
 };
 
 /// What they may be compared with.

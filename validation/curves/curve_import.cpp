@@ -235,6 +235,9 @@ CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const
         set.uncertainty = "one standard deviation: the reading of a pixel along the axis of values";
         return checked(std::move(set), path.string());
     }
+    if (recipe.emissivity) set.notes.push_back("values are 1 less the emissivities of the file");
+    if (!recipe.row_column.empty())
+        set.notes.push_back("rows whose " + recipe.row_column + " is " + recipe.row_text);
     set.curves = grouped(selected(points_in(path, recipe), recipe, path, set), recipe.sweep);
     add_uncertainty(set, recipe);
     set = checked(std::move(set), path.string());

@@ -59,6 +59,9 @@ struct ImportRecipe {
     /// counts [deg], where the light stands at 0: 180 or 0.
     double mirror_sign = 1, mirror_azimuth = 180;
     Selection selection{};
+    bool emissivity = false;  ///< values are emissivities: 1 less them is what the set holds
+    /// csv: only the rows whose column "row_column" holds this text; empty: all.
+    std::string row_column{}, row_text{};
     /// The smallest step of the printed values, step / sqrt 12 of which is the standard deviation of
     /// rounding. It adds to other uncertainties; alone it says nothing of the noise, and none are written.
     double resolution = 0;

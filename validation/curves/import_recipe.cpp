@@ -69,7 +69,7 @@ Selection selection_from(const JsonValue& keep) {
     return result;
 }
 
-std::map<std::string, std::string> columns_from(const JsonValue& columns) {
+std::map<std::string, std::string> columns_from(const JsonValue& columns, bool hemispherical) {
     columns.require_keys_among({"theta_i", "phi_i", "theta_r", "phi_r"});
     std::map<std::string, std::string> result;
     for (const char* angle : {"theta_i", "phi_i", "theta_r", "phi_r"})
@@ -77,8 +77,12 @@ std::map<std::string, std::string> columns_from(const JsonValue& columns) {
     if (result.contains("phi_i") != result.contains("phi_r"))
         throw columns.error(
             "one azimuth alone: must be both phi_i and phi_r, or none for the plane of incidence");
-    for (const char* angle : {"theta_i", "theta_r"})
-        if (!result.contains(angle)) throw columns[angle].error("missing");
+    for (const char* angle : {"theta_i", "theta_r"}) {
+        const bool view = hemispherical && std::string_view{angle} != "theta_i";
+        if (view == result.contains(angle))
+            throw view ? columns[angle].error("must not be there: the light leaves into all directions")
+                       : columns[angle].error("missing");
+    }
     return result;
 }
 
@@ -119,15 +123,27 @@ void require_one_uncertainty(const JsonValue& file, const ImportRecipe& recipe) 
 ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface) {
     const JsonValue file = JsonValue::read(path);
     auto keys = head_keys();
-    keys.insert(keys.end(), {"format", "sweep", "columns", "values", "mirror_sign", "mirror_azimuth_deg",
-                             "keep", "resolution", "relative_uncertainty", "uncertainty_from_reciprocity"});
+    keys.insert(keys.end(),
+                {"format", "sweep", "columns", "values", "mirror_sign", "mirror_azimuth_deg", "keep", "rows",
+                 "resolution", "relative_uncertainty", "uncertainty_from_reciprocity"});
     file.require_keys_among(keys);
     ImportRecipe recipe;
     recipe.format = named(file["format"], formats);
-    recipe.head = head_from(file, surface);
+    recipe.emissivity = file["quantity"].text() == "emissivity";
+    recipe.head = head_from(file, surface, recipe.emissivity);
     const bool digitised = recipe.format == ImportFormat::digitised;
-    if (!digitised) recipe.sweep = named(file["sweep"], sweeps);
-    if (recipe.format == ImportFormat::csv) recipe.angle_columns = columns_from(file["columns"]);
+    const bool hemispherical = recipe.head.quantity == Quantity::hemispherical_reflectance;
+    if (hemispherical && recipe.format != ImportFormat::csv)
+        throw file["quantity"].error("must come with format \"csv\"");
+    recipe.sweep = Sweep::incident;
+    if (!digitised && !hemispherical) recipe.sweep = named(file["sweep"], sweeps);
+    if (recipe.format == ImportFormat::csv)
+        recipe.angle_columns = columns_from(file["columns"], hemispherical);
+    if (const auto rows = file.find("rows")) {
+        rows->require_keys_among({"column", "text"});
+        recipe.row_column = (*rows)["column"].text();
+        recipe.row_text = (*rows)["text"].text();
+    }
     if (!digitised && (recipe.format != ImportFormat::astm || file.find("values")))
         recipe.values = values_from(file["values"], recipe.format);
     recipe.mirror_sign = one_of(file, "mirror_sign", 1, -1);

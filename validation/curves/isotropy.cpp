@@ -70,7 +70,7 @@ std::optional<double> isotropic_reflectance(const Curve& curve, Quantity quantit
 
 std::optional<IsotropicReflectance> brightest_if_isotropic(const CurveSet& set) {
     std::optional<IsotropicReflectance> result;
-    if (set.scale != Scale::absolute) return result;
+    if (set.scale != Scale::absolute || set.quantity == Quantity::hemispherical_reflectance) return result;
     for (const Curve& curve : set.curves) {
         const auto reflectance = isotropic_reflectance(curve, set.quantity);
         if (reflectance && (!result || *reflectance > result->reflectance))

@@ -67,6 +67,7 @@ struct FitRequest {
     Residual residual = Residual::logarithmic;
     Loss loss = Loss::squares;
     double loss_scale = 1;
+    bool conserve_energy = false;  ///< holds what the material reflects of the light at 0, 45 and 75 deg at 1
     std::size_t followed_starts = 8;  ///< how many of the most promising starts are followed
     int most_iterations = 100;
     /// Is told how many of how many starts are done; from any thread, one at a time.

@@ -1,5 +1,9 @@
 #include "validation/fit/fit_changes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace hts::validation {
 namespace {
 
@@ -18,6 +22,29 @@ Prediction::Answer slope(const Prediction::Answer& above, const Prediction::Answ
         return result;
     };
     return {over(above.brdf, below.brdf), over(above.specular_reflectance, below.specular_reflectance)};
+}
+
+CurveSet hemispheres(const FitData& data) {
+    const auto um = data.wavelengths.micrometres();
+    CurveSet watched;
+    watched.quantity = Quantity::hemispherical_reflectance;
+    std::map<std::size_t, std::vector<double>> channels;
+    for (std::size_t i = 0; i < um.size(); ++i) channels[data.channels[i]].push_back(um[i]);
+    for (const auto& [channel, of_channel] : channels) {
+        const double middle = of_channel[of_channel.size() / 2];
+        Curve curve{{middle, middle}, Sweep::incident, {}};
+        for (const double theta : {0.0, 45.0, 75.0})
+            curve.points.push_back(in_plane_point(Sweep::incident, 0, theta, 0, 0));
+        watched.curves.push_back(std::move(curve));
+    }
+    return watched;
+}
+
+/// What the root of the sum of squares changes by when all values double.
+double size_of(const FitData& data, const std::vector<double>& weights) {
+    double squares = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) squares += std::pow(weights[i] * data.values[i], 2);
+    return std::sqrt(squares);
 }
 
 }  // namespace
@@ -62,6 +89,34 @@ Changes changes(const FitModel& model, const Prediction& instrument, const std::
     Changes result{instrument.average(all), {}};
     for (const Answers& answers : by_move) result.by.push_back(instrument.average(answers));
     return result;
+}
+
+EnergyWatch::EnergyWatch(const FitData& data, const std::vector<double>& weights)
+    : hemispheres_{hemispheres(data)}, weight_{20 * size_of(data, weights)}, absolute_{data.absolute} {}
+
+void EnergyWatch::add(Linearised& result, const FitModel& model, const std::vector<double>& values,
+                      std::span<const Move> moves, std::span<const std::size_t> free) const {
+    const std::vector<double> of_model{values.begin(), values.end() - 1};
+    const bool with_columns = !result.jacobian.empty();
+    const auto [reflectances, columns] = with_columns
+                                             ? changes(model, hemispheres_, of_model, moves)
+                                             : Changes{averages(model, hemispheres_, {of_model}).front(), {}};
+    // a surface brighter than its material reflects its multiple, where the data are absolute
+    const double scale = absolute_ ? std::max(1.0, values.back()) : 1;
+    const std::size_t count = reflectances.size();
+    const auto exceeds = [&, &all = reflectances](std::size_t r) { return scale * all[r] > 1; };
+    for (std::size_t r = 0; r < count; ++r)
+        result.residuals.push_back(exceeds(r) ? weight_ * (scale * reflectances[r] - 1) : 0);
+    if (!with_columns) return;
+    auto column = columns.begin();
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const bool of_scale = free[k] >= of_model.size();
+        std::vector<double> change(count);
+        if (!of_scale) change = *column++;
+        if (of_scale && scale > 1) change = reflectances;
+        for (std::size_t r = 0; r < count; ++r)
+            result.jacobian[k].push_back(exceeds(r) ? weight_ * scale * change[r] : 0);
+    }
 }
 
 }  // namespace hts::validation

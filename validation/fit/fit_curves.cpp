@@ -55,36 +55,51 @@ FitSelection for_residual(FitSelection selection, Residual residual, const Curve
 }
 
 FitData fit_data(const CurveSet& set, const FitSelection& selection) {
-    const CurveSet chosen = selected(set, selection);
-    const auto prediction = std::make_shared<const Prediction>(chosen, selection.nodes);
+    return fit_data(std::span{&set, 1}, selection);
+}
+
+FitData fit_data(std::span<const CurveSet> sets, const FitSelection& selection) {
+    std::vector<CurveSet> chosen;
+    for (const CurveSet& set : sets) chosen.push_back(selected(set, selection));
+    const auto prediction =
+        std::make_shared<const Prediction>(std::span<const CurveSet>{chosen}, selection.nodes);
     std::vector<double> um;
     std::vector<std::size_t> channels;
     for (const auto& [wavelength, channel] : wavelengths(*prediction)) {
         um.push_back(wavelength);
         channels.push_back(channel);
     }
-    FitData data{.name = set.stem,
+    FitData data{.name = sets.front().stem,
                  .wavelengths = spectral::WavelengthGrid::from_micrometres(um),
                  .channels = channels,
                  .values = {},
                  .uncertainties = {},
                  .cosines = {},
                  .curves = {},
-                 .noise_floor = set.noise_floor.value_or(0),
+                 .noise_floor = sets.front().noise_floor.value_or(0),
+                 .without_scale = {},
+                 .absolute = sets.front().scale == Scale::absolute,
                  .instrument = prediction,
                  .outside = selection.outside};
-    std::map<std::tuple<std::size_t, double, double>, std::size_t> curves;
-    for (std::size_t c = 0; c < chosen.curves.size(); ++c) {
-        for (const CurvePoint& point : chosen.curves[c].points) {
-            // scattered pairs: what one incident direction shows
-            const bool scattered = chosen.curves[c].sweep == Sweep::scattered;
-            const std::tuple key{c, scattered ? point.theta_i : 0, scattered ? point.phi_i : 0};
-            data.curves.push_back(curves.emplace(key, curves.size()).first->second);
-            data.values.push_back(point.value);
-            data.cosines.push_back(std::cos(point.theta_i * std::numbers::pi / 180));
-            if (!set.uncertainty.empty()) data.uncertainties.push_back(point.uncertainty);
+    const bool uncertain =
+        std::ranges::none_of(sets, [](const CurveSet& set) { return set.uncertainty.empty(); });
+    std::map<std::tuple<std::size_t, std::size_t, double, double>, std::size_t> curves;
+    for (std::size_t s = 0; s < chosen.size(); ++s) {
+        for (std::size_t c = 0; c < chosen[s].curves.size(); ++c) {
+            const Curve& curve = chosen[s].curves[c];
+            for (const CurvePoint& point : curve.points) {
+                // scattered pairs: what one incident direction shows
+                const bool scattered = curve.sweep == Sweep::scattered;
+                const std::tuple key{s, c, scattered ? point.theta_i : 0, scattered ? point.phi_i : 0};
+                data.curves.push_back(curves.emplace(key, curves.size()).first->second);
+                data.values.push_back(point.value);
+                data.cosines.push_back(std::cos(point.theta_i * std::numbers::pi / 180));
+                data.without_scale.push_back(chosen[s].quantity == Quantity::hemispherical_reflectance);
+                if (uncertain) data.uncertainties.push_back(point.uncertainty);
+            }
         }
     }
+    for (const CurveSet& set : sets.subspan(1)) data.name += " and " + set.stem;
     return checked(std::move(data));
 }
 

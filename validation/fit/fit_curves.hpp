@@ -1,6 +1,8 @@
 /// Measured curves as what a fit is made to, band, cones and normalisation included.
 #pragma once
 
+#include <span>
+
 #include "validation/curves/curve.hpp"
 #include "validation/curves/prediction.hpp"
 #include "validation/fit/fit.hpp"
@@ -23,6 +25,9 @@ struct FitSelection {
 /// The points of a set that are selected; each band is a channel. Uncertainties are those of the set.
 /// hts::Error "STEM: …" if no point is left.
 [[nodiscard]] FitData fit_data(const CurveSet& set, const FitSelection& selection = {});
+/// The same of several sets of one surface, so of one material: BRDFs first, then perhaps hemispherical
+/// reflectances. Uncertainties where all have them; noise floor and scale are the first set's.
+[[nodiscard]] FitData fit_data(std::span<const CurveSet> sets, const FitSelection& selection = {});
 
 /// The set with the selected points alone, in the order of the fit's data.
 [[nodiscard]] CurveSet selected(const CurveSet& set, const FitSelection& selection);

@@ -21,6 +21,7 @@ FitData checked(FitData data) {
     const std::size_t count = data.values.size();
     if (count == 0) throw Error{data.name + ": no samples: must be at least one"};
     if (data.cosines.size() != count || data.curves.size() != count ||
+        (!data.without_scale.empty() && data.without_scale.size() != count) ||
         (!data.uncertainties.empty() && data.uncertainties.size() != count) ||
         data.channels.size() != data.wavelengths.size()) {
         throw Error{

@@ -31,6 +31,10 @@ struct FitData {
     std::vector<std::size_t> curves{};
     /// CurveSet::noise_floor; 0 where values are > 0. What `log_ratio` makes of it is a logarithmic residual.
     double noise_floor = 0;
+    /// Of each datum, whether the factor "scale" does not apply: reflectances into all directions are measured
+    /// against a reference of their own. Empty: it applies to all.
+    std::vector<bool> without_scale{};
+    bool absolute = true;  ///< the values are no multiples of an unknown factor
     /// What it would have shown of a surface, a value per datum.
     std::shared_ptr<const Prediction> instrument{};
     spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of optical constants

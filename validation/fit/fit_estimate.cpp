@@ -27,6 +27,8 @@ bool at_bound(double coordinate, const Bounds& bounds) {
 
 Estimate estimate(const FitProblem& problem, const FitData& data, const std::vector<double>& coordinates) {
     auto [residuals, all] = problem.residuals(coordinates, true);
+    residuals.resize(data.values.size());  // those of energy are no data
+    for (auto& column : all) column.resize(data.values.size());
     const auto values = problem.values(coordinates);
     Estimate result;
     Columns columns;

@@ -131,9 +131,9 @@ Statements of_roughness(const Fit& fit, const CurveSet& set) {
 
 // ---- what the fitted surface would do
 
-Statements of_energy(const Fit& fit, const FitData& data, bool absolute) {
+Statements of_energy(const Fit& fit, const FitData& data) {
     const auto material = fitted_material(fit);
-    const double scale = absolute ? fit.parameter("scale").value : 1;
+    const double scale = data.absolute ? fit.parameter("scale").value : 1;
     const auto um = data.wavelengths.micrometres();
     double most = 0, at_um = 0, at_deg = 0;
     for (const std::size_t w : {std::size_t{0}, um.size() / 2, um.size() - 1}) {
@@ -204,7 +204,7 @@ std::string moved(const std::string& name, const Ratio& here, const Ratio& there
     return name + " " + with_error(there) + (unit == "1" ? "" : " " + unit);
 }
 
-Statements of_other_ways(const Fit& fit, const CurveSet& set, const FitSelection& selection) {
+Statements of_other_ways(const Fit& fit, std::span<const CurveSet> sets, const FitSelection& selection) {
     Statements result;
     for (const OtherWay& way : other_ways(fit, selection)) {
         std::string text;
@@ -212,8 +212,8 @@ Statements of_other_ways(const Fit& fit, const CurveSet& set, const FitSelection
             if (!more.empty()) text += (text.empty() ? "" : ", ") + more;
         };
         try {
-            const Fit other =
-                fitted(way.request, fit_data(set, for_residual(way.selection, way.request.residual, set)));
+            const Fit other = fitted(
+                way.request, fit_data(sets, for_residual(way.selection, way.request.residual, sets.front())));
             if (fit.slope && other.slope) add(moved("sigma0/tau", *fit.slope, *other.slope, "1"));
             for (const FittedParameter& here : fit.parameters) {
                 const FittedParameter& there = other.parameter(here.name);
@@ -234,8 +234,14 @@ Statements of_other_ways(const Fit& fit, const CurveSet& set, const FitSelection
 
 Fit fitted(const FitRequest& request, const CurveSet& set, const FitSelection& selection,
            const Findings& wanted) {
+    return fitted(request, std::span{&set, 1}, selection, wanted);
+}
+
+Fit fitted(const FitRequest& request, std::span<const CurveSet> sets, const FitSelection& selection,
+           const Findings& wanted) {
+    const CurveSet& set = sets.front();
     const FitSelection chosen = for_residual(selection, request.residual, set);
-    const FitData data = fit_data(set, chosen);
+    const FitData data = fit_data(sets, chosen);
     Fit fit = fitted(request, data);
     const CurveSet points = selected(set, chosen);
     const auto first_after_bounds = std::ranges::find_if(
@@ -249,9 +255,9 @@ Fit fitted(const FitRequest& request, const CurveSet& set, const FitSelection& s
     add(of_values(fit, set, chosen));
     add(of_index(fit, data));
     add(of_roughness(fit, set));
-    if (wanted.energy) add(of_energy(fit, data, set.scale == Scale::absolute));
+    if (wanted.energy) add(of_energy(fit, data));
     add(of_isotropy(points));
-    if (wanted.other_ways) add(of_other_ways(fit, set, chosen));
+    if (wanted.other_ways) add(of_other_ways(fit, sets, chosen));
     return fit;
 }
 

@@ -1,6 +1,7 @@
 /// A fit of a curve set, and what it says of surface, instrument and model beyond its numbers.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "validation/curves/curve.hpp"
@@ -23,5 +24,8 @@ struct Findings {
 /// nearly as close, only sigma0/tau is told (Fit::slope_alone).
 [[nodiscard]] Fit fitted(const FitRequest& request, const CurveSet& set, const FitSelection& selection,
                          const Findings& wanted = {});
+/// The same of several sets of one surface, of which the first says what instrument and surface are.
+[[nodiscard]] Fit fitted(const FitRequest& request, std::span<const CurveSet> sets,
+                         const FitSelection& selection, const Findings& wanted = {});
 
 }  // namespace hts::validation

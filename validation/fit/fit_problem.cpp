@@ -66,7 +66,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
       data_{data},
       model_{request.model, layout(request, data)},
       separable_{data.instrument->is_affine() && request.residual != Residual::logarithmic &&
-                 request.loss == Loss::squares} {
+                 request.loss == Loss::squares && !request.conserve_energy} {
     if (!(request.loss_scale > 0))
         throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
@@ -87,6 +87,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
                     std::to_string(free_.size()) + " free parameters: must be more"};
     }
     for (std::size_t i = 0; i < data_.values.size(); ++i) weights_.push_back(weight(i));
+    if (request.conserve_energy) watch_.emplace(data_, weights_);
 }
 
 std::vector<std::size_t> FitProblem::named(const std::string& name) const {
@@ -241,7 +242,7 @@ Columns FitProblem::predictions(const std::vector<std::vector<double>>& values) 
     for (const auto& column : averages(model_, *data_.instrument, of_model)) {
         const double scale = values[result.size()].back();
         result.push_back(data_.instrument->seen(column));
-        for (double& value : result.back()) value *= scale;
+        for (std::size_t i = 0; i < result.back().size(); ++i) result.back()[i] *= scale_of(i, scale);
     }
     return result;
 }
@@ -346,16 +347,23 @@ Linearised FitProblem::residuals(std::span<const double> coordinates, bool with_
     const auto seen = instrument.seen(averages);
     const double scale = values.back();
     Linearised result;
-    for (std::size_t r = 0; r < seen.size(); ++r) result.residuals.push_back(residual(scale * seen[r], r));
+    for (std::size_t r = 0; r < seen.size(); ++r)
+        result.residuals.push_back(residual(scale_of(r, scale) * seen[r], r));
+    if (!with_jacobian && watch_) watch_->add(result, model_, values, {}, free_);
     if (!with_jacobian) return result;
     auto column = columns.begin();
     for (const std::size_t i : free_) {
         // the scale, which comes last, multiplies what is seen
-        auto change = i < of_model.size() ? instrument.change(averages, *column++) : seen;
-        for (std::size_t r = 0; r < change.size(); ++r)
-            change[r] *= scale * residual_slope(scale * seen[r], r);
+        const bool of_scale = i >= of_model.size();
+        auto change = of_scale ? seen : instrument.change(averages, *column++);
+        for (std::size_t r = 0; r < change.size(); ++r) {
+            const double factor = scale_of(r, scale);
+            if (of_scale && !has_scale(r)) change[r] = 0;
+            change[r] *= factor * residual_slope(factor * seen[r], r);
+        }
         result.jacobian.push_back(std::move(change));
     }
+    if (watch_) watch_->add(result, model_, values, moves(coordinates), free_);
     return result;
 }
 

@@ -170,6 +170,31 @@ TEST_CASE("noise about 0 is kept, and what is too large for noise is not") {
     CHECK_FALSE(log_ratio(1, -1e-3, 0));
 }
 
+TEST_CASE("an emissivity becomes a hemispherical reflectance, of the rows that a recipe asks for") {
+    const std::string rows =
+        "surface,theta_deg,emissivity,sd\nbrass,15,0.06,0.02\nslate,15,0.8,0.03\nslate,30,0.75,0.03\n";
+    const std::string recipe = R"({"format": "csv", "kind": "measured", "surface": "slate", "by": "somebody",
+        "source": "a notebook", "licence": "CC0-1.0", "quantity": "emissivity", "scale": "absolute",
+        "columns": {"theta_i": "theta_deg"}, "rows": {"column": "surface", "text": "slate"},
+        "values": [{"column": "emissivity", "uncertainty_column": "sd", "band_um": [2, 5.7]}]})";
+    const CurveSet set = imported(recipe, "e.csv", rows);
+    CHECK(set.quantity == Quantity::hemispherical_reflectance);
+    REQUIRE(set.point_count() == 2);
+    CHECK(set.curves[0].points[1].theta_i == 30);
+    CHECK(set.curves[0].points[1].value == 0.25);
+    CHECK(set.curves[0].points[1].uncertainty == 0.03);
+    const TemporaryFolder folder;
+    CHECK(read_curves(folder.write("e.json", curves_text(set))).curves[0].points[0].value ==
+          set.curves[0].points[0].value);
+    refuses(with(recipe, R"("theta_i": "theta_deg")", R"("theta_i": "theta_deg", "theta_r": "theta_deg")"),
+            "e.csv", rows, "the light leaves into all directions");
+    refuses(with(recipe, R"("text": "slate")", R"("text": "chalk")"), "e.csv", rows,
+            "keeps none of its 0 values");
+    CHECK_THROWS_WITH(read_curves(folder.write(
+                          "bad.json", with(curves_text(set), R"("theta_r_deg": 0)", R"("theta_r_deg": 5)"))),
+                      Catch::Contains("hemispherical_reflectance: must be absolute, in curves with"));
+}
+
 TEST_CASE("bad CSV files and recipes are refused") {
     refuses(csv_recipe(), "a.csv", with(csv, "1.5", "abc"), ":4: column \"f\": \"abc\" is not a number");
     refuses(csv_recipe(), "a.csv", with(csv, "1.5", "nan"), ":4: column \"f\"");

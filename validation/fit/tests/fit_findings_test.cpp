@@ -162,3 +162,59 @@ TEST_CASE("other ways to fit are shown where they lead further than the errors")
     INFO(in_words(sound));
     CHECK(statement(sound, "further from this fit").empty());
 }
+
+TEST_CASE("hemispherical reflectances are predicted as they are integrated") {
+    const double slope = GENERATE(0.03, 0.1, 0.3);
+    const auto material = he(0.4, 0.4 / slope, 0.1);
+    CurveSet set;
+    set.quantity = Quantity::hemispherical_reflectance;
+    Curve curve{{1, 1}, Sweep::incident, {}};
+    for (const double theta : {0.0, 30.0, 60.0, 80.0})
+        curve.points.push_back(in_plane_point(Sweep::incident, 0, theta, 0, 0));
+    set.curves = {curve};
+    const auto predicted = Prediction{set}.values(material);
+    const auto reflectance = material.at(Wavelength::from_micrometres(1));
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        INFO("sigma0/tau " << slope << ", " << curve.points[i].theta_i << " deg");
+        const double exact =
+            reflectance.albedo(Direction::from_degrees(curve.points[i].theta_i, 0), 0).total();
+        CHECK(predicted[i] == Approx(exact).epsilon(accuracy::hemisphere_average));
+    }
+}
+
+TEST_CASE("a hemispherical reflectance is a datum that the scale leaves alone") {
+    const auto truth = he(0.2, 1.5, 0.15);
+    CurveSet curves = shown_by(truth, 1e-3, 0.01);
+    for (Curve& curve : curves.curves)
+        for (CurvePoint& point : curve.points) point.value *= 0.6;  // a reference that nobody knew
+    CurveSet whole = curves;
+    whole.quantity = Quantity::hemispherical_reflectance;
+    Curve curve{{1, 1}, Sweep::incident, {}};
+    for (double theta = 10; theta < 80; theta += 10)
+        curve.points.push_back(in_plane_point(Sweep::incident, 0, theta, 0, 0));
+    whole.curves = {curve};
+    const auto values = Prediction{whole}.values(truth);
+    for (std::size_t i = 0; i < values.size(); ++i) whole.curves[0].points[i].value = values[i];
+    const std::vector<CurveSet> both{curves, whole};
+    const Fit fit = fitted({.fixed = {{"k", 1.3}}, .freed = {"scale"}, .followed_starts = 4}, both, {});
+    INFO(in_words(fit));
+    CHECK(fit.data == "made-up and made-up");
+    CHECK(fit.statistics.data == curves.point_count() + 7);
+    for (std::size_t i = 0; i < 7; ++i)
+        CHECK(fit.predicted[curves.point_count() + i] == Approx(values[i]).epsilon(0.03));
+}
+
+TEST_CASE("energy is conserved where that is asked for") {
+    CurveSet bright = shown_by(he(0.15, 1, 0.2), 1e-3);
+    for (Curve& curve : bright.curves)
+        for (CurvePoint& point : curve.points) point.value *= 2;
+    const FitRequest request{
+        .index = "\"Al\"", .freed = {"scale"}, .conserve_energy = true, .followed_starts = 3};
+    const Fit fit = fit_of(bright, request);
+    INFO(in_words(fit));
+    const auto reflectance = fitted_material(fit).at(Wavelength::from_micrometres(1));
+    for (const double theta : {0.0, 45.0, 75.0})
+        CHECK(std::max(1.0, fit.parameter("scale").value) *
+                  reflectance.albedo(Direction::from_degrees(theta, 0), 0).total() <
+              1.012);
+}
