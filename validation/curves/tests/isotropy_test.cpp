@@ -31,7 +31,7 @@ TEST_CASE("a matt curve reflects its albedo, whatever the quantity") {
     CHECK(
         isotropic_reflectance(in_plane(0, [&](const CurvePoint&) { return brdf; }), Quantity::brdf).value() ==
         Approx(albedo * std::pow(std::sin(85 * std::numbers::pi / 180), 2))
-            .epsilon(accuracy::isotropic_reflectance));
+            .epsilon(validation::accuracy::isotropic_reflectance));
     CHECK(isotropic_reflectance(in_plane(0, [&](const CurvePoint&) { return albedo; }),
                                 Quantity::reflectance_factor)
               .value() == Approx(albedo).epsilon(0.01));

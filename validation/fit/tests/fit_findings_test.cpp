@@ -7,6 +7,7 @@
 #include "fit_samples.hpp"
 #include "hts/error.hpp"
 #include "validation/curves/built_in_curves.hpp"
+#include "validation/curves/comparison.hpp"
 #include "validation/fit/fit_table.hpp"
 
 using namespace hts;
@@ -178,7 +179,7 @@ TEST_CASE("hemispherical reflectances are predicted as they are integrated") {
         INFO("sigma0/tau " << slope << ", " << curve.points[i].theta_i << " deg");
         const double exact =
             reflectance.albedo(Direction::from_degrees(curve.points[i].theta_i, 0), 0).total();
-        CHECK(predicted[i] == Approx(exact).epsilon(accuracy::hemisphere_average));
+        CHECK(predicted[i] == Approx(exact).epsilon(validation::accuracy::hemisphere_average));
     }
 }
 
