@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "hts/error.hpp"
 #include "hts/evaluation/evaluation_simd.hpp"
 
 namespace hts {
@@ -97,13 +99,21 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
 }
 
-void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::require_size(const char* call, std::size_t size, std::size_t wanted) const {
+    if (size == wanted) return;
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
+                (wanted == samples_.size() ? "" : "pairs x ") + "samples = " + std::to_string(wanted)};
+}
+
+void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
+    require_size("brdf", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
     exact_brdf(pair, result);
 }
 
-void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
+    require_size("brdf", result.size(), pairs.size() * count);
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
     if (lanes_take_all) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -112,12 +122,14 @@ void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<do
     }
 }
 
-void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const noexcept {
+void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
+    require_size("specular_reflectance", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
     exact_specular_reflectance(in, result);
 }
 
-void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    require_size("mueller", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
 }

@@ -58,23 +58,26 @@ class HeTorranceSpectrum {
     /// Memory of this object alone; the table of Phi, phi_table_bytes(tolerance()), is shared by all.
     [[nodiscard]] std::size_t bytes() const noexcept;
 
+    // Each call throws hts::Error where `result` has another size than it says, and nothing else.
+
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
     ///   result   samples().size() values
     ///   error    relative, at most the tolerance, above 1e-280; accuracy::brdf where that is more
-    void brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     ///   result   pairs.size() * samples().size() values
-    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const noexcept;
+    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Reflectance into the mirror direction, the specular term [1], one value per sample.
     ///   result   samples().size() values
     ///   error    relative, at most the tolerance, above 1e-280; accuracy::specular_reflectance where that is more
-    void specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
+    void specular_reflectance(const Direction& in, std::span<double> result) const;
     /// Mueller matrix of both terms [1/sr], one per sample.
     ///   result   samples().size() matrices
     ///   error    of each element relative to element 00, as of brdf
-    void mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
+    void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
 
   private:
+    void require_size(const char* call, std::size_t size, std::size_t wanted) const;
     struct Lanes;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;

@@ -1,7 +1,8 @@
 #include "hts/phi.hpp"
 
-#include <cassert>
+#include <string>
 
+#include "hts/error.hpp"
 #include "hts/phi/phi_simd.hpp"
 #include "hts/phi/tables/phi_table.hpp"
 
@@ -48,8 +49,11 @@ double phi(double g, double t, Tolerance tolerance) noexcept {
 }
 
 void phi(std::span<const double> g, std::span<const double> t, std::span<double> result,
-         Tolerance tolerance) noexcept {
-    assert(g.size() == result.size() && t.size() == result.size());
+         Tolerance tolerance) {
+    if (g.size() != t.size() || result.size() != g.size()) {
+        throw Error{"phi: g has " + std::to_string(g.size()) + " values, t " + std::to_string(t.size()) +
+                    ", result " + std::to_string(result.size()) + ": must be equally many"};
+    }
     forms().many[cheapest_form(tolerance)](g.data(), t.data(), result.data(), result.size());
 }
 

@@ -6,12 +6,15 @@
 #include <exception>
 #include <utility>
 
+#include "spectral/progress.hpp"
+
 namespace hts::spectral {
 
 /// Calls f(0) … f(count - 1) in any order on all cores, `chunk` at a time. If calls throw, the exception of the
 /// lowest index is thrown again once all are through, so that the message is the same for any number of threads.
 template <class Function>
 void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
+    const Job job{"", count};
     std::exception_ptr failure;
     std::size_t failed = count;
 #pragma omp parallel for schedule(dynamic, chunk) if (count > 1)
@@ -19,6 +22,7 @@ void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
         const auto i = static_cast<std::size_t>(j);
         try {
             f(i);
+            job.done();
         } catch (...) {
 #pragma omp critical(hts_failure)
             if (i < failed) {

@@ -54,7 +54,8 @@ struct ChartData {
     std::vector<CostPoint> cost;
 };
 
-/// Told what is being done, once per step.
+/// Told what is being done, once per step, of chart_steps in all.
+inline constexpr std::size_t chart_steps = 2 * std::size(regimes) + 2;
 using ChartProgress = std::function<void(const std::string& step)>;
 
 /// Runs the sweeps on all cores and then the times on one.

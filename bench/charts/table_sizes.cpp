@@ -8,6 +8,7 @@
 
 #include "spectral/output/script.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/progress.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
 #include "tables/table/table_lobe.hpp"
@@ -203,11 +204,13 @@ std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size
                                    {"plain angles (θi, θr, Δφ): ln f, cubic", plain_angles(), true},
                                    {"folded coordinates: ln f, cubic", own_coordinates(), true}}};
     std::vector<TableSize> sizes;
+    const spectral::Job job{"", 6 * (std::size(ways) + 1)};
     for (const Way& way : ways) {
         for (const int nodes : {8, 12, 18, 27, 40, 60}) {
             const auto n = static_cast<std::size_t>(nodes);
             const double bytes = sizeof(float) * wavelengths * std::pow(static_cast<double>(n), 3);
             sizes.push_back({way.name, bytes, grid_error(exact, probes, way.chart, n, way.cubic)});
+            job.done();
         }
     }
     for (const double tolerance : {0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4}) {
@@ -216,6 +219,7 @@ std::vector<TableSize> table_sizes(const spectral::Reflectance& exact, std::size
         const auto error = tables::table_error(table.reflectance(), exact, pairs, seed);
         sizes.push_back({"hts table build: the same, few spectra, nodes by need",
                          static_cast<double>(table.bytes()), error.largest});
+        job.done();
     }
     return sizes;
 }

@@ -5,17 +5,30 @@
 #include <set>
 
 #include "bench/stability/stability_rows.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::bench {
 
 std::vector<StabilityResult> stability_suite() {
     std::vector<StabilityResult> all;
-    for (const auto row :
-         {series_in_floating_point, series_at_large_g, rough_limit_in_the_tail, root_of_roughness,
-          shadowing_cancellation, factors_at_backscatter, frames_along_the_normal, fresnel_cancellation,
-          extreme_lengths, steep_surfaces, energy_of_the_model, single_precision, bad_input}) {
+    const std::array rows{series_in_floating_point,
+                          series_at_large_g,
+                          rough_limit_in_the_tail,
+                          root_of_roughness,
+                          shadowing_cancellation,
+                          factors_at_backscatter,
+                          frames_along_the_normal,
+                          fresnel_cancellation,
+                          extreme_lengths,
+                          steep_surfaces,
+                          energy_of_the_model,
+                          single_precision,
+                          bad_input};
+    const spectral::Job job{"", rows.size()};
+    for (const auto row : rows) {
         const std::vector<StabilityResult> results = row().results();
         all.insert(all.end(), results.begin(), results.end());
+        job.done();
     }
     return all;
 }

@@ -249,6 +249,10 @@ void add_tables(ModelChart& chart, const ChartSurface& chosen, const Truth& trut
 
 }  // namespace
 
+std::size_t model_chart_steps() {
+    return surfaces().size() * (1 + rivals.size());
+}
+
 ModelChart measured_models(bool quick, std::uint64_t seed,
                            const std::function<void(const std::string& step)>& progress) {
     ModelChart chart{{}, seed, bench::machine().text()};

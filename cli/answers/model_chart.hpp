@@ -29,7 +29,8 @@ struct ModelChart {
 /// Fits each model to He-Torrance on four surfaces, from nearly smooth to very rough, builds tables of it,
 /// measures the error on directions that neither ever saw, and then the times.
 ///   quick      fewer directions and starts
-///   progress   is told each step
+///   progress   is told each step, model_chart_steps() in all
+[[nodiscard]] std::size_t model_chart_steps();
 [[nodiscard]] ModelChart measured_models(bool quick, std::uint64_t seed,
                                          const std::function<void(const std::string& step)>& progress);
 

@@ -15,9 +15,28 @@
 namespace hts::cli {
 namespace {
 
-constexpr std::array known_columns{
-    "wavelength_um",    "theta_i_deg",           "phi_i_deg", "theta_r_deg", "phi_r_deg", "n", "k",
-    "rms_roughness_um", "correlation_length_um", "albedo"};
+const std::vector<std::string> known_columns{"wavelength_um",
+                                             "wavelength_nm",
+                                             "theta_i_deg",
+                                             "phi_i_deg",
+                                             "theta_r_deg",
+                                             "phi_r_deg",
+                                             "n",
+                                             "k",
+                                             "rms_roughness_um",
+                                             "correlation_length_um",
+                                             "albedo"};
+
+// The column of wavelengths, in either unit.
+std::optional<std::size_t> wavelength_column(const CsvReader& points, bool needed) {
+    const auto um = points.find_column("wavelength_um"), nm = points.find_column("wavelength_nm");
+    if (um && nm) {
+        throw Error{points.where_header() +
+                    R"(columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
+    }
+    if (nm) return nm;
+    return needed ? points.column("wavelength_um") : um;
+}
 
 double cell(const CsvRow& row, std::size_t column, const char* name) {
     return spectral::number_in(row.fields[column], name);
@@ -64,7 +83,8 @@ DirectionPair PairColumns::pair(const CsvRow& row) const {
 
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
     : directions{points},
-      wavelength{needs_wavelength ? points.column("wavelength_um") : points.find_column("wavelength_um")},
+      wavelength{wavelength_column(points, needs_wavelength)},
+      wavelength_unit{points.find_column("wavelength_nm") ? 1e-3 : 1},
       n{points.find_column("n")},
       k{points.find_column("k")},
       rms_roughness{points.find_column("rms_roughness_um")},
@@ -84,7 +104,8 @@ PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spec
       how_{how},
       by_wavelength_{std::make_shared<ReflectanceCache>()} {
     if (wavelengths_ && columns_.wavelength) {
-        throw UsageError{"wavelength given twice: must be either the column wavelength_um or an option"};
+        throw UsageError{"wavelength given twice: must be either the column " +
+                         points.columns()[*columns_.wavelength] + " or an option"};
     }
     if (!material) require_material(points);
     if (!of_rough_surfaces()) require_no_material_columns(points);
@@ -121,9 +142,13 @@ void PointEvaluator::require_no_material_columns(const CsvReader& points) const 
 std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points) {
     std::vector<std::string> unused;
     for (const std::string& name : points.columns()) {
-        if (std::find(known_columns.begin(), known_columns.end(), name) == known_columns.end()) {
-            unused.push_back(name);
+        if (std::ranges::find(known_columns, name) != known_columns.end()) continue;
+        const std::string similar = spectral::similar_name(name, known_columns);
+        if (!similar.empty()) {
+            throw Error{points.where_header() + "column " + spectral::in_quotes(name) +
+                        ": not known; must be " + spectral::in_quotes(similar)};
         }
+        unused.push_back(name);
     }
     return unused;
 }
@@ -190,7 +215,9 @@ spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const
 
 spectral::WavelengthGrid PointEvaluator::wavelengths(const CsvRow& row) const {
     if (wavelengths_) return *wavelengths_;
-    const auto own = Wavelength::from_micrometres(cell(row, *columns_.wavelength, "wavelength_um"));
+    const double number =
+        cell(row, *columns_.wavelength, columns_.wavelength_unit == 1 ? "wavelength_um" : "wavelength_nm");
+    const auto own = Wavelength::from_micrometres(columns_.wavelength_unit * number);
     return spectral::WavelengthGrid::from_micrometres({own.micrometres()});
 }
 

@@ -61,7 +61,7 @@ class PointEvaluator {
     [[nodiscard]] bool of_rough_surfaces() const noexcept {
         return material_.properties().surface.has_value();
     }
-    /// Columns that are in the header and mean nothing here.
+    /// Columns that are in the header and mean nothing here; hts::Error for one that may be meant for a known one.
     [[nodiscard]] static std::vector<std::string> unused_columns(const CsvReader& points);
 
     /// What is asked of each row besides the terms.
@@ -82,7 +82,9 @@ class PointEvaluator {
         explicit Columns(const CsvReader& points, bool needs_wavelength);
         [[nodiscard]] bool any_of_material() const noexcept;
         PairColumns directions;
-        Column wavelength, n, k, rms_roughness, correlation_length, albedo;
+        Column wavelength;
+        double wavelength_unit = 1;  ///< of the column [um]
+        Column n, k, rms_roughness, correlation_length, albedo;
     };
 
     void require_material(const CsvReader& points) const;

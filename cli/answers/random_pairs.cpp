@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hts/sampling/random.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::cli {
 namespace {
@@ -31,6 +32,7 @@ RandomPairsResult evaluate_random_pairs(const spectral::Reflectance& reflectance
     std::vector<double> values;
     Stopwatch watch;
     double sum = 0;
+    const spectral::Job job{"", (count + per_chunk - 1) / per_chunk};
     for (std::uint64_t done = 0; done < count; done += per_chunk) {
         const auto pairs = random_pairs(random, std::min(per_chunk, count - done));
         values.resize(pairs.size() * wavelengths);
@@ -38,6 +40,7 @@ RandomPairsResult evaluate_random_pairs(const spectral::Reflectance& reflectance
         reflectance.brdf(pairs, values);
         watch.stop();
         sum = std::accumulate(values.begin(), values.end(), sum);
+        job.done();
     }
     const double evaluations = static_cast<double>(count) * static_cast<double>(wavelengths);
     return {{count, wavelengths, watch.seconds()}, sum / evaluations};

@@ -1,10 +1,17 @@
 #include "cli/io/options.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "cli/io/usage.hpp"
+#include "spectral/text/run_files.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
 
@@ -46,6 +53,43 @@ bool within(const std::string& text, Number first, Number last) {
     return problem == std::errc{} && stop == end && value >= first && value <= last;
 }
 
+std::map<const CLI::Option*, std::vector<std::string>>& choices() {
+    static std::map<const CLI::Option*, std::vector<std::string>> all;
+    return all;
+}
+
+/// Infinity and NaN, too: what they cannot be, and why, is said with the quantity's range.
+double angle_in(const std::string& text) {
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = problem == std::errc{} && end == text.data() + text.size();
+    return whole && !std::isfinite(value) ? value : spectral::number_in(text);
+}
+
+/// Each piece between commas by `parsed`, which throws hts::Error.
+template <class Value, class Parsed>
+CLI::Option* list_option(CLI::App& verb, const std::string& names, std::vector<Value>& values,
+                         const std::string& description, const Parsed& parsed) {
+    const std::string option = names.substr(0, names.find(','));
+    const auto take = [&values, option, parsed](const std::vector<std::string>& texts) {
+        values.clear();
+        for (const std::string& text : texts) {
+            for (const std::string_view piece : spectral::split(text, ','))
+                values.push_back(from_option(option, [&] { return parsed(std::string{piece}); }));
+        }
+    };
+    return verb.add_option_function<std::vector<std::string>>(names, take, description);
+}
+
+CLI::Validator path_to_write() {
+    return must_be("a name", [](const std::string& path) { return !path.empty(); });
+}
+
+/// `hts` makes it before it reads its arguments.
+spectral::RunFiles& run_files() {
+    return *spectral::RunFiles::of_process();
+}
+
 [[noreturn]] void refuse_model(const spectral::Material& material, const std::string& option) {
     throw UsageError{option + ": must come with a material of model he; " + material.name() + " has model " +
                      material.model_name()};
@@ -67,16 +111,74 @@ CLI::Validator seed_number() {
     return whole_number(0, std::numeric_limits<std::uint64_t>::max());
 }
 
-CLI::Validator path_to_write() {
-    return must_be("a name", [](const std::string& path) { return !path.empty(); });
+CLI::Option* one_of(CLI::Option* option, std::vector<std::string> names) {
+    option->check(CLI::Validator{[names](const std::string& text) -> std::string {
+                                     if (std::ranges::find(names, text) != names.end()) return "";
+                                     return spectral::in_quotes(text) + ": " +
+                                            spectral::must_be_one_of(text, names);
+                                 },
+                                 ""});
+    return offers(option, std::move(names));
 }
 
-CLI::Validator svg_file() {
-    return must_be("a file .svg", [](const std::string& path) { return path.ends_with(".svg"); });
+CLI::Option* offers(CLI::Option* option, std::vector<std::string> names) {
+    choices()[option] = std::move(names);
+    return option;
+}
+
+const std::vector<std::string>& choices_of(const CLI::Option* option) {
+    static const std::vector<std::string> none;
+    const auto found = choices().find(option);
+    return found == choices().end() ? none : found->second;
+}
+
+CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<double>& values,
+                        const std::string& description) {
+    std::string defaults;
+    for (const double value : values) defaults.append(defaults.empty() ? "" : ",").append(shortest(value));
+    return list_option(verb, names, values, description,
+                       [](const std::string& piece) { return angle_in(piece); })
+        ->type_name("TEXT")
+        ->default_str(defaults);
+}
+
+CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<std::string>& values,
+                        const std::string& description) {
+    return list_option(verb, names, values, description, [](const std::string& piece) {
+        if (piece.empty()) throw Error{"\"\": must not be empty"};
+        return piece;
+    });
+}
+
+CLI::Option* reads(CLI::Option* option) {
+    return option->each([](const std::string& path) { run_files().will_read(path); });
+}
+
+CLI::Option* writes(CLI::Option* option, Beside beside) {
+    return option->check(path_to_write())->each([beside](const std::string& path) {
+        run_files().will_write(path);
+        if (beside == nullptr || path == "-") return;
+        for (const std::string& each : beside(path)) run_files().will_write(each);
+    });
+}
+
+CLI::Option* draws(CLI::Option* option) {
+    const auto legal = [](const std::string& path) { return path.ends_with(".svg"); };
+    return writes(option->check(must_be("a file .svg", legal)), [](const std::string& path) {
+        return std::vector{std::filesystem::path{path}.replace_extension(".gnuplot").string()};
+    });
+}
+
+CLI::Option* fills(CLI::Option* option, const std::vector<std::string>& names) {
+    return option->check(path_to_write())->each([names](const std::string& folder) {
+        run_files().will_fill(folder);
+        for (const std::string& name : names)
+            run_files().will_write((std::filesystem::path{folder} / name).string());
+    });
 }
 
 void DirectionOptions::add_to(CLI::App& verb) {
-    verb.add_option("--theta-i", theta_i, "polar angle of the light [deg], 0 ... 90");
+    verb.add_option(theta_i_names, theta_i, "polar angle of the light [deg], 0 ... 90");
     verb.add_option("--theta-r", theta_r, "polar angle of the view [deg], 0 ... 90");
     verb.add_option("--phi", phi, "azimuth between light and view [deg]; mirror: 180");
     verb.add_option("--phi-i", phi_i, "azimuth of the light [deg], default 0");
@@ -102,16 +204,31 @@ spectral::DirectionPair DirectionOptions::pair() const {
     return {from_option("light", incident), from_option("view", reflected)};
 }
 
-void OutputOptions::add_to(CLI::App& verb) {
-    verb.add_option("--output,-o", path, "file to write, - for standard output; .json gives JSON")
-        ->check(path_to_write())
+void OutputOptions::add_to(CLI::App& verb, Beside beside) {
+    writes(verb.add_option("--output,-o", path, "file to write, - for standard output; .json gives JSON"),
+           beside)
         ->capture_default_str();
     verb.add_flag("--json", json, "write JSON instead of CSV");
 }
 
+void OutsideOption::add_to(CLI::App& verb) {
+    CLI::Option* outside = verb.add_option_function<std::string>(
+        "--outside",
+        [this](const std::string& text) {
+            policy = from_option("--outside", [&] { return spectral::outside_range_named(text); });
+        },
+        "beyond what is known of wavelengths and, of measured data,\ndirections: error (default), hold the "
+        "end "
+        "value, or zero");
+    one_of(outside, {"error", "hold", "zero"});
+    verb.add_flag_callback(
+            "--clamp", [this] { policy = spectral::OutsideRange::hold; }, "the same as --outside hold")
+        ->excludes(outside);
+}
+
 CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
-    verb.add_flag("--clamp", clamp, "outside the material's wavelength range use its end values");
-    return verb.add_option("--material,-m", path, "material file (JSON)");
+    outside.add_to(verb);
+    return reads(verb.add_option(material_names, path, "material file (JSON)"));
 }
 
 spectral::Material MaterialOptions::read() const {
@@ -119,6 +236,15 @@ spectral::Material MaterialOptions::read() const {
     for (const std::string& warning : material.warnings())
         std::cerr << "hts: " << path << ": " << warning << '\n';
     return material;
+}
+
+void require_spectrum(const spectral::Material& material) {
+    const auto& channels = material.properties().channels;
+    if (channels.empty()) return;
+    throw Error{
+        material.name() + ": holds the channel" + (channels.size() == 1 ? " " : "s ") +
+        spectral::joined(channels) +
+        ", which are no spectrum: must hold wavelengths (wavelengths_um in the material file if they are)"};
 }
 
 void require_rough_surface(const spectral::Material& material, const std::string& option) {

@@ -28,31 +28,42 @@ struct DirectionOptions {
     [[nodiscard]] spectral::DirectionPair pair() const;
 };
 
+/// The files that are written beside PATH.
+using Beside = std::vector<std::string> (*)(const std::string& path);
+
 /// --output and --json.
 struct OutputOptions {
     std::string path = "-";
     bool json = false;
 
+    void add_to(CLI::App& verb, Beside beside = nullptr);
+};
+
+/// --outside error, hold or zero, and --clamp, which is --outside hold.
+struct OutsideOption {
+    spectral::OutsideRange policy = spectral::OutsideRange::error;
+
     void add_to(CLI::App& verb);
 };
 
-/// --material and --clamp.
+/// --material and --outside.
 struct MaterialOptions {
     std::string path;
-    bool clamp = false;
+    OutsideOption outside{};
 
     /// The option of the file, for `required()`.
     CLI::Option* add_to(CLI::App& verb);
     /// Reads the file; what it warns of goes to standard error.
     [[nodiscard]] spectral::Material read() const;
-    [[nodiscard]] spectral::OutsideRange policy() const noexcept {
-        return clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
-    }
+    [[nodiscard]] spectral::OutsideRange policy() const noexcept { return outside.policy; }
     /// Evaluation as exact as it can be, by this policy outside the material's range.
     [[nodiscard]] spectral::EvaluationOptions evaluation() const {
         return {.tolerance = Tolerance{hts::accuracy::finest_tolerance}, .outside = policy()};
     }
 };
+
+/// hts::Error of materials that hold the channels of a colour in place of a spectrum; luminance alone passes for grey.
+void require_spectrum(const spectral::Material& material);
 
 /// UsageError that names `option` where it asks for what only rough surfaces, or only polarised models, can.
 void require_rough_surface(const spectral::Material& material, const std::string& option);
@@ -76,10 +87,41 @@ struct ToleranceOption {
 [[nodiscard]] CLI::Validator number_within(double first, double last);
 /// For `check` of seeds: any whole number of 64 bits.
 [[nodiscard]] CLI::Validator seed_number();
-/// For `check` of files and folders to write: no empty name.
-[[nodiscard]] CLI::Validator path_to_write();
-/// For `check` of pictures: a name that ends in .svg.
-[[nodiscard]] CLI::Validator svg_file();
+/// Only one of the names is taken; the nearest is said for others.
+CLI::Option* one_of(CLI::Option* option, std::vector<std::string> names);
+/// Names that shells complete to, beside files.
+CLI::Option* offers(CLI::Option* option, std::vector<std::string> names);
+/// What those two were given; none for other options.
+[[nodiscard]] const std::vector<std::string>& choices_of(const CLI::Option* option);
+
+/// A list with commas between its values, of one word or several.
+CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<double>& values,
+                        const std::string& description);
+CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<std::string>& values,
+                        const std::string& description);
+
+// One interface for all verbs: the first name is the one in the help text, the others are taken, too.
+
+inline constexpr auto material_names = "material,--material,-m";
+inline constexpr auto theta_i_names = "--theta-i,--theta";
+inline constexpr auto wavelength_names = "--wavelength,--wavelengths";
+inline constexpr auto wavelengths_names = "--wavelengths,--wavelength";
+/// How many pairs, samples or draws.
+inline constexpr auto count_names = "--count,--samples,--pairs";
+inline constexpr auto samples_names = "--samples,--pairs,--count";
+inline constexpr auto pairs_names = "--pairs,--samples,--count";
+
+// What the files of an option are to the run. The rule for all of them, spectral::RunFiles::check, is looked
+// at before any verb begins.
+
+/// Files that are read.
+CLI::Option* reads(CLI::Option* option);
+/// A file that is written, and others beside it.
+CLI::Option* writes(CLI::Option* option, Beside beside = nullptr);
+/// A picture PATH.svg, with its script PATH.gnuplot.
+CLI::Option* draws(CLI::Option* option);
+/// A folder that is filled, made where it is not there, and names of files that it gets.
+CLI::Option* fills(CLI::Option* option, const std::vector<std::string>& names = {});
 
 /// UsageError that names the option if a polar angle is not 0 ... 90 degrees.
 void require_angles(const std::string& option, const std::vector<double>& degrees);

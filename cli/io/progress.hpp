@@ -1,28 +1,34 @@
-/// A progress bar with the time left, on standard error when that is a terminal.
+/// The progress of a long job, drawn on standard error where that is a terminal: what is done, a bar, the share and
+/// the time left, on a line of its own that is gone before anything else is written.
 #pragma once
 
-#include <chrono>
+#include <cstddef>
+#include <memory>
 #include <string>
+
+#include "spectral/progress.hpp"
 
 namespace hts::cli {
 
-class Progress {
-  public:
-    Progress();
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+/// The line that is drawn, at most `columns` letters: "tracing [####    ] 52 %, 1 min 20 s left"; the time that has
+/// passed where nobody knows the share.
+///   seconds   since the job began
+[[nodiscard]] std::string progress_line(const spectral::JobState& state, double seconds, std::size_t columns);
 
-    ///   step    what is done, a word; each has its own bar
-    ///   share   0 ... 1 of it
-    void show(const std::string& step, double share);
+/// Draws for as long as it lives, from the second second of a job on.
+class ProgressWatcher {
+  public:
+    ProgressWatcher();
+    ~ProgressWatcher();
+    ProgressWatcher(const ProgressWatcher&) = delete;
+    ProgressWatcher& operator=(const ProgressWatcher&) = delete;
 
   private:
-    using Clock = std::chrono::steady_clock;
-    bool terminal_, drawn_ = false;
-    std::string step_;
-    double first_share_ = 0;
-    Clock::time_point started_{}, last_{};
+    struct Drawing;
+    std::unique_ptr<Drawing> drawing_;  // none where standard error is no terminal
 };
+
+/// Erases what is drawn. Safe to call from a signal handler.
+void erase_progress() noexcept;
 
 }  // namespace hts::cli

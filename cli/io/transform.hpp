@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iostream>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ using spectral::CsvReader;
 using spectral::CsvRow;
 
 /// Turns every input row into `each` output rows: the input's cells and what `append` adds. Works on a chunk
-/// at a time, so memory does not grow with the table; the output is the same for any number of threads.
+/// at a time, so memory does not grow with the table; the output is the same for any number of threads. An unusual way of
+/// writing the input goes to standard error.
 template <class Value>
 class Transform {
   public:
@@ -31,6 +33,8 @@ class Transform {
     ///   append     (TableWriter::Row&, const Value&)
     template <class Evaluate, class Append>
     Summary run(const Evaluate& evaluate, const Append& append) {
+        if (const std::string dialect = input_.dialect_in_words(); !dialect.empty())
+            std::cerr << "hts: " << input_.where_header() << dialect << '\n';
         const std::size_t rows = std::max<std::size_t>(1, values_per_chunk / each_);
         std::size_t count = 0;
         for (auto chunk = input_.read(rows); !chunk.empty(); chunk = input_.read(rows)) {

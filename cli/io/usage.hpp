@@ -14,6 +14,12 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The work is done and its outputs stand, but a check of theirs failed: exit code 1.
+class CheckFailed : public Error {
+  public:
+    using Error::Error;
+};
+
 /// What `make` returns; the hts::Error that it throws becomes a UsageError that names the option.
 template <class Make>
 auto from_option(const std::string& option, Make&& make) {

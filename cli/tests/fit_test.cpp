@@ -1,6 +1,7 @@
 // hts fit: fits by the command, the files they leave, and what it refuses.
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -136,4 +137,17 @@ TEST_CASE("hts fit refuses what cannot be fitted, and leaves no file") {
     refused("curet-sandpaper --most-points 3", 1, "free parameters: must be more");
     refused("curet-sandpaper --largest-theta 1", 1, "no point");
     refused("--all-models '" HTS_SOURCE_DIR "/cli/tests'", 1, "cli/tests: no curve sets (*.json)");
+}
+
+TEST_CASE("a fitted material leads back to its index from another folder") {
+    const Workplace place;
+    std::filesystem::create_directories(place.folder() / "out");
+    place.file("metal.csv", "wavelength_um,n,k\n2,2,20\n6,6,50\n");
+    const auto fitted = place.hts(
+        R"(fit mwir-aluminium-sandblasted --model he --index '{"file": "metal.csv"}' --most-points 60 --rings 0 --starts 1 --output out/m.json)");
+    INFO(fitted.errors);
+    REQUIRE(fitted.exit_code == 0);
+    CHECK(place.read("out/m.json").find("\"../metal.csv\"") != std::string::npos);
+    CHECK(place.hts("eval --material out/m.json --wavelength 4 --theta-i 30 --theta-r 30 --phi 180")
+              .exit_code == 0);
 }

@@ -104,9 +104,38 @@ TEST_CASE("table: check, info and lookup of what was built") {
         CHECK(result.exit_code == 1);
         return result.errors;
     };
-    CHECK_THAT(refusal("0.55,30,0,40,180"),
-               Catch::Contains("bad.csv:2: wavelength 0.55 um: must be one of the 2"));
+    CHECK_THAT(refusal("0.61,30,0,40,180"),
+               Catch::Contains(
+                   "bad.csv:2: wavelength 0.61 um: must be within those of the table, from 0.5 to 0.6 um"));
     CHECK_THAT(refusal("0.5,89,0,40,180"), Catch::Contains("must be at most 88 deg"));
+}
+
+TEST_CASE("table lookup interpolates between wavelengths, and check measures that") {
+    const Workplace place;
+    place.file("al.json", material);
+    REQUIRE(
+        place.hts("table build --material al.json --wavelengths 0.5:0.6:3 --tolerance 0.05 --output m.htst")
+            .exit_code == 0);
+    place.file(
+        "between.csv",
+        "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n0.5244,30,0,40,180\n0.53,60,10,50,190\n");
+    const Result found = place.hts("table lookup m.htst --points between.csv");
+    INFO(found.errors);
+    REQUIRE(found.exit_code == 0);
+    CHECK_THAT(found.errors,
+               Catch::Contains("2 values between its wavelengths: hts table check measures their error"));
+    const Result checked = place.hts("table check m.htst --samples 5000");
+    INFO(checked.errors);
+    REQUIRE(checked.exit_code == 0);
+    const auto report = cells(checked.output);
+    REQUIRE(report[0].back() == "between_largest");
+    const double largest = std::stod(report[1].back());
+    CHECK(largest > 0);
+    CHECK(largest < 0.1);
+    const auto values = cells(found.output),
+               exact = cells(place.hts("eval --material al.json --points between.csv").output);
+    for (std::size_t row = 1; row < 3; ++row)
+        CHECK(std::stod(values[row][7]) == Approx(std::stod(exact[row][7])).epsilon(largest));
 }
 
 TEST_CASE("table: bad input") {

@@ -172,12 +172,10 @@ void add_albedo(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("albedo", "directional-hemispherical reflectance, split by term");
     auto options = std::make_shared<AlbedoOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
-    verb->add_option("--theta-i", options->theta_i,
-                     "angles of incidence [deg], 0 ... 90, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
+    comma_list(*verb, theta_i_names, options->theta_i,
+               "angles of incidence [deg], 0 ... 90, separated by commas");
     verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
         ->capture_default_str();
     verb->add_option("--steepest", options->steepest, "up to where the total must stay <= 1 [deg], 0 ... 90")

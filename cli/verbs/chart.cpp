@@ -1,7 +1,5 @@
 // hts chart: speed against accuracy of every way to compute Phi, measured here and drawn.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -11,11 +9,11 @@
 #include "bench/charts/chart_tables.hpp"
 #include "cli/answers/model_chart.hpp"
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "spectral/output/gnuplot.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::cli {
 namespace {
@@ -51,10 +49,13 @@ struct ChartOptions {
     std::uint64_t seed = 1;
 };
 
-/// A line on standard error per step, if a person watches.
-bench::ChartProgress progress() {
-    if (::isatty(STDERR_FILENO) == 0) return [](const std::string&) {};
-    return [](const std::string& step) { std::cerr << "hts: " << step << '\n'; };
+/// Each step by its name; those before it are done.
+bench::ChartProgress progress(std::size_t steps) {
+    return [job = std::make_shared<spectral::Job>("", steps),
+            done = std::size_t{0}](const std::string& step) mutable {
+        job->set_step(step);
+        job->set_done(done++);
+    };
 }
 
 /// The picture and what stands beside it.
@@ -68,15 +69,14 @@ void write_chart(const fs::path& path, const bench::ChartTable& table, const std
 
 void run(const ChartOptions& options) {
     const fs::path folder{options.folder};
-    make_folder(folder);
     if (options.models) {
-        const ModelChart chart = measured_models(options.quick, options.seed, progress());
+        const ModelChart chart = measured_models(options.quick, options.seed, progress(model_chart_steps()));
         std::cout << write_figure(folder, model_figure(chart), true).string() << '\n';
         return;
     }
     const auto settings =
         options.quick ? bench::ChartSettings::quick(options.seed) : bench::ChartSettings::full(options.seed);
-    const bench::ChartData data = bench::measured_charts(settings, progress());
+    const bench::ChartData data = bench::measured_charts(settings, progress(bench::chart_steps));
     write_chart(folder / "error-against-time.svg", bench::accuracy_table(data),
                 bench::error_time_script(data));
     write_chart(folder / "error-maps.svg", bench::map_table(data), bench::error_map_script(data));
@@ -89,9 +89,7 @@ void add_chart(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("chart", "speed against accuracy of every method, SVG by gnuplot");
     auto options = std::make_shared<ChartOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for pictures and tables")
-        ->required()
-        ->check(path_to_write());
+    fills(verb->add_option("-o,--output", options->folder, "folder for pictures and tables"))->required();
     verb->add_flag("--quick", options->quick, "fewer points, in less than a minute");
     verb->add_flag("--models", options->models, "instead: every model, fitted to He-Torrance");
     verb->add_option("--seed", options->seed, "of the random points")

@@ -6,7 +6,6 @@
 
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
@@ -54,7 +53,6 @@ void write_report_table(Output& output, Format format, const ReportTable& report
 }
 
 void draw_section(const Section& section, const std::filesystem::path& folder, bool json) {
-    make_folder(folder);
     for (const ReportTable& table : section.tables) {
         Output output{(folder / (table.stem + ".csv")).string()};
         write_report_table(output, Format::csv, table);
@@ -103,7 +101,7 @@ void run(const CompareOptions& options) {
         passed = passed && check.passed;
     }
     if (!options.folder.empty()) draw_section(section, options.folder, options.json);
-    if (!passed) throw Error{set.surface + ": the model does not meet the criteria"};
+    if (!passed) throw CheckFailed{set.surface + ": the model does not meet the criteria"};
 }
 
 }  // namespace
@@ -112,11 +110,13 @@ void add_compare(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("compare", "a model beside measured curves: figures of merit, plots");
     auto options = std::make_shared<CompareOptions>();
-    verb->add_option("curves", options->curves, "curve set (JSON), or the name of one in hts curves list")
+    offers(reads(verb->add_option("curves", options->curves,
+                                  "curve set (JSON), or the name of one in hts curves list")),
+           validation::built_in_curve_names())
         ->required();
     options->material.add_to(*verb)->required();
-    verb->add_option("-o,--output", options->folder, "folder for plots, numbers and tables (needs gnuplot)")
-        ->check(path_to_write());
+    fills(verb->add_option("-o,--output", options->folder,
+                           "folder for plots, numbers and tables (needs gnuplot)"));
     options->instrument.add_to(*verb);
     verb->add_option("--scale", options->scale,
                      "factor on the model, in place of the one that hts fit wrote beside the material")
@@ -124,7 +124,7 @@ void add_compare(CLI::App& program) {
     verb->add_option("--band-nodes", options->wavelengths, "wavelengths per band, 1 ... 64")
         ->check(whole_number(1, 64))
         ->capture_default_str();
-    verb->add_option("--cone-rings", options->rings, "rings of nodes per cone, 0 ... 8")
+    verb->add_option("--rings,--cone-rings", options->rings, "rings of nodes per cone, 0 ... 8")
         ->check(whole_number(0, 8))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "figures of merit as JSON");

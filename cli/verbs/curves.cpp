@@ -105,15 +105,15 @@ void run_show(const ShowOptions& options) {
 void add_import(CLI::App& curves) {
     CLI::App* verb = curves.add_subcommand("import", "write a curve set from another program's file");
     auto options = std::make_shared<ImportOptions>();
-    verb->add_option("file", options->file, "CSV, FRED, ASTM or pixels of a figure")->required();
-    verb->add_option("--recipe", options->recipe, "what the file itself does not say (JSON)")->required();
+    reads(verb->add_option("file", options->file, "CSV, FRED, ASTM or pixels of a figure"))->required();
+    reads(verb->add_option("--recipe", options->recipe, "what the file itself does not say (JSON)"))
+        ->required();
     verb->add_option("--surface", options->surface, "what was measured, where the recipe leaves it open");
     verb->add_option("--every", options->every,
                      "thin out: one point of so many, in place of the recipe's number")
         ->check(whole_number(1, 1000));
     options->instrument.add_to(*verb);
-    verb->add_option("-o,--output", options->output, "curve set (JSON), - for standard output")
-        ->check(path_to_write())
+    writes(verb->add_option("-o,--output", options->output, "curve set (JSON), - for standard output"))
         ->capture_default_str();
     verb->callback([options] { run_import(*options); });
 }
@@ -131,7 +131,9 @@ void add_curves(CLI::App& program) {
     list->callback([list_options] { run_list(*list_options); });
     CLI::App* show = verb->add_subcommand("show", "the points of a curve set");
     auto show_options = std::make_shared<ShowOptions>();
-    show->add_option("set", show_options->set, "name of the list, or a file")->required();
+    offers(reads(show->add_option("set", show_options->set, "name of the list, or a file")),
+           validation::built_in_curve_names())
+        ->required();
     show_options->output.add_to(*show);
     show->callback([show_options] { run_show(*show_options); });
 }

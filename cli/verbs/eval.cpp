@@ -16,7 +16,8 @@ namespace hts::cli {
 namespace {
 
 constexpr auto eval_help = R"(
-Points are CSV with the columns wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
+Points are CSV (semicolons, tabs or blanks between fields and decimal commas are read too)
+with the columns wavelength_um (or wavelength_nm), theta_i_deg, phi_i_deg, theta_r_deg,
 phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
 albedo, which go before the material's (model he alone). Without wavelength_um every row
 is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
@@ -124,10 +125,11 @@ CsvReader points_of(const EvalOptions& options) {
 }
 
 void evaluate_as_planned(const EvalOptions& options) {
-    if (wavelengths(options) || options.random_pairs || options.detail || options.material.clamp ||
-        options.compensate || !options.polarisation.empty() || options.tolerance.value) {
+    if (wavelengths(options) || options.random_pairs || options.detail ||
+        options.material.policy() != spectral::OutsideRange::error || options.compensate ||
+        !options.polarisation.empty() || options.tolerance.value) {
         throw UsageError{
-            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --clamp, "
+            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --outside, "
             "--compensate-energy, --polarisation, --tolerance"};
     }
     CsvReader points = points_of(options);
@@ -219,10 +221,10 @@ void add_eval(CLI::App& program) {
         program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
     auto options = std::make_shared<EvalOptions>();
     options->material.add_to(*verb);
-    verb->add_option("--plan", options->plan, "plan file of hts plan");
+    reads(verb->add_option("--plan", options->plan, "plan file of hts plan"));
     verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
-    verb->add_option("--points", options->points, "CSV file of points, - for standard input");
+    reads(verb->add_option("--points", options->points, "CSV file of points, - for standard input"));
     options->directions.add_to(*verb);
     options->output.add_to(*verb);
     verb->add_flag("--mueller", options->mueller,
@@ -241,7 +243,7 @@ void add_eval(CLI::App& program) {
         "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
         "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
     options->tolerance.add_to(*verb);
-    verb->add_option("--random-pairs", options->random_pairs,
+    verb->add_option("--random-pairs,--pairs,--samples,--count", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
                      "the BRDF at all wavelengths in one call; prints mean and speed")
         ->check(whole_number(1, 1'000'000'000));

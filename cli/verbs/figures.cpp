@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
@@ -55,7 +54,6 @@ struct FiguresOptions {
 
 void run(const FiguresOptions& options) {
     const std::filesystem::path folder{options.folder};
-    make_folder(folder);
     const auto* const of_paper = std::find_if(
         papers.begin(), papers.end(), [&](const PaperFigures& each) { return options.paper == each.paper; });
     for (const validation::Figure& figure : of_paper->make()) {
@@ -70,10 +68,8 @@ void add_figures(CLI::App& program) {
     auto options = std::make_shared<FiguresOptions>();
     std::vector<std::string> names;
     for (const PaperFigures& each : papers) names.emplace_back(each.paper);
-    verb->add_option("paper", options->paper, "whose figures")->required()->check(CLI::IsMember(names));
-    verb->add_option("-o,--output", options->folder, "folder for pictures and numbers")
-        ->required()
-        ->check(path_to_write());
+    one_of(verb->add_option("paper", options->paper, "whose figures"), names)->required();
+    fills(verb->add_option("-o,--output", options->folder, "folder for pictures and numbers"))->required();
     verb->add_flag("--json", options->json, "the numbers as JSON too");
     verb->footer(figures_help);
     verb->callback([options] { run(*options); });

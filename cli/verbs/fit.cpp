@@ -8,11 +8,13 @@
 #include "cli/answers/fit_report.hpp"
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/options.hpp"
-#include "cli/io/progress.hpp"
+#include "cli/io/references.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_findings.hpp"
 #include "validation/fit/fit_table.hpp"
@@ -49,7 +51,8 @@ struct FitOptions {
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
-    bool all_models = false, json = false, clamp = false, conserve_energy = false;
+    bool all_models = false, json = false, conserve_energy = false;
+    OutsideOption outside{};
     InstrumentOptions instrument;
 };
 
@@ -73,15 +76,12 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
         if (text == name(c)) return c;
         names.emplace_back(name(c));
     }
-    throw UsageError{option + ": " + spectral::in_quotes(text) + ": must be one of " +
-                     spectral::joined(names)};
+    throw UsageError{option + ": " + spectral::in_quotes(text) + ": " +
+                     spectral::must_be_one_of(text, names)};
 }
 
 validation::FitSelection selection(const FitOptions& options) {
-    return {options.largest_theta,
-            options.most_points,
-            {4, options.nodes},
-            options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error};
+    return {options.largest_theta, options.most_points, {4, options.nodes}, options.outside.policy};
 }
 
 validation::Residual residual(const FitOptions& options) {
@@ -117,9 +117,6 @@ FitRequest request(const FitOptions& options, const CurveSet& set) {
         }
     }
     for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
-    result.progress = [bar = std::make_shared<Progress>()](std::size_t done, std::size_t all) {
-        bar->show("fitting", static_cast<double>(done) / static_cast<double>(all));
-    };
     return result;
 }
 
@@ -151,7 +148,7 @@ void fit_one(const FitOptions& options) {
     const Fit fit = from_request(
         [&] { return validation::fitted(asked, sets, selection(options), {.other_ways = true}); });
     if (!options.output.empty()) {
-        write_file(options.output, material_file(fit));
+        write_file(options.output, material_for(options.output, material_file(fit)));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
             std::cerr << "hts: " << options.output << " holds the factor scale = " << shortest(scale)
                       << " for hts compare alone: a material cannot hold it\n";
@@ -187,18 +184,13 @@ void fit_all_models(const FitOptions& options) {
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
                        "l2_cosine", "aic", "bic"}};
-    Progress bar;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i];
+    const spectral::Job job{"", names.size()};
+    for (const std::string& name : names) {
         const CurveSet set = options.instrument.of(curves_from_argument(name));
         const auto fits = from_request([&] {
             return validation::fits_of(
                 validation::compared_models(), set,
-                {residual(options), selection(options), json_of(options.index), options.followed_starts,
-                 [&](double share) {
-                     bar.show("fitting all models",
-                              (static_cast<double>(i) + share) / static_cast<double>(names.size()));
-                 }});
+                {residual(options), selection(options), json_of(options.index), options.followed_starts});
         });
         std::string text;
         for (const Fit& fit : fits) {
@@ -211,6 +203,7 @@ void fit_all_models(const FitOptions& options) {
             row.end();
         }
         table.add(text);
+        job.done();
     }
     table.finish();
     output.commit();
@@ -227,9 +220,11 @@ void add_fit(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
-    verb->add_option("curves", options->curves,
-                     "curve set: a file or a name of hts curves list; more of the same surface, as its "
-                     "hemispherical reflectance; with --all-models of any, or folders")
+    offers(reads(verb->add_option(
+               "curves", options->curves,
+               "curve set: a file or a name of hts curves list; more of the same surface, as its "
+               "hemispherical reflectance; with --all-models of any, or folders")),
+           validation::built_in_curve_names())
         ->required();
     std::vector<CLI::Option*> of_one{
         verb->add_option("--model", options->model,
@@ -239,8 +234,8 @@ void add_fit(CLI::App& program) {
             ->check(whole_number(1, 3))
             ->capture_default_str(),
         verb->add_option("--fix", options->fixed, "hold a parameter: name=value, index=Al, sigma0=measured"),
-        verb->add_option("--free", options->freed, "parameters to fit that are held otherwise: scale, k, my")
-            ->delimiter(','),
+        comma_list(*verb, "--free", options->freed,
+                   "parameters to fit that are held otherwise: scale, k, my"),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
         verb->add_flag("--conserve-energy", options->conserve_energy,
                        "hold what the material reflects at all of the light at most"),
@@ -248,13 +243,12 @@ void add_fit(CLI::App& program) {
         verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
             ->check(number_within(1e-9, 1e9))
             ->capture_default_str(),
-        verb->add_option("--report", options->report, "everything about the fit (JSON)")
-            ->check(path_to_write())};
+        writes(verb->add_option("--report", options->report, "everything about the fit (JSON)"))};
     verb->add_option("--index", options->index,
                      "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
         ->capture_default_str();
-    verb->add_flag("--clamp", options->clamp, "outside the index's wavelength range use its end values");
+    options->outside.add_to(*verb);
     options->instrument.add_to(*verb);
     verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg], 0 ... 90")
         ->check(number_within(0, 90))
@@ -271,8 +265,7 @@ void add_fit(CLI::App& program) {
         ->capture_default_str();
     auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
     for (CLI::Option* option : of_one) all->excludes(option);
-    verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table")
-        ->check(path_to_write());
+    writes(verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table"));
     verb->add_flag("--json", options->json, "print JSON");
     verb->footer(fit_help);
     verb->callback([options] { run(*options); });

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cli/answers/furnace_script.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/verbs/verbs.hpp"
@@ -136,7 +135,6 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
 
 void run(const FurnaceOptions& options) {
     const fs::path folder{options.folder};
-    make_folder(folder);
     output::require_gnuplot((folder / "furnace.svg").string());
     const FurnaceGrid grid = furnace_grid(options.quick);
     const auto points = furnace_map(grid, options.compensate);
@@ -156,9 +154,9 @@ void add_furnace(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("furnace", "map of the energy the model gains and loses, SVG by gnuplot");
     auto options = std::make_shared<FurnaceOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for the map and its table")
-        ->required()
-        ->check(path_to_write());
+    fills(verb->add_option("-o,--output", options->folder, "folder for the map and its table"),
+          {"furnace.csv", "furnace.json", "furnace.svg", "furnace.gnuplot"})
+        ->required();
     verb->add_flag("--quick", options->quick, "a coarser map");
     verb->add_flag("--compensate-energy", options->compensate, "map the optional energy compensation, too");
     verb->footer(furnace_help);

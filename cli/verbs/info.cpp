@@ -27,12 +27,12 @@ Text by default; --json or an output .json give all of it, an output .csv a row 
 
 Examples:
   hts info cli/data/rough-aluminium.json
-  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta 0,45,75 --output info.csv)";
+  hts info cli/data/rough-aluminium.json --wavelengths 0.5,2 --theta-i 0,45,75 --output info.csv)";
 
 struct InfoOptions {
     std::string material, wavelengths = "0.38:0.78:9";
     std::vector<double> theta{0, 15, 30, 45, 60, 75};
-    bool clamp = false;
+    OutsideOption outside;
     OutputOptions output;
 };
 
@@ -52,9 +52,10 @@ void report(const OutputOptions& options, const Info& info) {
 
 void run(const InfoOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
-    require_angles("--theta", options.theta);
-    const auto policy = options.clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+    require_angles("--theta-i", options.theta);
+    const auto policy = options.outside.policy;
     const auto material = spectral::read_material(options.material, tables::models_with_files());
+    require_spectrum(material);
     static_cast<void>(reflectance_from_option("--wavelengths", material, grid, {.outside = policy}));
     if (material.properties().surface) {
         report(options.output, MaterialInfo{material, grid, options.theta, policy});
@@ -69,13 +70,12 @@ void add_info(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("info", "a material's regime and where the model is valid for it");
     auto options = std::make_shared<InfoOptions>();
-    verb->add_option("material", options->material, "material file (JSON)")->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    reads(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
-    verb->add_option("--theta", options->theta, "angles of incidence [deg], 0 ... 90, separated by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
+    comma_list(*verb, theta_i_names, options->theta,
+               "angles of incidence [deg], 0 ... 90, separated by commas");
+    options->outside.add_to(*verb);
     options->output.add_to(*verb);
     verb->get_option("--json")->description("write JSON instead of text");
     verb->footer(info_help);

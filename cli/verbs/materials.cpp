@@ -33,7 +33,7 @@ Examples:
 
 struct MaterialsOptions {
     std::string name, wavelengths;
-    bool clamp = false;
+    OutsideOption outside;
     OutputOptions output;
 };
 
@@ -85,8 +85,7 @@ spectral::WavelengthGrid sample_grid(const OpticalConstants& material) {
 }
 
 void sample(TableWriter& table, const OpticalConstants& material, const spectral::WavelengthGrid& grid,
-            bool clamp) {
-    const auto policy = clamp ? spectral::OutsideRange::clamp : spectral::OutsideRange::error;
+            spectral::OutsideRange policy) {
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const RefractiveIndex index = material.index(grid[i], policy);
         std::string text;
@@ -102,6 +101,7 @@ void sample(TableWriter& table, const OpticalConstants& material, const spectral
 
 void describe(Output& output, Format format, const MaterialsOptions& options) {
     const OpticalConstants material = material_of(options.name);
+    for (const std::string& warning : material.warnings()) std::cerr << "hts: " << warning << '\n';
     const auto grid =
         options.wavelengths.empty() ? sample_grid(material) : wavelengths_from_option(options.wavelengths);
     const std::string shortest_um = shortest(material.range().shortest);
@@ -112,7 +112,7 @@ void describe(Output& output, Format format, const MaterialsOptions& options) {
                      ",\n \"longest_um\": " + longest_um + ",\n \"index\": ");
     }
     TableWriter table{output, format, {"wavelength_um", "n", "k"}};
-    sample(table, material, grid, options.clamp);
+    sample(table, material, grid, options.outside.policy);
     if (format == Format::json) {
         output.write("}\n");
     } else {
@@ -139,9 +139,10 @@ void add_materials(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("materials", "optical constants: list, or source, range and n, k of one");
     auto options = std::make_shared<MaterialsOptions>();
-    auto* name = verb->add_option("name", options->name, "built-in name or file");
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
-    verb->add_flag("--clamp", options->clamp, "outside the range use the end values");
+    auto* name = offers(reads(verb->add_option("name", options->name, "built-in name or file")),
+                        spectral::optical_constants_names());
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
+    options->outside.add_to(*verb);
     options->output.add_to(*verb);
     verb->footer(materials_help);
     verb->callback([options] { run(*options); });

@@ -73,7 +73,7 @@ void run(const PhiOptions& options) {
 void add_phi(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("phi", "the roughness function Phi(g, t)");
     auto options = std::make_shared<PhiOptions>();
-    verb->add_option("--points", options->points, "CSV file with columns g,t; - for standard input");
+    reads(verb->add_option("--points", options->points, "CSV file with columns g,t; - for standard input"));
     verb->add_option("--g", options->g, "phase variance, 0 ... 1e300");
     verb->add_option("--t", options->t, "lobe argument v_xy^2 tau^2 / 4, >= 0");
     options->output.add_to(*verb);

@@ -239,8 +239,8 @@ void check_plan(const PlanOptions& options) {
     write_check(plan, errors, options.json);
     for (std::size_t i = 0; i < errors.size(); ++i) {
         if (errors[i].worst <= plan.tolerance) continue;
-        throw Error{options.check + ": " + plan.materials[i].name + ": error " + shortest(errors[i].worst) +
-                    ": must be <= " + shortest(plan.tolerance)};
+        throw CheckFailed{options.check + ": " + plan.materials[i].name + ": error " +
+                          shortest(errors[i].worst) + ": must be <= " + shortest(plan.tolerance)};
     }
 }
 
@@ -263,13 +263,13 @@ void add_plan(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("plan", "the cheapest evaluators that a scene's tolerance allows");
     auto options = std::make_shared<PlanOptions>();
-    verb->add_option("scene", options->scene, "scene file (JSON)");
-    verb->add_option("--output,-o", options->output, "plan file to write (JSON)")->check(path_to_write());
+    reads(verb->add_option("scene", options->scene, "scene file (JSON)"));
+    writes(verb->add_option("--output,-o", options->output, "plan file to write (JSON)"));
     verb->add_option("--tolerance", options->tolerance, "instead of the scene's, in its measure");
-    verb->add_option("--check", options->check, "plan file to measure again");
+    reads(verb->add_option("--check", options->check, "plan file to measure again"));
     verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
         ->check(whole_number(0, std::uint64_t{1} << 53));
-    verb->add_option("--pairs", options->pairs, "random pairs of directions, default 8192")
+    verb->add_option(pairs_names, options->pairs, "random pairs of directions, default 8192")
         ->check(whole_number(1, 10'000'000));
     verb->add_flag("--tables", options->tables,
                    "try a lookup table for each material, some seconds to minutes; those that are\n"

@@ -11,6 +11,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "spectral/output/gnuplot.hpp"
+#include "spectral/output/script.hpp"
 #include "validation/papers/polar_script.hpp"
 
 namespace hts::cli {
@@ -127,7 +128,8 @@ void write(const PolarOptions& options, const spectral::Reflectance& reflectance
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
     write_table(data.string(), Format::csv, drawn);
     output::draw(options.output.path,
-                 polar_script(drawn, style(options, reflectance.name(), data.filename().string())));
+                 polar_script(drawn, style(options, reflectance.name(),
+                                           output::gnuplot_file(data.filename().string()))));
 }
 
 void run(const PolarOptions& options) {
@@ -151,17 +153,21 @@ void add_polar(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("polar", "polar plot in the plane of incidence, SVG by gnuplot");
     auto options = std::make_shared<PolarOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelength", options->wavelength, "wavelength [um]")->required();
-    verb->add_option("--theta-i", options->theta_i,
-                     "angles of incidence [deg], 0 ... 90, separated by commas")
-        ->required()
-        ->delimiter(',');
+    verb->add_option(wavelength_names, options->wavelength, "wavelength [um]")->required();
+    comma_list(*verb, theta_i_names, options->theta_i,
+               "angles of incidence [deg], 0 ... 90, separated by commas")
+        ->required();
     verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg], for anisotropic materials")
         ->capture_default_str();
     verb->add_option("--solid-angle", options->solid_angle, "of source and receiver [sr], > 0 ... 1");
     verb->add_flag("--absolute", options->absolute, "radius: the BRDF itself");
     verb->add_flag("--log", options->logarithmic, "logarithmic radius, four decades");
-    options->output.add_to(*verb);
+    options->output.add_to(*verb, [](const std::string& path) -> std::vector<std::string> {
+        const std::filesystem::path picture{path};
+        if (picture.extension() != ".svg") return {};
+        return {std::filesystem::path{path}.replace_extension(".csv"),
+                std::filesystem::path{path}.replace_extension(".gnuplot")};
+    });
     verb->footer(polar_help);
     verb->callback([options] { run(*options); });
 }

@@ -8,9 +8,9 @@
 
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/progress.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "spectral/progress.hpp"
 #include "validation/pictures/gallery.hpp"
 #include "validation/pictures/picture.hpp"
 
@@ -44,6 +44,8 @@ struct RenderOptions {
     bool path_trace = false;
 };
 
+constexpr std::size_t share_parts = 10'000;  // of a picture, as progress counts
+
 /// One panel with a material of the user's.
 struct ShapeScene {
     const char* name;
@@ -70,9 +72,12 @@ Gallery chosen(const RenderOptions& options) {
     }
     if (options.material.path.empty()) throw UsageError{options.scene + ": --material is missing"};
     const auto material = options.material.read();
-    static_cast<void>(reflectance_from_option("hts render", material, validation::picture_wavelengths(),
-                                              {.outside = options.material.policy()}));
-    Scene scene = shape->of(validation::Appearance{material});
+    require_spectrum(material);
+    const auto policy = options.material.policy();
+    const auto known = reflectance_from_option("hts render", material, validation::picture_wavelengths(),
+                                               {.outside = policy});
+    if (known.properties().partial) static_cast<void>(known.sampler(0));  // refuses data that end too soon
+    Scene scene = shape->of(validation::Appearance{material, policy});
     for (auto& object : scene.objects) object.turn = options.turn * std::numbers::pi / 180;
     return {options.scene, material.name(), 1, 1, [scene] { return std::vector{scene}; }};
 }
@@ -86,8 +91,9 @@ void run(const RenderOptions& options) {
     settings.samples = static_cast<std::uint32_t>(options.samples);
     settings.path_trace = options.path_trace;
     auto picture = validation::picture_of(
-        chosen(options), settings,
-        [bar = std::make_shared<Progress>()](double share) { bar->show("rendering", share); });
+        chosen(options), settings, [job = std::make_shared<spectral::Job>("", share_parts)](double share) {
+            job->set_done(static_cast<std::size_t>(share * share_parts));
+        });
     for (auto& pixel : picture.pixels) pixel = options.exposure * pixel;
     write_file(options.output, validation::png(picture));
 }
@@ -105,8 +111,8 @@ void add_render(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("render", "pictures of the papers' scenes and of any material, PNG");
     auto options = std::make_shared<RenderOptions>();
-    verb->add_option("scene", options->scene, "which")->required()->check(CLI::IsMember(scene_names()));
-    verb->add_option("-o,--output", options->output, "picture, a .png file")->required();
+    one_of(verb->add_option("scene", options->scene, "which"), scene_names())->required();
+    writes(verb->add_option("-o,--output", options->output, "picture, a .png file"))->required();
     options->material.add_to(*verb);
     verb->add_option("--turn", options->turn, "of the material's x axis on a shape [deg], -360 ... 360")
         ->check(number_within(-360, 360))
@@ -114,7 +120,7 @@ void add_render(CLI::App& program) {
     verb->add_option("--size", options->size, "width of the picture, 16 ... 4096")
         ->capture_default_str()
         ->check(whole_number(16, 4096));
-    verb->add_option("--samples", options->samples, "rays or paths per pixel, 1 ... 65536")
+    verb->add_option("--samples,--count", options->samples, "rays or paths per pixel, 1 ... 65536")
         ->capture_default_str()
         ->check(whole_number(1, 65536));
     verb->add_option("--exposure", options->exposure, "factor of brightness, 0.001 ... 1000")

@@ -15,6 +15,7 @@
 #include "hts/sampling/random.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/output/script.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::cli {
 namespace {
@@ -99,7 +100,9 @@ void run(const SampleOptions& options) {
     output::Rows points;
     const Vector3 light = in.vector();
     points.push_back({light.x, light.y, 4});
+    const spectral::Job job{"", options.count};
     for (std::uint64_t i = 0; i < options.count; ++i) {
+        job.done();
         const Draw drawn = prepared.sample(in, random.uniforms());
         const Degrees out = degrees(drawn.out);
         std::string text;
@@ -133,18 +136,17 @@ void add_sample(CLI::App& program) {
         program.add_subcommand("sample", "directions drawn as a material reflects, with density and weight");
     auto options = std::make_shared<SampleOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelength", options->wavelength, "wavelength [um]")->required();
-    verb->add_option("--theta-i", options->theta_i, "polar angle of the light [deg], 0 ... 90")->required();
+    verb->add_option(wavelength_names, options->wavelength, "wavelength [um]")->required();
+    verb->add_option(theta_i_names, options->theta_i, "polar angle of the light [deg], 0 ... 90")->required();
     verb->add_option("--phi-i", options->phi_i, "azimuth of the light [deg]")->capture_default_str();
-    verb->add_option("--count", options->count, "number of draws, 1 ... 1000000000")
+    verb->add_option(count_names, options->count, "number of draws, 1 ... 1000000000")
         ->check(whole_number(1, 1'000'000'000))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of the random numbers")
         ->check(seed_number())
         ->capture_default_str();
     options->output.add_to(*verb);
-    verb->add_option("--plot", options->plot, "draw the directions as SVG (needs gnuplot)")
-        ->check(svg_file());
+    draws(verb->add_option("--plot", options->plot, "draw the directions as SVG (needs gnuplot)"));
     verb->footer(sample_help);
     verb->callback([options] { run(*options); });
 }

@@ -114,6 +114,7 @@ void run(const SpectrumOptions& options) {
     const auto pair = options.directions.pair();
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto material = options.material.read();
+    require_spectrum(material);
     if (!options.plot.empty()) output::require_gnuplot(options.plot);
     const auto reflectance = reflectance_of(options, material, grid);
     const auto spectrum = spectrum_of(reflectance, pair);
@@ -143,7 +144,7 @@ void add_spectrum(CLI::App& program) {
     auto options = std::make_shared<SpectrumOptions>();
     options->material.add_to(*verb)->required();
     options->directions.add_to(*verb);
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--illuminant", options->illuminant, "D65 (default) or E");
     verb->add_flag(
@@ -152,7 +153,7 @@ void add_spectrum(CLI::App& program) {
         "50 ms for each wavelength");
     options->tolerance.add_to(*verb);
     options->output.add_to(*verb);
-    verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)")->check(svg_file());
+    draws(verb->add_option("--plot", options->plot, "draw the spectrum as SVG (needs gnuplot)"));
     verb->footer(spectrum_help);
     verb->callback([options] { run(*options); });
 }

@@ -6,9 +6,9 @@
 
 #include "bench/stability/stability.hpp"
 #include "bench/stability/stability_report.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 
@@ -70,7 +70,6 @@ void write_folder(const fs::path& folder, const Results& results) {
 }
 
 void run(const StabilityOptions& options) {
-    if (!options.folder.empty()) make_folder(options.folder);
     const Results results = bench::stability_suite();
     if (options.json) {
         write_json(results);
@@ -78,7 +77,8 @@ void run(const StabilityOptions& options) {
         write_file("-", text_of(results, bench::write_stability_text));
     }
     if (!options.folder.empty()) write_folder(options.folder, results);
-    if (!bench::engine_passes(results)) throw Error{"stability: the engine fails (rows marked * above)"};
+    if (!bench::engine_passes(results))
+        throw CheckFailed{"stability: the engine fails (rows marked * above)"};
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ void add_stability(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("stability", "where methods for the model fail, and this one not");
     auto options = std::make_shared<StabilityOptions>();
-    verb->add_option("-o,--output", options->folder, "folder for stability.html and stability.csv")
-        ->check(path_to_write());
+    fills(verb->add_option("-o,--output", options->folder, "folder for stability.html and stability.csv"),
+          {"stability.html", "stability.csv"});
     verb->add_flag("--json", options->json, "JSON instead of the table");
     verb->footer(stability_help);
     verb->callback([options] { run(*options); });

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
+#include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/text/output.hpp"
@@ -68,7 +68,6 @@ bool report(const std::vector<validation::Check>& checks) {
 
 void run(const TruthOptions& options) {
     const fs::path folder{options.folder};
-    make_folder(folder);
     validation::GroundTruth truth;
     for (const Truth& each : studies) {
         if (options.study == each.name)
@@ -81,7 +80,8 @@ void run(const TruthOptions& options) {
     }
     for (const validation::Figure& figure : truth.section.figures)
         std::cout << write_figure(folder, figure).string() << '\n';
-    if (!report(truth.section.checks)) throw Error{"truth " + options.study + ": a check failed, see above"};
+    if (!report(truth.section.checks))
+        throw CheckFailed{"truth " + options.study + ": a check failed, see above"};
 }
 
 }  // namespace
@@ -92,10 +92,8 @@ void add_truth(CLI::App& program) {
     std::vector<std::string> names;
     names.reserve(studies.size());
     for (const Truth& each : studies) names.emplace_back(each.name);
-    verb->add_option("study", options->study, "which")->required()->check(CLI::IsMember(names));
-    verb->add_option("-o,--output", options->folder, "folder for tables and pictures")
-        ->required()
-        ->check(path_to_write());
+    one_of(verb->add_option("study", options->study, "which"), names)->required();
+    fills(verb->add_option("-o,--output", options->folder, "folder for tables and pictures"))->required();
     verb->add_flag("--quick", options->quick, "few cases and realisations");
     verb->footer(truth_help);
     verb->callback([options] { run(*options); });

@@ -11,13 +11,15 @@
 #include "bench/charts/machine.hpp"
 #include "cli/answers/validation_parts.hpp"
 #include "cli/io/figure_files.hpp"
-#include "cli/io/folder.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/table_writer.hpp"
+#include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "hts/version.hpp"
+#include "spectral/progress.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/report/report_page.hpp"
 
@@ -29,11 +31,11 @@ using validation::Section;
 
 constexpr auto validate_help = R"(
 Writes into the folder
-  report.html     everything on one page, pictures in it; what was missed comes first
+  report.html     everything on one page, pictures in it; what failed comes first
   report.json     the criteria and the tables
   *.csv *.svg     the numbers and the pictures, with the scripts that draw them; *.png
 --quick takes smaller samples and pictures, and shows stored results where the whole
-computation takes long. Exit code 1 if a criterion is missed.
+computation takes long. Exit code 1 if a criterion fails.
 
 Examples:
   hts validate --quick --output out/validation
@@ -70,21 +72,26 @@ void write_tables_and_images(const fs::path& folder, const Section& section) {
 void say(const Section& section) {
     std::cout << section.title << '\n';
     for (const validation::Check& check : section.checks) {
-        std::cout << (check.passed ? "  met     " : "  MISSED  ") << check.claim << ": " << check.measured
+        std::cout << (check.passed ? "  passed  " : "  FAILED  ") << check.claim << ": " << check.measured
                   << '\n';
     }
 }
 
 std::vector<Section> sections_of(const ValidateOptions& options) {
     const auto effort = options.quick ? validation::Effort::quick : validation::Effort::full;
+    const auto is_wanted = [&](const ValidationPart& part) {
+        return options.only.empty() || std::ranges::find(options.only, part.name) != options.only.end();
+    };
     std::vector<Section> sections;
+    spectral::Job job{"", static_cast<std::size_t>(std::ranges::count_if(validation_parts(), is_wanted))};
     for (const ValidationPart& part : validation_parts()) {
-        if (!options.only.empty() && std::ranges::find(options.only, part.name) == options.only.end())
-            continue;
+        if (!is_wanted(part)) continue;
+        job.set_step(part.name);
         for (Section& section : part.make(effort, options.curves)) {
             say(section);
             sections.push_back(std::move(section));
         }
+        job.done();
     }
     return sections;
 }
@@ -94,9 +101,19 @@ std::string provenance(bool quick) {
            bench::machine().text();
 }
 
+void require_known_parts(const std::vector<std::string>& only) {
+    std::vector<std::string> names;
+    for (const ValidationPart& part : validation_parts()) names.emplace_back(part.name);
+    for (const std::string& part : only) {
+        if (std::ranges::find(names, part) == names.end())
+            throw UsageError{"--only: " + spectral::in_quotes(part) + ": " +
+                             spectral::must_be_one_of(part, names)};
+    }
+}
+
 void run(const ValidateOptions& options) {
+    require_known_parts(options.only);
     const fs::path folder{options.folder};
-    make_folder(folder);
     const auto sections = sections_of(options);
     for (const Section& section : sections) write_tables_and_images(folder, section);
     const auto svg = [&](const validation::Figure& figure) {
@@ -106,10 +123,10 @@ void run(const ValidateOptions& options) {
     write_file((folder / "report.html").string(), validation::report_page(sections, origin, svg));
     write_file((folder / "report.json").string(), validation::report_json(sections, origin));
     const auto [passed, all] = validation::tally(sections);
-    std::cout << passed << " of " << all << " criteria met: " << (folder / "report.html").string() << '\n';
+    std::cout << passed << " of " << all << " criteria passed: " << (folder / "report.html").string() << '\n';
     if (passed < all)
-        throw Error{"validate: " + std::to_string(all - passed) +
-                    (all - passed == 1 ? " criterion missed (above)" : " criteria missed (above)")};
+        throw CheckFailed{"validate: " + std::to_string(all - passed) +
+                          (all - passed == 1 ? " criterion failed (above)" : " criteria failed (above)")};
 }
 
 }  // namespace
@@ -120,12 +137,10 @@ void add_validate(CLI::App& program) {
     auto options = std::make_shared<ValidateOptions>();
     std::vector<std::string> names;
     for (const ValidationPart& part : validation_parts()) names.emplace_back(part.name);
-    verb->add_option("-o,--output", options->folder, "folder for the report")
-        ->required()
-        ->check(path_to_write());
-    verb->add_option("--only", options->only, "parts, apart by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(names));
+    fills(verb->add_option("-o,--output", options->folder, "folder for the report"),
+          {"report.html", "report.json"})
+        ->required();
+    offers(comma_list(*verb, "--only", options->only, "parts, separated by commas"), names);
     verb->add_option("--curves", options->curves,
                      "existing folder with any of he91-figure-7.json ... he91-figure-11.json, digitised")
         ->check(CLI::ExistingDirectory);

@@ -10,6 +10,7 @@ namespace hts::cli {
 void add_albedo(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_compare(CLI::App& program);
+void add_completion(CLI::App& program);
 void add_curves(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_info(CLI::App& program);

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "hts/error.hpp"
 
 using hts::DiffuseLobe;
 using hts::Direction;
@@ -245,4 +246,25 @@ TEST_CASE("a copy of a prepared object is one of its own") {
     std::vector<double> f(5);
     copy.brdf(p, f);
     CHECK(same_bits(f, expected));
+}
+
+TEST_CASE("a result of another size is an error, and nothing is written") {
+    const auto um = Wavelength::from_micrometres(0.5);
+    const HeTorranceSpectrum prepared{
+        {0.28, 1.77}, {{um, RefractiveIndex{0.8, 6}, 0}, {um, RefractiveIndex{0.8, 6}, 0}}, Tolerance{1e-6}};
+    const auto in = Direction::from_degrees(30, 0), out = Direction::from_degrees(40, 180);
+    const std::vector<DirectionPair> pairs(3, DirectionPair{in, out});
+    for (const std::size_t size : {0U, 1U, 3U, 5U, 7U}) {
+        std::vector<double> values(size, -1);
+        std::vector<Mueller> matrices(size);
+        CHECK_THROWS_AS(prepared.brdf({in, out}, values), hts::Error);
+        CHECK_THROWS_AS(prepared.brdf(pairs, values), hts::Error);
+        CHECK_THROWS_AS(prepared.specular_reflectance(in, values), hts::Error);
+        CHECK_THROWS_AS(prepared.mueller({in, out}, matrices), hts::Error);
+        CHECK(values == std::vector<double>(size, -1));
+    }
+    std::vector<double> values(2), all(6);
+    prepared.brdf({in, out}, values);
+    prepared.brdf(pairs, all);
+    CHECK(all[5] == values[1]);
 }

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/special_functions/expint.hpp>
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "hts/error.hpp"
 #include "hts/phi/phi_sum.hpp"
 
 using hts::phi;
@@ -213,4 +215,13 @@ TEST_CASE("phi is total") {
             CHECK(std::isfinite(computed.log));
         }
     }
+}
+
+TEST_CASE("phi of lists that are not equally long is an error") {
+    const std::vector<double> two(2, 1.0), three(3, 1.0);
+    std::vector<double> result(2);
+    phi(two, two, result, hts::Tolerance{1e-6});
+    CHECK_THROWS_AS(phi(two, three, result, hts::Tolerance{1e-6}), hts::Error);
+    CHECK_THROWS_AS(phi(three, two, result, hts::Tolerance{1e-6}), hts::Error);
+    CHECK_THROWS_AS(phi(three, three, result, hts::Tolerance{1e-6}), hts::Error);
 }

@@ -16,6 +16,7 @@
 #include "hts/version.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/models/he_torrance_material.hpp"
+#include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
 
 namespace hts::python {
@@ -114,9 +115,7 @@ const Quantity pdf{"pdf", {}, true, true, {}, [](const spectral::Sampler& of, Pa
 // ------------------------------------------------------------------------------------------------ arguments
 
 OutsideRange outside_from(const std::string& text) {
-    if (text == "error") return OutsideRange::error;
-    if (text == "hold") return OutsideRange::clamp;
-    throw Error{"outside \"" + text + "\": must be \"error\" or \"hold\""};
+    return spectral::located("outside", [&] { return spectral::outside_range_named(text); });
 }
 
 How how_from(double tolerance, const std::string& outside, bool compensate_energy) {
@@ -407,7 +406,8 @@ incident,reflected unit vectors (..., 3) away from the surface, instead of angle
 tolerance          relative error of rough surfaces, 1e-12 ... 1
 out                array of float64 for the result
 rms_roughness_um, correlation_length_um, n, k, diffuse_albedo   go before the material's, element by element
-outside            "error" or "hold", where the material is not known at a wavelength
+outside            "error", "hold" or "zero", where the material is not known at a wavelength or, of
+                   measured data, at a pair of directions
 threads            0: all cores
 All arguments broadcast; the result has their common shape, a float where all are numbers.)";
 

@@ -21,9 +21,10 @@ using tables::Table;
 
 /// Reflectance that a file or a table has at its own wavelengths, as something to evaluate anywhere between them.
 PyMaterial as_material(const spectral::Reflectance& reflectance, std::vector<std::string> notes,
-                       const std::string& model, const std::string& source) {
-    return PyMaterial{
-        tables::material_of_file(reflectance, std::move(notes)).named(reflectance.name(), model, source)};
+                       const std::string& model, const std::string& source,
+                       std::vector<std::string> channels = {}) {
+    return PyMaterial{tables::material_of_file(reflectance, std::move(notes), std::move(channels))
+                          .named(reflectance.name(), model, source)};
 }
 
 /// A table, and the bytes of its file where it has none yet.
@@ -69,8 +70,8 @@ PyMaterial material_of_any_file(const std::string& path, const std::string& form
     std::optional<WavelengthGrid> grid;
     if (wavelengths) grid = WavelengthGrid::from_micrometres(*wavelengths);
     const nb::gil_scoped_release others_may_run;
-    auto file = tables::read_brdf(path, grid, format);
-    return as_material(file.brdf, std::move(file.notes), "measured", file.format);
+    auto file = tables::read_brdf(path, {grid, format});
+    return as_material(file.brdf, std::move(file.notes), "measured", file.format, std::move(file.channels));
 }
 
 void bind_tables(nb::module_& module) {

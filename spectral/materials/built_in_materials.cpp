@@ -6,6 +6,7 @@
 #include "spectral/materials/built_in_data.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/materials/optical_constants_yaml.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -14,8 +15,8 @@ namespace {
 const EmbeddedFile& built_in_file(std::string_view name) {
     const EmbeddedFile* found = find_embedded(built_in_files(), name);
     if (found == nullptr) {
-        throw Error{"no built-in material " + in_quotes(name) + ": must be one of " +
-                    joined(optical_constants_names())};
+        throw Error{"no built-in material " + in_quotes(name) + ": " +
+                    must_be_one_of(name, optical_constants_names())};
     }
     return *found;
 }

@@ -34,6 +34,22 @@ std::size_t most_coefficients(int number) noexcept {
     }
 }
 
+// Where each formula's terms end: after C1, after C3 …
+bool ends_a_term(int number, std::size_t count) noexcept {
+    switch (number) {
+        case 4:
+            return count == 1 || count == 5 || (count >= 9 && count % 2 == 1);
+        case 7:
+            return count >= 1;
+        case 8:
+            return count == 1 || count == 3 || count == 4;
+        case 9:
+            return count == 1 || count == 3 || count == 6;
+        default:
+            return count % 2 == 1;
+    }
+}
+
 // C1 + the sum over (C2, C3), (C4, C5), … of term(first, second), which is 0 where the first one is.
 template <class Term>
 double pair_sum(Coefficients c, const Term& term) noexcept {
@@ -108,6 +124,11 @@ void require_legal(int number, Coefficients coefficients, const WavelengthRange&
         throw Error{"formula " + std::to_string(number) + " with " + std::to_string(coefficients.size()) +
                     " coefficients: must be at most " + std::to_string(most_coefficients(number))};
     }
+    if (!ends_a_term(number, coefficients.size())) {
+        throw Error{"formula " + std::to_string(number) + " with " + std::to_string(coefficients.size()) +
+                    " coefficients: C" + std::to_string(coefficients.size() + 1) +
+                    " is missing: must end with a whole term"};
+    }
     for (std::size_t i = 0; i < coefficients.size(); ++i) {
         if (std::isfinite(coefficients[i])) continue;
         throw out_of_range("coefficient C" + std::to_string(i + 1), coefficients[i], "", "finite");
@@ -124,7 +145,8 @@ void require_legal(int number, Coefficients coefficients, const WavelengthRange&
 
 DispersionFormula::DispersionFormula(int number, std::vector<double> coefficients, WavelengthRange range)
     : number_{number}, coefficients_{std::move(coefficients)}, range_{range} {
-    while (!coefficients_.empty() && coefficients_.back() == 0) coefficients_.pop_back();
+    while (coefficients_.size() > most_coefficients(number) && coefficients_.back() == 0)
+        coefficients_.pop_back();
     require_legal(number, coefficients_, range);
     coefficients_.insert(coefficients_.begin(), 0);
     coefficients_.resize(std::max<std::size_t>(18, coefficients_.size() + coefficients_.size() % 2));

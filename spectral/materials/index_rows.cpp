@@ -1,5 +1,10 @@
 #include "spectral/materials/index_rows.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hts/error.hpp"
 #include "hts/fresnel.hpp"
 #include "hts/wavelength.hpp"
 
@@ -21,6 +26,23 @@ void IndexRows::add_n(double um, double n) {
 void IndexRows::add_k(double um, double k) {
     const RefractiveIndex index{1, k};
     k_.push_back({Wavelength::from_micrometres(um).micrometres(), index.k()});
+}
+
+void IndexRows::add_if_physical(char quantity, double um, double value, const std::string& place) {
+    try {
+        quantity == 'n' ? add_n(um, value) : add_k(um, value);
+    } catch (const Error& failure) {
+        static_cast<void>(Wavelength::from_micrometres(um));  // an error for good
+        notes_.push_back(place + ": " + failure.what());
+        (quantity == 'n' ? n_ : k_).push_back({um, std::numeric_limits<double>::quiet_NaN()});
+    }
+}
+
+void IndexRows::require_physical() const {
+    for (const auto* points : {&n_, &k_}) {
+        const auto unknown = [](const auto& point) { return std::isnan(point.value); };
+        if (!points->empty() && std::ranges::all_of(*points, unknown)) throw Error{notes_.front()};
+    }
 }
 
 std::optional<Dispersion> IndexRows::n() const {

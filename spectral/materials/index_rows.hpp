@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "spectral/materials/dispersion.hpp"
@@ -15,12 +16,22 @@ class IndexRows {
     /// Imaginary part at a wavelength [um]; hts::Error if wavelength or k is none.
     void add_k(double um, double k);
 
+    /// The same of a page of a database, of which one row far from where it is needed should not refuse all: what is no n or no k
+    /// there is unknown up to the rows beside it, and noted.
+    ///   quantity   'n' or 'k'      place   "path:line"
+    void add_if_physical(char quantity, double um, double value, const std::string& place);
+    /// A line for each of those.
+    [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
+    /// hts::Error if no row of a quantity that has rows is physical.
+    void require_physical() const;
+
     /// The rows joined by straight lines, in order of wavelength; none if there are no rows.
     [[nodiscard]] std::optional<Dispersion> n() const;
     [[nodiscard]] std::optional<Dispersion> k() const;
 
   private:
     std::vector<PiecewiseLinear::Point> n_, k_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace hts::spectral

@@ -1,6 +1,7 @@
 #include "spectral/materials/optical_constants.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -33,8 +34,12 @@ OpticalConstants OpticalConstants::constant(const RefractiveIndex& index) {
 }
 
 OpticalConstants::OpticalConstants(std::string name, std::string source, Dispersion n,
-                                   std::optional<Dispersion> k)
-    : name_{std::move(name)}, source_{std::move(source)}, n_{std::move(n)}, k_{std::move(k)} {
+                                   std::optional<Dispersion> k, std::vector<std::string> warnings)
+    : name_{std::move(name)},
+      source_{std::move(source)},
+      n_{std::move(n)},
+      k_{std::move(k)},
+      warnings_{std::move(warnings)} {
     if (range().shortest > range().longest) {
         throw Error{"n is known " + in_words(range_of(n_)) + ", k " + in_words(range_of(*k_)) +
                     ": the two ranges must overlap"};
@@ -46,8 +51,14 @@ WavelengthRange OpticalConstants::range() const noexcept {
 }
 
 RefractiveIndex OpticalConstants::index(const Wavelength& wavelength, OutsideRange policy) const {
-    const double um = range().admit(wavelength, policy, name_);
-    return checked_index(value_at(n_, um), k_ ? value_at(*k_, um) : 0, um, name_);
+    static_cast<void>(range().admit(wavelength, policy, name_));
+    const double um = wavelength.micrometres();
+    const double n = value_at(n_, range_of(n_).clamp(um));
+    const double k = k_ ? value_at(*k_, range_of(*k_).clamp(um)) : 0;
+    if ((std::isnan(n) || std::isnan(k)) && !warnings_.empty())
+        throw Error{name_ + " at " + shortest(um) +
+                    " um: no index beside a row that has none: " + warnings_.front()};
+    return checked_index(n, k, um, name_);
 }
 
 }  // namespace hts::spectral

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hts/fresnel.hpp"
 #include "hts/wavelength.hpp"
@@ -24,14 +25,17 @@ class OpticalConstants {
     ///   n         real part
     ///   k         imaginary part; none means 0
     /// hts::Error if there is no wavelength at which both are known.
-    OpticalConstants(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k);
+    ///   warnings  what a user should know of the file they come from, a line each
+    OpticalConstants(std::string name, std::string source, Dispersion n, std::optional<Dispersion> k,
+                     std::vector<std::string> warnings = {});
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] const std::string& source() const noexcept { return source_; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
     /// Where both n and k are known.
     [[nodiscard]] WavelengthRange range() const noexcept;
 
-    /// Index at a wavelength; outside the range as `policy` says. A table or formula that yields n <= 0 or k
+    /// Index at a wavelength; outside the range as `policy` says, where n and k are held each at the end of its own range. A table or formula that yields n <= 0 or k
     /// < 0 there is an hts::Error too.
     [[nodiscard]] RefractiveIndex index(const Wavelength& wavelength,
                                         OutsideRange policy = OutsideRange::error) const;
@@ -41,6 +45,7 @@ class OpticalConstants {
     std::string source_;
     Dispersion n_;
     std::optional<Dispersion> k_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace hts::spectral

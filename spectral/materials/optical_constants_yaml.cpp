@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Source {
 
 struct Curves {
     std::optional<Dispersion> n, k;
+    std::vector<std::string> notes{};
 };
 
 YAML::Node parsed(const Source& source) {
@@ -64,7 +66,7 @@ int first_line(const Source& source, const YAML::Node& value) {
     return value.Mark().line + (block ? 2 : 1);
 }
 
-void add_row(IndexRows& rows, std::string_view quantities, std::string_view line) {
+void add_row(IndexRows& rows, std::string_view quantities, std::string_view line, const std::string& place) {
     const auto row = numbers(line);
     if (row.empty()) return;
     if (row.size() != 1 + quantities.size()) {
@@ -72,7 +74,7 @@ void add_row(IndexRows& rows, std::string_view quantities, std::string_view line
                     std::string{quantities} + ": must be " + std::to_string(1 + quantities.size())};
     }
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-        quantities[i] == 'n' ? rows.add_n(row[0], row[i + 1]) : rows.add_k(row[0], row[i + 1]);
+        rows.add_if_physical(quantities[i], row[0], row[i + 1], place);
     }
 }
 
@@ -82,12 +84,14 @@ Curves tabulated(const Source& source, const YAML::Node& item, std::string_view 
     int line_number = first_line(source, item["data"]);
     IndexRows rows;
     for (const auto line : split(table, '\n')) {
-        located(source.place(line_number), [&] { add_row(rows, quantities, line); });
+        const std::string place = source.place(line_number);
+        located(place, [&] { add_row(rows, quantities, line, place); });
         ++line_number;
     }
     if (!rows.n() && !rows.k())
         throw Error{source.place(item) + ": table without a row: must have at least one"};
-    return {rows.n(), rows.k()};
+    rows.require_physical();
+    return {rows.n(), rows.k(), rows.notes()};
 }
 
 int formula_number(std::string_view type) {
@@ -111,18 +115,31 @@ Curves formula(const Source& source, const YAML::Node& item, std::string_view ty
     auto coefficients = numbers_of(source, item, "coefficients");
     return located(source.place(item), [&]() -> Curves {
         const WavelengthRange both{range[0], range[1]};
-        return {DispersionFormula{formula_number(type), std::move(coefficients), both}, std::nullopt};
+        return {DispersionFormula{formula_number(type), std::move(coefficients), both}, std::nullopt, {}};
     });
+}
+
+// YAML takes one of two keys that are the same, and does not say which.
+void require_unique_keys(const Source& source, const YAML::Node& map) {
+    std::set<std::string> keys;
+    for (const auto& pair : map) {
+        if (!pair.first.IsScalar() || keys.insert(pair.first.Scalar()).second) continue;
+        throw Error{source.place(pair.first) + ": key " + in_quotes(pair.first.Scalar()) + ": stands twice"};
+    }
 }
 
 Curves curves_of(const Source& source, const YAML::Node& item) {
     if (!item.IsMap()) throw Error{source.place(item) + ": item of DATA: must be a mapping with a type"};
+    require_unique_keys(source, item);
     const std::string type = scalar(source, item, "type");
     if (type.starts_with("formula ")) return formula(source, item, type);
     if (type == "tabulated nk") return tabulated(source, item, "nk");
     if (type == "tabulated n") return tabulated(source, item, "n");
     if (type == "tabulated k") return tabulated(source, item, "k");
-    return {};
+    if (type == "tabulated n2") return {};  // the index of intense light, which nobody asks for here
+    throw Error{source.place(item["type"]) + ": type " + in_quotes(type) +
+                ": not known; must be formula 1 to formula 9, tabulated nk, tabulated n, tabulated k or "
+                "tabulated n2"};
 }
 
 // n from the first item that gives n, k from the first that gives k.
@@ -132,11 +149,13 @@ Curves all_curves(const Source& source, const YAML::Node& data) {
         Curves curves = curves_of(source, item);
         if (!result.n) result.n = std::move(curves.n);
         if (!result.k) result.k = std::move(curves.k);
+        result.notes.insert(result.notes.end(), curves.notes.begin(), curves.notes.end());
     }
     return result;
 }
 
 YAML::Node data_of(const Source& source, const YAML::Node& root) {
+    if (root.IsMap()) require_unique_keys(source, root);
     const YAML::Node data = root.IsMap() ? root["DATA"] : YAML::Node{YAML::NodeType::Undefined};
     if (!data) throw Error{source.file + ": key \"DATA\": missing; must be a file of refractiveindex.info"};
     if (!data.IsSequence()) throw Error{source.place(data) + ": key \"DATA\": must be a list"};
@@ -198,7 +217,7 @@ OpticalConstants material_from_yaml(const std::string& text, std::string name, c
         throw Error{file + ": key \"DATA\": no refractive index n: must have a formula or a table"};
     return located(file, [&] {
         return OpticalConstants{std::move(name), references(source, root), std::move(*curves.n),
-                                std::move(curves.k)};
+                                std::move(curves.k), std::move(curves.notes)};
     });
 }
 

@@ -1,6 +1,7 @@
 #include "spectral/materials/piecewise_linear.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,7 +14,7 @@ using Point = PiecewiseLinear::Point;
 
 void require_usable(const Point& point) {
     static_cast<void>(Wavelength::from_micrometres(point.um));
-    if (!std::isfinite(point.value)) throw out_of_range("tabulated value", point.value, "", "finite");
+    if (std::isinf(point.value)) throw out_of_range("tabulated value", point.value, "", "finite");
 }
 
 // Points of equal wavelength, which stand together, become one with their mean.
@@ -33,13 +34,26 @@ std::vector<Point> merged(const std::vector<Point>& sorted) {
 
 }  // namespace
 
+const char* name(OutsideRange policy) noexcept {
+    constexpr std::array names{"error", "hold", "zero"};
+    return names[static_cast<std::size_t>(policy)];
+}
+
+OutsideRange outside_range_named(std::string_view text) {
+    if (text == "clamp") return OutsideRange::hold;
+    for (const OutsideRange policy : {OutsideRange::error, OutsideRange::hold, OutsideRange::zero})
+        if (text == name(policy)) return policy;
+    throw Error{"\"" + std::string{text} + "\": must be error, hold or zero"};
+}
+
 double WavelengthRange::admit(const Wavelength& wavelength, OutsideRange policy,
                               const std::string& what) const {
     const double um = wavelength.micrometres();
-    if (policy == OutsideRange::error && !contains(um)) {
-        throw out_of_range("wavelength", um, "um",
-                           "from " + hts::shortest(shortest) + " to " + hts::shortest(longest) +
-                               " um (range of " + what + ")");
+    if (policy != OutsideRange::hold && !contains(um)) {
+        throw out_of_range(
+            "wavelength", um, "um",
+            "from " + hts::shortest(shortest) + " to " + hts::shortest(longest) + " um (range of " + what +
+                ")" + (policy == OutsideRange::zero ? "; outside zero is for measured data alone" : ""));
     }
     return clamp(um);
 }
@@ -62,6 +76,7 @@ double PiecewiseLinear::operator()(double um) const noexcept {
     if (right == points_.begin()) return points_.front().value;
     if (right == points_.end()) return points_.back().value;
     const auto left = right - 1;
+    if (um == left->um || std::isnan(left->value)) return left->value;
     return std::lerp(left->value, right->value, (um - left->um) / (right->um - left->um));
 }
 

@@ -133,6 +133,7 @@ Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
     if (const auto index = file.json.find("index")) {
         if (metal || file.json.find("f0")) throw index->error("must not come with f0 or metal");
         const OpticalConstants constants = optical_constants_from(*index, file.folder);
+        warnings.insert(warnings.end(), constants.warnings().begin(), constants.warnings().end());
         return material_of(
             [=](const Wavelength& wavelength, OutsideRange policy) {
                 return AshikhminBrdf{facets, FacetFresnel::exact(constants.index(wavelength, policy)),

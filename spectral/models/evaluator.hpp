@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hts/he_torrance_spectrum.hpp"
 #include "hts/microfacet/model.hpp"
@@ -27,9 +28,19 @@ struct Properties {
     bool transmitting = false;   ///< may let light through: see `transmits`
     bool specular_term = false;  ///< may reflect into the mirror direction alone
     bool isotropic = false;      ///< the same when both directions turn together about the normal
+    bool partial = false;        ///< only known at some pairs of directions: see `knows`
+    /// What its wavelengths stand for where they are channels of a colour, no spectrum: B, G, R or Z, Y, X or Y.
+    std::vector<std::string> channels{};
     /// Statistics of the heights, where the model is one of a rough surface: then the limits of DiffuseLobe, tolerances, validity,
     /// energy compensation and `samples` mean something. None for others.
     std::optional<Surface> surface{};
+};
+
+/// Where measured data know a reflectance.
+struct MeasuredDomain {
+    std::vector<double> theta_i{0, 90};  ///< of the light [deg], each that was measured, or the ends
+    /// Every axis in words.
+    std::string axes = "theta_i 0 to 90 deg, theta_r 0 to 90 deg, phi 0 to 360 deg";
 };
 
 /// Draws directions at one wavelength. Immutable; calls are total, allocate nothing and may run on any thread.
@@ -60,6 +71,10 @@ class Evaluator {
     [[nodiscard]] const WavelengthGrid& wavelengths() const noexcept { return wavelengths_; }
     /// `isotropic` may be left false where it is not known: Reflectance then tries.
     [[nodiscard]] virtual Properties properties() const { return {}; }
+    /// Whether the data reach a pair above the horizon; models are known everywhere. What is evaluated elsewhere is the value at
+    /// the nearer end.
+    [[nodiscard]] virtual bool knows(const DirectionPair& /*pair*/) const noexcept { return true; }
+    [[nodiscard]] virtual MeasuredDomain domain() const { return {}; }
     /// Memory of this object alone, not of tables that several share; 0 where not known.
     [[nodiscard]] virtual std::size_t bytes() const noexcept { return 0; }
     /// What a rough surface is at each wavelength; empty for others.

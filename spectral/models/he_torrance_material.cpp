@@ -204,7 +204,7 @@ Material he_torrance_material(const std::string& name, const Surface& surface,
         return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
-    return Material{prepare, properties_of(surface), {}, constants.name()}.named(
+    return Material{prepare, properties_of(surface), constants.warnings(), constants.name()}.named(
         name, "he", "He, Torrance, Sillion, Greenberg 1991");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -73,7 +74,7 @@ Material material_from_json(const MaterialFile& file, const std::vector<ModelEnt
         std::vector<std::string> known;
         known.reserve(models.size());
         for (const ModelEntry& one : models) known.push_back(one.name);
-        throw model.error(in_quotes(model.text()) + " is not known; must be one of " + joined(known));
+        throw model.error(in_quotes(model.text()) + " is not known; " + must_be_one_of(model.text(), known));
     }
     return entry->read(file).named(name ? name->text() : file.default_name, entry->name, entry->source);
 }

@@ -50,9 +50,11 @@ Material read_walter(const MaterialFile& file) {
     const SpectralNumber exterior{file.json, "exterior_index", 1, [](double n) {
                                       return RefractiveIndex{n, 0}.n();
                                   }};
-    return material_of([=](const Wavelength& wavelength, OutsideRange policy) {
-        return WalterInterface{facets, constants.index(wavelength, policy), exterior(wavelength, policy)};
-    });
+    return material_of(
+        [=](const Wavelength& wavelength, OutsideRange policy) {
+            return WalterInterface{facets, constants.index(wavelength, policy), exterior(wavelength, policy)};
+        },
+        constants.warnings());
 }
 
 Material read_kurt(const MaterialFile& file) {

@@ -1,11 +1,14 @@
 #include "spectral/models/reflectance.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "hts/error.hpp"
 #include "spectral/models/symmetry.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -27,12 +30,13 @@ Reflectance::Reflectance(std::shared_ptr<const Evaluator> evaluator)
 
 std::vector<double> Reflectance::brdf(const DirectionPair& pair) const {
     std::vector<double> result(size_);
-    evaluator_->brdf(pair, result);
+    brdf(pair, result);
     return result;
 }
 
 void Reflectance::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     require_size("brdf", result.size(), pairs.size());
+    if (properties_.partial) std::ranges::for_each(pairs, [&](const auto& pair) { require_known(pair); });
     parallel_blocks(pairs.size(), block, [&](std::size_t first, std::size_t count) {
         evaluator_->brdf_batch(pairs.subspan(first, count), result.subspan(first * size_, count * size_));
     });
@@ -51,12 +55,13 @@ void Reflectance::uniform_diffuse(std::span<double> result) const {
 
 std::vector<double> Reflectance::directional_diffuse(const DirectionPair& pair) const {
     std::vector<double> result(size_);
-    evaluator_->directional_diffuse(pair, result);
+    directional_diffuse(pair, result);
     return result;
 }
 
 void Reflectance::directional_diffuse(const DirectionPair& pair, std::span<double> result) const {
     require_size("directional_diffuse", result.size(), 1);
+    require_known(pair);
     evaluator_->directional_diffuse(pair, result);
 }
 
@@ -138,6 +143,19 @@ Sampler Reflectance::sampler(std::size_t wavelength) const {
 void Reflectance::refuse_size(const char* call, std::size_t size, std::size_t pairs) const {
     throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
                 (pairs == 1 ? "" : "pairs x ") + "wavelengths = " + std::to_string(pairs * size_)};
+}
+
+void Reflectance::refuse_pair(const DirectionPair& pair) const {
+    const auto degrees = [](double y, double x) {
+        return brief(std::atan2(y, x) * 180 / std::numbers::pi, 6);
+    };
+    const Direction &in = pair.in, &out = pair.out;
+    const double x = out.cos_phi() * in.cos_phi() + out.sin_phi() * in.sin_phi();
+    const double y = out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi();
+    throw Error{name() + ": theta_i " + degrees(in.sin_theta(), in.cos_theta()) + ", theta_r " +
+                degrees(out.sin_theta(), out.cos_theta()) + ", phi " + degrees(y, x) +
+                " deg: outside what was measured: must be within " + evaluator_->domain().axes +
+                "; --outside hold or zero answers beyond"};
 }
 
 void Reflectance::require_polarised() const {

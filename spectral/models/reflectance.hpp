@@ -7,7 +7,8 @@
 ///
 /// Conventions of directions in hts/direction.hpp, of Stokes vectors and frames in hts/polarisation.hpp. What does not depend on
 /// wavelength is computed once per pair of directions; spectra come in the grid's order. One contract for sizes: a span that does
-/// not hold what the call says is a hts::Error that names both numbers.
+/// not hold what the call says is a hts::Error that names both numbers. So is a pair that measured data do not reach, unless the
+/// options said what stands there (OutsideRange).
 #pragma once
 
 #include <cstddef>
@@ -56,6 +57,10 @@ class Reflectance {
     /// Number of wavelengths.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] const Properties& properties() const noexcept { return properties_; }
+    /// hts::Error that names pair and measured range if data end before the pair and the options said error.
+    void require_known(const DirectionPair& pair) const {
+        if (properties_.partial && !evaluator_->knows(pair)) refuse_pair(pair);
+    }
     /// Memory of this object alone, not of tables that several share; 0 where not known.
     [[nodiscard]] std::size_t bytes() const noexcept { return evaluator_->bytes(); }
     /// What a rough surface is at each wavelength; empty for others.
@@ -68,6 +73,7 @@ class Reflectance {
     /// The same into size() values.
     void brdf(const DirectionPair& pair, std::span<double> result) const {
         require_size("brdf", result.size(), 1);
+        require_known(pair);
         evaluator_->brdf(pair, result);
     }
     /// The same for many pairs, into pairs.size() * size() values, all wavelengths of a pair together. Runs on all cores; the
@@ -115,6 +121,7 @@ class Reflectance {
         if (size != pairs * size_) refuse_size(call, size, pairs);
     }
     [[noreturn]] void refuse_size(const char* call, std::size_t size, std::size_t pairs) const;
+    [[noreturn]] void refuse_pair(const DirectionPair& pair) const;
     void require_polarised() const;
     void require_wavelength(std::size_t wavelength) const;
 

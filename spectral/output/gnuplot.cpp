@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
 #include "spectral/text/output.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::output {
@@ -39,6 +43,14 @@ std::string read_all(int descriptor) {
 Ended run_gnuplot(const std::string& folder, const std::string& definitions, const std::string& script) {
     std::array<int, 2> pipe_ends{};
     if (::pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw Error{"gnuplot: no pipe can be opened"};
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    // gnuplot does not look whether the medium took all: a limit must end it
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    ::sigaddset(&ending, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&attributes, &ending);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -49,12 +61,15 @@ Ended run_gnuplot(const std::string& folder, const std::string& definitions, con
     const std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(),
                                          nullptr};
     pid_t process = 0;
-    const int failure = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments.data(), environ);
+    const int failure = ::posix_spawnp(&process, "gnuplot", &actions, &attributes, arguments.data(), environ);
+    if (failure == 0) spectral::set_helper_process(process);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     ::close(pipe_ends[1]);
     Ended ended{-1, failure == 0 ? read_all(pipe_ends[0]) : ""};
     ::close(pipe_ends[0]);
     if (failure == 0) ::waitpid(process, &ended.status, 0);
+    spectral::set_helper_process(0);
     return ended;
 }
 
@@ -64,10 +79,21 @@ std::string one_line(std::string text) {
     return first == std::string::npos ? "no message" : text.substr(first, 300);
 }
 
+/// gnuplot ends well even where the medium was full.
+bool is_whole(const fs::path& svg) {
+    constexpr std::string_view end = "</svg>";
+    std::ifstream file{svg, std::ios::binary | std::ios::ate};
+    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+    std::string tail(static_cast<std::size_t>(std::min<std::streamoff>(size, 64)), '\0');
+    file.seekg(size - static_cast<std::streamoff>(tail.size()));
+    file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+    return tail.find(end) != std::string::npos;
+}
+
 std::string head(const std::string& picture) {
     return "# run `gnuplot` on this file, in its folder, to draw it again\n"
            "if (!exists('picture')) picture = " +
-           gnuplot_string(picture) +
+           gnuplot_string(gnuplot_file(picture)) +
            "\n"
            "set encoding utf8\n"
            "set terminal svg size 900,600 font 'Helvetica,15' background '#ffffff'\n"
@@ -94,12 +120,26 @@ void draw(const std::string& svg_path, std::string_view script) {
     const std::string name = svg.filename().string();
     spectral::write_file(script_path.string(), head(name) + std::string{script});
 
-    const fs::path folder = svg.has_parent_path() ? svg.parent_path() : fs::path{"."};
-    spectral::PartialFile partial{svg_path};
-    const std::string partial_name = fs::path{partial.path()}.filename().string();
-    const Ended ended = run_gnuplot(folder.string(), "picture = " + gnuplot_string(partial_name),
-                                    script_path.filename().string());
-    if (ended.status == 0 && partial.finish()) return;
+    std::optional<spectral::RunFiles> own;
+    auto* files = spectral::RunFiles::of_process();
+    if (files == nullptr) files = &own.emplace();
+    const fs::path picture{files->open(svg_path)};
+    // Numbers of the same run stand where the picture is made, others one folder up. The picture's own name
+    // may be one that gnuplot cannot write.
+    const fs::path drawn = picture.parent_path() / ".picture.svg";
+    const spectral::Unfinished unfinished{drawn.string(), spectral::Unfinished::Kind::file};
+    const Ended ended =
+        run_gnuplot(picture.parent_path().string(), "set loadpath '..'; picture = '.picture.svg'",
+                    fs::absolute(spectral::path_to_read(script_path)).string());
+    std::error_code failure;
+    if (ended.status == 0 && is_whole(drawn)) fs::rename(drawn, picture, failure);
+    if (ended.status == 0 && !failure && fs::exists(picture)) {
+        files->complete(svg_path);
+        if (own) own->commit();
+        return;
+    }
+    fs::remove(drawn, failure);
+    files->drop(svg_path);
     throw Error{svg_path + ": gnuplot failed: " + one_line(ended.messages)};
 }
 

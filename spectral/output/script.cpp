@@ -1,5 +1,7 @@
 #include "spectral/output/script.hpp"
 
+#include <cctype>
+
 #include "spectral/output/embedded.hpp"
 
 namespace hts::output {
@@ -7,6 +9,12 @@ std::string gnuplot_string(std::string_view text) {
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
     return quoted + "'";
+}
+
+std::string gnuplot_file(std::string_view name) {
+    const bool plain =
+        !name.empty() && (std::isalnum(static_cast<unsigned char>(name.front())) != 0 || name.front() == '_');
+    return (plain ? "" : "./") + std::string{name};
 }
 
 std::string_view script_file(std::string_view name) {

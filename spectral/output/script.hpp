@@ -14,6 +14,10 @@ namespace hts::output {
 /// A text as a gnuplot string literal, taken as it is, on one line.
 [[nodiscard]] std::string gnuplot_string(std::string_view text);
 
+/// The name of a file as gnuplot may be given it: with ./ in front of what it would take for an option, a
+/// pipe or its own input.
+[[nodiscard]] std::string gnuplot_file(std::string_view name);
+
 /// The embedded file NAME.gnuplot; hts::Error if there is none.
 [[nodiscard]] std::string_view script_file(std::string_view name);
 
@@ -25,8 +29,7 @@ class Script {
   public:
     Script& set(std::string_view variable, std::string_view text);
     template <class Number>
-        requires std::is_arithmetic_v<Number>
-    Script& set(std::string_view variable, Number value) {
+    requires std::is_arithmetic_v<Number> Script& set(std::string_view variable, Number value) {
         return line(std::string{variable}, literal(value));
     }
     /// An array, of texts or numbers; gnuplot has none that is empty, so neither may this be.

@@ -11,6 +11,7 @@
 #include "hts/phi.hpp"
 #include "hts/tolerance.hpp"
 #include "spectral/plans/planning_error.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -115,7 +116,10 @@ PlannedMaterial planned(const Scene& scene, const Material& material, const Plan
     const ErrorMeter meter{scene, material, forms, sampling};
     const double enough = plan_headroom * tolerance;
     std::vector<Rung> failed;
-    for (const LadderStep& step : ladder(scene, material.properties().surface.has_value(), coarsest)) {
+    const auto steps = ladder(scene, material.properties().surface.has_value(), coarsest);
+    const Job job{"", steps.size()};
+    for (const LadderStep& step : steps) {
+        job.done();
         const PlannedForm candidate = forms.at(step.rung);
         if (!meter.fails_early(candidate, enough)) {
             const MeasuredError error = meter.error(candidate);
@@ -131,8 +135,10 @@ PlannedMaterial planned(const Scene& scene, const Material& material, const Plan
 
 Plan planned(const Scene& scene, const PlanSampling& sampling, double tolerance, double coarsest) {
     Plan plan{scene, tolerance, sampling, {}};
+    const Job job{"", scene.materials.size()};
     for (const Material& material : scene.materials) {
         plan.materials.push_back(planned(scene, material, sampling, tolerance, coarsest));
+        job.done();
     }
     return plan;
 }
@@ -195,9 +201,11 @@ MeasuredError measured_error(const Scene& scene, const Material& material, const
 
 std::vector<MeasuredError> measured_errors(const Plan& plan, const PlanSampling& sampling) {
     std::vector<MeasuredError> errors;
+    const Job job{"", plan.materials.size()};
     for (std::size_t i = 0; i < plan.materials.size(); ++i) {
         errors.push_back(
             measured_error(plan.scene, plan.scene.materials[i], plan.materials[i].form, sampling));
+        job.done();
     }
     return errors;
 }

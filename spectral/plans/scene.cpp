@@ -223,11 +223,20 @@ void require_tolerance(ErrorMeasure measure, double tolerance) {
     throw out_of_range("tolerance", tolerance, "", "from " + shortest(finest) + " to " + shortest(coarsest));
 }
 
+/// "outside", or "clamp", which is "outside": "hold".
+static OutsideRange outside_from(const JsonValue& file) {
+    const auto outside = file.find("outside");
+    if (outside && file.find("clamp"))
+        throw outside->error("must not come with clamp, which is outside hold");
+    if (!outside) return flag_from(file, "clamp") ? OutsideRange::hold : OutsideRange::error;
+    return located(outside->place(), [&] { return outside_range_named(outside->text()); });
+}
+
 Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue file = JsonValue::read(path);
     file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
-                             "compensate_energy", "clamp", "largest_theta_i_deg", "largest_theta_r_deg",
-                             "tolerance", "memory_budget_bytes"});
+                             "compensate_energy", "outside", "clamp", "largest_theta_i_deg",
+                             "largest_theta_r_deg", "tolerance", "memory_budget_bytes"});
     if (const auto name = file.find("name")) static_cast<void>(name->text());
     const JsonValue tolerance = tolerance_key(file["tolerance"]);
     const JsonValue wavelengths = file["wavelengths_um"];
@@ -235,7 +244,7 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     Scene scene{path,
                 materials_from(file["materials"], path.parent_path(), models),
                 wavelengths_from(wavelengths),
-                flag_from(file, "clamp") ? OutsideRange::clamp : OutsideRange::error,
+                outside_from(file),
                 angle_from(file["largest_theta_i_deg"]),
                 angle_from(file["largest_theta_r_deg"]),
                 flag_from(file, "polarised"),
@@ -256,7 +265,9 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
 std::string fingerprint(const Scene& scene) {
     Checksum checksum;
     for (const double um : scene.wavelengths.micrometres()) checksum.add(um);
-    checksum.add(std::string_view{scene.outside_range == OutsideRange::clamp ? "clamp" : "error"});
+    // the older word stays, so that plans of scenes that did not change stay
+    checksum.add(
+        std::string_view{scene.outside_range == OutsideRange::hold ? "clamp" : name(scene.outside_range)});
     checksum.add(scene.largest_theta_i);
     checksum.add(scene.largest_theta_r);
     checksum.add(std::string_view{scene.polarised ? "polarised" : "unpolarised"});

@@ -1,12 +1,15 @@
-/// Comma-separated tables with a header line, read as a stream of rows or as a whole.
+/// Tables with a header line, read as a stream of rows or as a whole: what spreadsheets and instruments write.
 ///
-/// The first line names the columns; each further line is a row with as many fields. Lines that are blank or
-/// begin with `#` are passed over anywhere. White space around a field does not count; a field may stand in
-/// quotation marks, a quotation mark inside is doubled, and a line break ends the row even there. Line ends
-/// LF or CR LF; UTF-8, with or without byte order mark.
+/// The first line names the columns; each further line is a row with as many fields. Fields stand between commas, semicolons or
+/// tabs, or between white space where header and first row have no other: one separator a file, found from the header, from a
+/// first line "sep=;" where there is one. Where it is no comma, numbers may have decimal commas, all of them. Lines that are
+/// blank, hold separators alone or begin with `#` are passed over anywhere, empty fields behind the last column too. White space
+/// around a field does not count; a field may stand in quotation marks, a quotation mark inside is doubled, and a line break ends
+/// the row even there. Line ends LF or CR LF; UTF-8, with or without byte order mark.
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <istream>
 #include <memory>
@@ -19,6 +22,14 @@
 #include "hts/error.hpp"
 
 namespace hts::spectral {
+
+/// How a table is written.
+struct CsvDialect {
+    char separator = ',';  ///< ' ' for any white space
+    bool decimal_comma = false;
+
+    friend bool operator==(const CsvDialect&, const CsvDialect&) = default;
+};
 
 /// The columns of a table and where they are named.
 class CsvHeader {
@@ -34,6 +45,11 @@ class CsvHeader {
     /// hts::Error "path:line: column "x": not known; must be …" if there is a column outside `known`.
     void require_known_columns(const std::vector<std::string>& known) const;
 
+    /// Found from the header and the first rows.
+    [[nodiscard]] const CsvDialect& dialect() const noexcept { return dialect_; }
+    /// "semicolons between fields, decimal commas"; "" where both are as usual.
+    [[nodiscard]] std::string dialect_in_words() const;
+
     /// "path:line: ", the beginning of a message about a line; empty for a text without a name.
     [[nodiscard]] std::string where(std::size_t line) const;
     /// The same of the line that names the columns.
@@ -42,6 +58,8 @@ class CsvHeader {
   protected:
     explicit CsvHeader(std::string name) : name_{std::move(name)} {}
     void set_columns(std::vector<std::string> columns, std::size_t line);
+
+    CsvDialect dialect_;
 
   private:
     std::string name_;
@@ -73,11 +91,20 @@ class CsvReader : public CsvHeader {
     [[nodiscard]] std::vector<CsvRow> read(std::size_t count);
 
   private:
+    struct Line {
+        std::size_t number;
+        std::string text;
+    };
     CsvReader(std::string name, std::unique_ptr<std::istream> stream);
-    [[nodiscard]] std::optional<CsvRow> next_line();
+    [[nodiscard]] std::optional<Line> read_line();
+    [[nodiscard]] std::optional<Line> next_line();
+    void find_dialect(Line& header);
+    [[nodiscard]] std::vector<std::string> fields_of(const Line& line) const;
+    void unify_decimals(CsvRow& row);
 
     std::unique_ptr<std::istream> stream_;
-    std::size_t line_ = 0;
+    std::deque<Line> ahead_;  // read to find the dialect
+    std::size_t line_ = 0, point_line_ = 0, comma_line_ = 0;
 };
 
 /// A whole table. Every column has a name of its own.

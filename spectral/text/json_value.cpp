@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -139,7 +140,7 @@ void JsonValue::require_keys_among(const std::vector<std::string>& known) const 
     require_object();
     for (const auto& item : value_of(value_).items()) {
         if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-        throw member(item.key(), &item.value()).error("not known; must be one of " + joined(known));
+        throw member(item.key(), &item.value()).error("not known; " + must_be_one_of(item.key(), known));
     }
 }
 

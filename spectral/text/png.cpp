@@ -5,8 +5,10 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "hts/error.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -48,9 +50,13 @@ double light(std::uint8_t component) {
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::string bytes{std::istreambuf_iterator<char>{file}, {}};
-    if (!file || bytes.empty()) throw Error{"cannot be read: must be a PNG file"};
+    std::ifstream file{path_to_read(path), std::ios::binary};
+    // a device may have no end: read on only what begins as a PNG file does
+    constexpr std::string_view signature{"\x89PNG\r\n\x1A\n", 8};
+    std::string bytes(signature.size(), '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (file && bytes == signature) bytes.append(std::istreambuf_iterator<char>{file}, {});
+    if (!file || bytes.size() <= signature.size()) throw Error{"cannot be read: must be a PNG file"};
     return bytes;
 }
 

@@ -4,27 +4,68 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+
+#include "spectral/text/run_files.hpp"
 
 namespace hts::spectral {
 namespace {
 
 constexpr std::string_view white_space = " \t\r\n\f\v";
 
+// A device may have no end: what is no text, or too long for one, is refused while it is read.
 std::string contents(const std::filesystem::path& path) {
+    constexpr std::size_t part = std::size_t{1} << 20, most = std::size_t{1} << 31;
     errno = 0;
-    std::ifstream file{path, std::ios::binary};
-    std::string text{std::istreambuf_iterator<char>{file}, {}};
+    std::ifstream file{path_to_read(path), std::ios::binary};
+    std::string text;
+    while (file.good()) {
+        const std::size_t before = text.size();
+        text.resize(before + part);
+        file.read(text.data() + before, part);
+        text.resize(before + static_cast<std::size_t>(file.gcount()));
+        if (text.find('\0', before) != std::string::npos) break;
+        if (text.size() > most) throw Error{path.string() + ": more than 2 GiB: must be less for a text"};
+    }
     if (!file.is_open() || file.bad()) {
         throw Error{path.string() + ": cannot be read: " + std::strerror(errno)};
     }
     return text;
+}
+
+char lower(char c) noexcept {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string letters_of(std::string_view name) {
+    std::string letters;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) letters += lower(c);
+    return letters;
+}
+
+// Changes that make one word of the other, neighbours swapped counting as one.
+std::size_t edits(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                cost[i][j] = i + j;
+                continue;
+            }
+            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1,
+                                   cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+        }
+    }
+    return cost[a.size()][b.size()];
 }
 
 // NUL is UTF-8, but no text.
@@ -39,7 +80,7 @@ void require_utf8(const std::string& text, const std::filesystem::path& path) {
 
 void require_file(const std::filesystem::path& path) {
     std::error_code failure;
-    const auto status = std::filesystem::status(path, failure);
+    const auto status = std::filesystem::status(path_to_read(path), failure);
     if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
     if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
     if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};
@@ -52,7 +93,10 @@ bool is_text(std::string_view bytes) noexcept {
 
 std::string read_text_file(const std::filesystem::path& path) {
     require_file(path);
-    std::string text = contents(path);
+    return checked_text(contents(path), path);
+}
+
+std::string checked_text(std::string text, const std::filesystem::path& path) {
     if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     if (trimmed(text).empty()) throw Error{path.string() + ": file is empty"};
     require_utf8(text, path);
@@ -89,6 +133,23 @@ std::string joined(const std::vector<std::string>& names) {
     std::string list;
     for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
     return list;
+}
+
+bool same_letters(std::string_view a, std::string_view b) noexcept {
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+std::string similar_name(std::string_view name, const std::vector<std::string>& known) {
+    const std::string wanted = letters_of(name);
+    std::string best;
+    std::size_t least = std::min<std::size_t>(2, wanted.size() / 4) + 1;
+    for (const std::string& each : known) {
+        const std::size_t distance = edits(wanted, letters_of(each));
+        if (distance >= least) continue;
+        least = distance;
+        best = each;
+    }
+    return best;
 }
 
 std::string in_quotes(std::string_view text) {

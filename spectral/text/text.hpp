@@ -13,6 +13,8 @@ namespace hts::spectral {
 /// A whole file as UTF-8 text without byte order mark. hts::Error "path: …" if it is missing, a directory,
 /// unreadable or empty, "path:line: …" if it is not UTF-8.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
+/// The same of bytes that were read from there.
+[[nodiscard]] std::string checked_text(std::string bytes, const std::filesystem::path& path);
 
 /// hts::Error "path: …" if there is no such file or it is a directory.
 void require_file(const std::filesystem::path& path);
@@ -33,6 +35,13 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string>& names);
+
+/// Without regard to case, of ASCII letters.
+[[nodiscard]] bool same_letters(std::string_view a, std::string_view b) noexcept;
+
+/// The one of `known` that `name` may be a slip of: the same letters and digits, or at most two of them changed, left out, added
+/// or swapped, at most a quarter of the name; "" if there is none.
+[[nodiscard]] std::string similar_name(std::string_view name, const std::vector<std::string>& known);
 
 /// "text" with quotation marks around it, on one line: control characters become question marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -1,13 +1,16 @@
 #include "tables/formats/brdf_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <utility>
 
 #include "hts/error.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
+#include "tables/formats/coverage.hpp"
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
+#include "tables/formats/points/fred.hpp"
+#include "tables/formats/points/lighttools.hpp"
 #include "tables/formats/points/scatter_points.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/whole_file.hpp"
@@ -17,56 +20,72 @@ namespace hts::tables {
 namespace {
 
 using Path = std::filesystem::path;
-using Wavelengths = std::optional<spectral::WavelengthGrid>;
 
-constexpr const char* no_wavelength =
-    "channels without wavelength, named by 0.46, 0.55 and 0.62 um for blue, green and red or 0.55 um for "
-    "luminance";
-
-std::string head_of(const Path& path) {
-    std::string head(4096, '\0');
-    std::ifstream file{path, std::ios::binary};
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return head;
-}
-
-// The first word that is no comment.
-std::string_view first_word(std::string_view head) {
-    for (const std::string_view line : spectral::split(head, '\n')) {
-        const auto words = spectral::words(line);
-        if (!words.empty() && !words.front().starts_with('#')) return words.front();
+// The first line that is no comment.
+std::string_view first_line(std::string_view text) {
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        const std::string_view line = spectral::trimmed(text.substr(0, end));
+        if (!line.empty() && !line.starts_with('#')) return line;
+        text.remove_prefix(std::min(end + 1, text.size()));
     }
     return {};
 }
 
-bool has_line_vars(std::string_view head) {
-    return head.starts_with("VARS ") || head.find("\nVARS ") != std::string_view::npos;
+std::string_view without_mark(std::string_view text) {
+    if (text.starts_with(spectral::byte_order_mark)) text.remove_prefix(spectral::byte_order_mark.size());
+    return text;
 }
 
-BrdfFile read_merl(const Path& path, const Wavelengths& wavelengths) {
-    const std::string bytes = read_whole_file(path, merl_size);
-    BrdfFile file{merl_brdf(bytes, path.string(), wavelengths.value_or(rgb_wavelengths())), "merl", {}};
-    if (!wavelengths) file.notes.emplace_back(no_wavelength);
+// Whether a line begins with the word VARS, which blanks, tabs, commas or semicolons may follow.
+bool has_line_vars(std::string_view text) {
+    for (auto at = text.find("VARS"); at != std::string_view::npos; at = text.find("VARS", at + 1)) {
+        const bool begins = at == 0 || text[at - 1] == '\n';
+        if (begins && at + 4 < text.size() &&
+            std::string_view{" \t,;"}.find(text[at + 4]) != std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+bool is_text_file(std::string_view bytes) {
+    return spectral::is_text(bytes.substr(0, bytes.find_last_of('\n') + 1));
+}
+
+BrdfFile read_merl(std::string bytes, const Path& path, const BrdfReading& how) {
+    BrdfFile file{merl_brdf(bytes, path.string(), how.wavelengths.value_or(rgb_wavelengths())), "merl", {}};
+    if (!how.wavelengths) file.channels = rgb_channels();
     return file;
 }
 
-BrdfFile read_radiance(const Path& path, const Wavelengths& wavelengths) {
-    BrdfFile file{radiance_brdf(spectral::read_text_file(path), path.string(), wavelengths), "radiance", {}};
-    if (!wavelengths) file.notes.emplace_back(no_wavelength);
+BrdfFile read_radiance(std::string bytes, const Path& path, const BrdfReading& how) {
+    auto found =
+        radiance_file(spectral::checked_text(std::move(bytes), path), path.string(), how.wavelengths);
+    BrdfFile file{std::move(found.brdf), "radiance", std::move(found.notes)};
+    if (!how.wavelengths) file.channels = luminance_channel();
     return file;
+}
+
+BrdfFile read_tabular(std::string bytes, const Path& path, const BrdfReading& how) {
+    auto found = zemax_file(spectral::checked_text(std::move(bytes), path), path, how.wavelengths);
+    return {std::move(found.brdf), "zemax", std::move(found.notes), std::move(found.channels)};
 }
 
 BrdfFile file_of_points(const Path& path, const ScatterPoints& points, const char* format) {
-    bool regular = false;
-    BrdfFile file{brdf_from(path.string(), points, &regular), format, {}};
-    const auto [low, high] =
-        std::minmax_element(points.angles.begin(), points.angles.end(),
-                            [](const auto& a, const auto& b) { return a.theta_i < b.theta_i; });
-    file.notes.push_back(
-        std::to_string(points.angles.size()) + " points, theta_i " + shortest(low->theta_i) + " to " +
-        shortest(high->theta_i) + " deg, " +
-        (regular ? "on a full grid: linear between them" : "scattered: the eight nearest count"));
+    PointsBrdf found = brdf_from(path.string(), points);
+    return {std::move(found.brdf), format, std::move(found.notes), points.channels};
+}
+
+BrdfFile with_coverage(BrdfFile file) {
+    if (!file.channels.empty()) {
+        std::string names;
+        for (std::size_t i = 0; i < file.channels.size(); ++i)
+            names.append(i == 0 ? "" : ", ")
+                .append(file.channels[i] + " at " + shortest(file.brdf.wavelengths().micrometres()[i]) +
+                        " um");
+        file.notes.push_back("channels, no spectrum: asked for as " + names);
+    }
+    file.notes.push_back(coverage_note(file.brdf));
     return file;
 }
 
@@ -75,60 +94,81 @@ BrdfFile file_of_points(const Path& path, const ScatterPoints& points, const cha
 const std::vector<BrdfFormat>& readable_formats() {
     static const std::vector<BrdfFormat> formats{
         {"merl", "MERL .binary, isotropic RGB",
-         [](std::string_view head, const Path& path) {
-             return head.starts_with(std::string_view{"\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0", 12}) ||
+         [](std::string_view bytes, const Path& path) {
+             return bytes.starts_with(std::string_view{"\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0", 12}) ||
                     path.extension() == ".binary";
          },
          read_merl},
         {"rgl", "spectral tensor .bsdf of RGL, Mitsuba 3 and pbrt-v4",
-         [](std::string_view head, const Path& path) {
-             return head.starts_with(std::string_view{"tensor_file\0", 12}) && path.extension() != ".pbsdf";
+         [](std::string_view bytes, const Path& path) {
+             return bytes.starts_with(std::string_view{"tensor_file\0", 12}) && path.extension() != ".pbsdf";
          },
-         [](const Path& path, const Wavelengths& wavelengths) {
-             if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
-             return BrdfFile{spectral::Reflectance{read_rgl(path)}, "rgl", {}};
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             if (how.wavelengths)
+                 throw Error{path.string() + ": says its wavelengths, which must not be given"};
+             return BrdfFile{spectral::Reflectance{parse_rgl(std::move(bytes), path)}, "rgl", {}};
          }},
         {"radiance", "Radiance and LBNL WINDOW XML, tensor tree or Klems' patches",
-         [](std::string_view head, const Path&) { return spectral::trimmed(head).starts_with('<'); },
+         [](std::string_view bytes, const Path&) {
+             return spectral::trimmed(without_mark(bytes)).starts_with('<') ||
+                    bytes.find("<WindowElement") != std::string_view::npos;
+         },
          read_radiance},
         {"zemax", "tabular .bsdf of OpticStudio, or the index (.json) of several",
-         [](std::string_view head, const Path&) {
-             return first_word(head) == "Source" || head.find("\"zemax_files\"") != std::string_view::npos;
+         [](std::string_view bytes, const Path&) {
+             const auto words = spectral::words(first_line(without_mark(bytes)).substr(0, 200));
+             return (!words.empty() && spectral::same_letters(words.front(), "Source")) ||
+                    (spectral::trimmed(bytes).starts_with('{') &&
+                     bytes.find("\"zemax_files\"") != std::string_view::npos);
          },
-         [](const Path& path, const Wavelengths& wavelengths) {
-             return BrdfFile{read_zemax(path, wavelengths), "zemax", {}};
+         read_tabular},
+        {"lighttools", "BSDF text of LightTools, a block per angle of incidence and wavelength",
+         [](std::string_view bytes, const Path&) { return is_lighttools_file(bytes); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             return file_of_points(path, points_of_lighttools(text, path.string(), how.wavelengths),
+                                   "lighttools");
+         }},
+        {"fred", "scatter table of FRED, \"type bsdf_data\", also with VIAVI's head of lines \"!!\"",
+         [](std::string_view bytes, const Path&) { return is_fred_file(without_mark(bytes)); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             return file_of_points(
+                 path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth), "fred");
          }},
         {"astm", "ASTM E1392 (E2387) scatter file, KEY value lines, VARS and points",
-         [](std::string_view head, const Path&) { return has_line_vars(head); },
-         [](const Path& path, const Wavelengths& wavelengths) {
-             const std::string text = spectral::read_text_file(path);
-             return file_of_points(path, points_of_astm(text, path.string(), wavelengths), "astm");
+         [](std::string_view bytes, const Path&) { return has_line_vars(without_mark(bytes)); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             return file_of_points(path, points_of_astm(text, path.string(), how.wavelengths), "astm");
          }},
         {"csv", "CSV with theta_i_deg, theta_r_deg, phi_r_deg and brdf",
-         [](std::string_view head, const Path& path) {
-             return path.extension() == ".csv" ||
-                    first_word(head).find("theta_i_deg") != std::string_view::npos;
+         [](std::string_view bytes, const Path& path) {
+             return path.extension() == ".csv" || path.extension() == ".tsv" ||
+                    (first_line(without_mark(bytes)).find("theta_") != std::string_view::npos &&
+                     is_text_file(bytes)) ||
+                    first_line(without_mark(bytes)).starts_with("sep=");
          },
-         [](const Path& path, const Wavelengths& wavelengths) {
-             const std::string text = spectral::read_text_file(path);
-             return file_of_points(path, points_of_csv(text, path.string(), wavelengths), "csv");
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             return file_of_points(path, points_of_csv(text, path.string(), how.wavelengths), "csv");
          }},
     };
     return formats;
 }
 
-BrdfFile read_brdf(const Path& path, const Wavelengths& wavelengths, std::string_view format) {
+BrdfFile read_brdf(const Path& path, const BrdfReading& how) {
+    std::string bytes = read_whole_file(path);
+    if (bytes.empty()) throw Error{path.string() + ": file is empty"};
     std::vector<std::string> known;
-    if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored))
-        throw Error{path.string() + ": must be a file that exists"};
-    const std::string head = head_of(path);
     for (const BrdfFormat& each : readable_formats()) {
         known.push_back(each.name);
-        if (format.empty() ? each.recognised(head, path) : each.name == format)
-            return each.read(path, wavelengths);
+        if (how.format.empty() ? each.recognised(bytes, path) : each.name == how.format)
+            return with_coverage(each.read(std::move(bytes), path, how));
     }
-    if (!format.empty())
-        throw Error{"format " + spectral::in_quotes(format) + ": must be one of " + spectral::joined(known)};
+    if (!how.format.empty())
+        throw Error{"format " + spectral::in_quotes(how.format) + ": must be one of " +
+                    spectral::joined(known)};
     throw Error{path.string() + ": of no format that is known: " + spectral::joined(known)};
 }
 

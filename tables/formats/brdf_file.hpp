@@ -4,7 +4,8 @@
 ///
 /// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
 /// (rgl.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
-/// of them, Radiance's and WINDOW's XML (radiance_xml.hpp), ASTM scatter files and CSV (scatter_points.hpp).
+/// of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
+/// FRED's tables, ASTM scatter files and CSV (scatter_points.hpp).
 #pragma once
 
 #include <filesystem>
@@ -24,29 +25,32 @@ struct BrdfFile {
     spectral::Reflectance brdf;
     std::string format;              ///< "merl", …
     std::vector<std::string> notes;  ///< what a user should know of it, a line each
+    /// What its wavelengths stand for: B, G, R or Z, Y, X or Y; none if they are wavelengths.
+    std::vector<std::string> channels{};
+};
+
+/// What a user knows of a file that it may not say itself.
+struct BrdfReading {
+    std::optional<spectral::WavelengthGrid> wavelengths{};  ///< what the channels are called [um]
+    std::string format{};                                   ///< its name; "" to recognise it
+    double mirror_azimuth = 0;  ///< FRED's tables: where azimuths have the mirror direction [deg], 0 or 180
 };
 
 /// A format that can be read.
 struct BrdfFormat {
     std::string name;
     std::string what;  ///< a line of help
-    ///   head   the first 4096 bytes, or all
-    std::function<bool(std::string_view head, const std::filesystem::path& path)> recognised;
-    ///   wavelengths   what the channels are called, if the user says so
-    std::function<BrdfFile(const std::filesystem::path& path,
-                           const std::optional<spectral::WavelengthGrid>& wavelengths)>
+    std::function<bool(std::string_view bytes, const std::filesystem::path& path)> recognised;
+    ///   bytes   the whole file      path   where it stood
+    std::function<BrdfFile(std::string bytes, const std::filesystem::path& path, const BrdfReading& how)>
         read;
 };
 
 /// A line per format; the first that recognises a file reads it.
 [[nodiscard]] const std::vector<BrdfFormat>& readable_formats();
 
-/// Reads a file.
-///   wavelengths   what its channels are called [um], needed where the file does not say
-///   format        name of its format, "" to recognise it
-/// hts::Error "path: …", with line or offset where there is one, if no format recognises it or it is damaged.
-[[nodiscard]] BrdfFile read_brdf(const std::filesystem::path& path,
-                                 const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt,
-                                 std::string_view format = "");
+/// Reads a file, or a pipe. The last note says which wavelengths, angles and share of the hemisphere it covers.
+/// hts::Error "path: …", with line or offset where there is one, if it cannot be read, no format recognises it or it is damaged.
+[[nodiscard]] BrdfFile read_brdf(const std::filesystem::path& path, const BrdfReading& how = {});
 
 }  // namespace hts::tables

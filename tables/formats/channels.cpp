@@ -35,6 +35,10 @@ class Channels final : public spectral::Evaluator {
         source_.evaluator().specular_reflectance(in, all);
         combine_(all, values);
     }
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
+        return source_.evaluator().knows(pair);
+    }
+    [[nodiscard]] spectral::MeasuredDomain domain() const override { return source_.evaluator().domain(); }
 
   private:
     spectral::Reflectance source_;
@@ -56,6 +60,12 @@ class Joined final : public spectral::Evaluator {
         for (std::size_t i = 0; i < parts_.size(); ++i)
             parts_[i].evaluator().specular_reflectance(in, values.subspan(i, 1));
     }
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
+        return std::ranges::all_of(parts_, [&](const auto& part) { return part.evaluator().knows(pair); });
+    }
+    [[nodiscard]] spectral::MeasuredDomain domain() const override {
+        return parts_.front().evaluator().domain();
+    }
 
   private:
     std::vector<spectral::Reflectance> parts_;
@@ -73,6 +83,21 @@ spectral::Reflectance channels_of(spectral::Reflectance source, const spectral::
 const spectral::WavelengthGrid& rgb_wavelengths() {
     static const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.55, 0.62});
     return grid;
+}
+
+const std::vector<std::string>& rgb_channels() {
+    static const std::vector<std::string> names{"B", "G", "R"};
+    return names;
+}
+
+const std::vector<std::string>& xyz_channels() {
+    static const std::vector<std::string> names{"Z", "Y", "X"};
+    return names;
+}
+
+const std::vector<std::string>& luminance_channel() {
+    static const std::vector<std::string> names{"Y"};
+    return names;
 }
 
 const spectral::WavelengthGrid& luminance_wavelength() {

@@ -15,6 +15,10 @@ namespace hts::tables {
 
 /// Wavelengths that name blue, green and red: 0.46, 0.55, 0.62 um.
 [[nodiscard]] const spectral::WavelengthGrid& rgb_wavelengths();
+/// What those wavelengths stand for in files that hold colours: B, G, R, or Z, Y, X; of luminance alone Y.
+[[nodiscard]] const std::vector<std::string>& rgb_channels();
+[[nodiscard]] const std::vector<std::string>& xyz_channels();
+[[nodiscard]] const std::vector<std::string>& luminance_channel();
 /// The wavelength that names luminance: 0.55 um.
 [[nodiscard]] const spectral::WavelengthGrid& luminance_wavelength();
 

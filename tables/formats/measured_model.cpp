@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -12,6 +14,8 @@
 #include "spectral/text/text.hpp"
 #include "tables/formats/brdf_file.hpp"
 #include "tables/formats/channels.hpp"
+#include "tables/formats/coverage.hpp"
+#include "tables/formats/lobe.hpp"
 
 namespace hts::tables {
 namespace {
@@ -23,8 +27,18 @@ constexpr double pi = std::numbers::pi;
 // A spectral BRDF at one wavelength, between two of its own.
 class OneWavelength {
   public:
-    OneWavelength(spectral::Reflectance brdf, double wavelength_um) : brdf_{std::move(brdf)} {
+    ///   outside   what is reflected at wavelengths beyond those of the BRDF
+    OneWavelength(spectral::Reflectance brdf, const Wavelength& wavelength, OutsideRange outside)
+        : brdf_{std::move(brdf)} {
+        const double wavelength_um = wavelength.micrometres();
         const auto nodes = brdf_.wavelengths().micrometres();
+        const bool inside =
+            wavelength_um >= nodes.front() * (1 - 1e-9) && wavelength_um <= nodes.back() * (1 + 1e-9);
+        if (!inside && outside == OutsideRange::zero) factor_ = 0;
+        if (!inside && outside == OutsideRange::error) {
+            const spectral::WavelengthRange range{nodes.front(), nodes.back()};
+            static_cast<void>(range.admit(wavelength, outside, brdf_.name()));
+        }
         const auto above = std::upper_bound(nodes.begin(), nodes.end(), wavelength_um);
         const auto index = static_cast<std::size_t>(above - nodes.begin());
         low_ = index == 0 ? 0 : index - 1;
@@ -34,12 +48,16 @@ class OneWavelength {
 
     using Spectrum = std::array<double, most_channels>;
 
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept {
+        return brdf_.evaluator().knows(pair);
+    }
+
     /// At the wavelengths of the file.
     void spectrum(const Direction& in, const Direction& out, Spectrum& result) const noexcept {
         brdf_.evaluator().brdf({in, out}, std::span{result}.first(brdf_.wavelengths().size()));
     }
     [[nodiscard]] double operator()(const Spectrum& spectrum) const noexcept {
-        return std::lerp(spectrum[low_], spectrum[high_], share_);
+        return factor_ * std::lerp(spectrum[low_], spectrum[high_], share_);
     }
     [[nodiscard]] double operator()(const Direction& in, const Direction& out) const noexcept {
         Spectrum all;
@@ -50,7 +68,7 @@ class OneWavelength {
   private:
     spectral::Reflectance brdf_;
     std::size_t low_, high_;
-    double share_ = 0;
+    double share_ = 0, factor_ = 1;
 };
 
 Direction turned(double cosine, double azimuth, const Direction& from) {
@@ -137,11 +155,13 @@ class CellDraws {
 // A hts::ReflectanceModel.
 class MeasuredModel {
   public:
-    explicit MeasuredModel(const OneWavelength& brdf)
-        : brdf_{brdf}, draws_{std::make_shared<const CellDraws>(brdf)} {}
+    ///   dark_outside   reflects nothing where nothing was measured
+    MeasuredModel(const OneWavelength& brdf, bool dark_outside)
+        : brdf_{brdf}, draws_{std::make_shared<const CellDraws>(brdf)}, dark_outside_{dark_outside} {}
 
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
-        return above_horizon(in, out) ? brdf_(in, out) : 0;
+        if (!above_horizon(in, out) || (dark_outside_ && !brdf_.knows({in, out}))) return 0;
+        return brdf_(in, out);
     }
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         if (!above_horizon(in, out)) return 0;
@@ -158,63 +178,109 @@ class MeasuredModel {
 
     OneWavelength brdf_;
     std::shared_ptr<const CellDraws> draws_;
+    bool dark_outside_;
 };
 
 // Reads the file's spectrum once for all wavelengths.
 class MeasuredEvaluator final : public spectral::Evaluator {
   public:
     MeasuredEvaluator(const std::string& name, const spectral::WavelengthGrid& wavelengths,
-                      const spectral::Reflectance& brdf, std::vector<OneWavelength> each)
-        : spectral::Evaluator{name, wavelengths}, brdf_{brdf}, each_{std::move(each)} {}
+                      const spectral::Reflectance& brdf, std::vector<OneWavelength> each,
+                      OutsideRange outside)
+        : spectral::Evaluator{name, wavelengths}, brdf_{brdf}, each_{std::move(each)}, outside_{outside} {}
 
+    [[nodiscard]] spectral::Properties properties() const override {
+        return {.isotropic = brdf_.properties().isotropic, .partial = outside_ == OutsideRange::error};
+    }
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
+        return brdf_.evaluator().knows(pair);
+    }
+    [[nodiscard]] spectral::MeasuredDomain domain() const override { return brdf_.evaluator().domain(); }
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        if (!above_horizon(pair.in, pair.out)) return std::fill(values.begin(), values.end(), 0.0);
+        const bool dark =
+            !above_horizon(pair.in, pair.out) || (outside_ == OutsideRange::zero && !knows(pair));
+        if (dark) return std::fill(values.begin(), values.end(), 0.0);
         OneWavelength::Spectrum spectrum;
         brdf_.evaluator().brdf(pair, std::span{spectrum}.first(brdf_.size()));
         for (std::size_t i = 0; i < each_.size(); ++i) values[i] = each_[i](spectrum);
     }
+    [[nodiscard]] spectral::HemisphericalReflectance albedo(const Direction& in,
+                                                            std::size_t wavelength) const override {
+        if (!(in.cos_theta() > 0)) return {0, 0, 0};
+        return {0, albedos_.at(in, [&] { return integrated(in); })[wavelength], 0};
+    }
     [[nodiscard]] std::shared_ptr<const spectral::DirectionSampler> sampler(
         std::size_t wavelength) const override {
-        return spectral::sampler_of(MeasuredModel{each_[wavelength]});
+        if (outside_ == OutsideRange::error)
+            require_whole(share_of_pairs(brdf_.evaluator()), "pairs of directions", "draws need");
+        return spectral::sampler_of(MeasuredModel{each_[wavelength], outside_ == OutsideRange::zero});
     }
 
   private:
+    // Directions that many wavelengths ask for, integrated once.
+    class Albedos {
+      public:
+        template <class Compute>
+        std::vector<double> at(const Direction& in, const Compute& compute) const {
+            const Vector3 v = in.vector();
+            const std::lock_guard lock{mutex_};
+            const auto found = made_.find({v.x, v.y, v.z});
+            if (found != made_.end()) return found->second;
+            if (made_.size() >= 1024) made_.clear();
+            return made_.emplace(std::array{v.x, v.y, v.z}, compute()).first->second;
+        }
+
+      private:
+        mutable std::mutex mutex_;
+        mutable std::map<std::array<double, 3>, std::vector<double>> made_;
+    };
+    [[nodiscard]] std::vector<double> integrated(const Direction& in) const {
+        if (outside_ == OutsideRange::error) {
+            const double theta = std::atan2(in.sin_theta(), in.cos_theta()) * 180 / pi;
+            require_whole(share_of_views(brdf_.evaluator(), in),
+                          "the hemisphere of views from theta_i " + spectral::brief(theta, 6) + " deg",
+                          "the reflectance in all needs");
+        }
+        return measured_albedo(*this, in, lobe_slope(brdf_));
+    }
+    void require_whole(double share, const std::string& of, const std::string& who) const {
+        if (share >= whole_share) return;
+        throw Error{name() + ": measured in " + spectral::brief(100 * share, 3) + " % of " + of + " (" +
+                    domain().axes + "): " + who + " " + spectral::brief(100 * whole_share) +
+                    " %; --outside hold or zero answers beyond"};
+    }
+
     spectral::Reflectance brdf_;
     std::vector<OneWavelength> each_;
+    OutsideRange outside_;
+    Albedos albedos_;
 };
 
-double admitted(const spectral::Reflectance& brdf, const Wavelength& wavelength, OutsideRange policy) {
-    const auto nodes = brdf.wavelengths().micrometres();
-    const double um = wavelength.micrometres();
-    if (policy == OutsideRange::clamp ||
-        (um >= nodes.front() * (1 - 1e-9) && um <= nodes.back() * (1 + 1e-9)))
-        return std::clamp(um, nodes.front(), nodes.back());
-    throw out_of_range(brdf.name() + ": wavelength", um, "um",
-                       nodes.size() == 1
-                           ? shortest(nodes.front()) + " um"
-                           : "from " + shortest(nodes.front()) + " to " + shortest(nodes.back()) + " um");
-}
-
 spectral::Material read_measured(const spectral::MaterialFile& file) {
-    file.json.require_keys_among({"name", "model", "file", "format", "wavelengths_um"});
-    const std::string format = file.json.find("format") ? file.json["format"].text() : "";
-    std::optional<spectral::WavelengthGrid> wavelengths;
+    file.json.require_keys_among({"name", "model", "file", "format", "wavelengths_um", "mirror_azimuth_deg"});
+    BrdfReading how;
+    if (const auto format = file.json.find("format")) how.format = format->text();
     if (const auto list = file.json.find("wavelengths_um")) {
         std::vector<double> micrometres;
         for (const auto& item : list->items()) micrometres.push_back(item.number());
-        wavelengths = spectral::located(list->place(), [&] {
+        how.wavelengths = spectral::located(list->place(), [&] {
             return spectral::WavelengthGrid::from_micrometres(std::move(micrometres));
         });
     }
+    if (const auto azimuth = file.json.find("mirror_azimuth_deg")) {
+        how.mirror_azimuth = azimuth->number();
+        if (how.mirror_azimuth != 0 && how.mirror_azimuth != 180)
+            throw azimuth->error(shortest(how.mirror_azimuth) + ": must be 0 or 180");
+    }
     const auto key = file.json["file"];
-    BrdfFile found = spectral::located(
-        key.place(), [&] { return read_brdf(file.folder / key.text(), wavelengths, format); });
-    return material_of_file(found.brdf, std::move(found.notes));
+    BrdfFile found = spectral::located(key.place(), [&] { return read_brdf(file.folder / key.text(), how); });
+    return material_of_file(found.brdf, std::move(found.notes), std::move(found.channels));
 }
 
 }  // namespace
 
-spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vector<std::string> notes) {
+spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vector<std::string> notes,
+                                    std::vector<std::string> channels) {
     if (brdf.wavelengths().size() > most_channels) {
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "at most " + std::to_string(most_channels));
@@ -223,12 +289,12 @@ spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vect
                                 const spectral::EvaluationOptions& options) {
         std::vector<OneWavelength> each;
         for (std::size_t i = 0; i < wavelengths.size(); ++i)
-            each.emplace_back(brdf, admitted(brdf, wavelengths[i], options.outside));
-        const spectral::Reflectance whole{
-            std::make_shared<const MeasuredEvaluator>(name, wavelengths, brdf, std::move(each))};
+            each.emplace_back(brdf, wavelengths[i], options.outside);
+        const spectral::Reflectance whole{std::make_shared<const MeasuredEvaluator>(
+            name, wavelengths, brdf, std::move(each), options.outside)};
         return options.lobe == DiffuseLobe::none ? spectral::uniform_part_of(whole) : whole;
     };
-    return spectral::Material{prepare, {}, std::move(notes)};
+    return spectral::Material{prepare, {.channels = std::move(channels)}, std::move(notes)};
 }
 
 const std::vector<spectral::ModelEntry>& models_with_files() {

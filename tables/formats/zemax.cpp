@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "hts/error.hpp"
-#include "spectral/colour/display_colour.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/output.hpp"
 #include "spectral/text/text.hpp"
@@ -14,6 +13,9 @@
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
+
+using spectral::same_letters;
+
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -103,7 +105,7 @@ std::vector<double> take_list(Tokens& tokens, std::string_view keyword, const ch
 
 void take_choice(Tokens& tokens, std::string_view keyword, std::string_view choice, const char* reason) {
     tokens.take_word(keyword);
-    if (tokens.next() != choice) {
+    if (!same_letters(tokens.next(), choice)) {
         throw tokens.error(
             std::string{keyword}.append(" ").append(tokens.next().substr(0, 40)).append(": ").append(reason));
     }
@@ -116,13 +118,14 @@ Header take_header(Tokens& tokens) {
     tokens.take_word("Source");
     tokens.take();
     tokens.take_word("Symmetry");
-    header.grid.symmetric = tokens.next() == "PlaneSymmetrical";
-    if (!header.grid.symmetric && tokens.next() != "Asymmetrical" && tokens.next() != "ASymmetrical")
+    header.grid.symmetric = same_letters(tokens.next(), "PlaneSymmetrical");
+    if (!header.grid.symmetric && !same_letters(tokens.next(), "Asymmetrical") &&
+        !same_letters(tokens.next(), "Asymmetrical4D"))
         throw tokens.error("Symmetry: must be PlaneSymmetrical or Asymmetrical");
     tokens.take();
     tokens.take_word("SpectralContent");
-    header.tristimulus = tokens.next() == "XYZ";
-    if (!header.tristimulus && tokens.next() != "Monochrome")
+    header.tristimulus = same_letters(tokens.next(), "XYZ");
+    if (!header.tristimulus && !same_letters(tokens.next(), "Monochrome"))
         throw tokens.error("SpectralContent: must be Monochrome or XYZ");
     tokens.take();
     take_choice(tokens, "ScatterType", "BRDF", "only reflection can be read");
@@ -148,22 +151,19 @@ std::vector<double> take_block(Tokens& tokens, std::string_view keyword, const A
         tokens.take_word("TIS");
         tokens.take_number("TIS");
         for (std::size_t k = 0; k < grid.azimuth.size(); ++k) {
-            for (std::size_t r = 0; r < grid.polar.size(); ++r)
-                values.push_back(std::max(0.0, tokens.take_number("BRDF")));
+            for (std::size_t r = 0; r < grid.polar.size(); ++r) values.push_back(tokens.take_value("BRDF"));
         }
     }
     tokens.take_word("DataEnd");
     return values;
 }
 
-std::vector<double> take_linear_srgb(Tokens& tokens, const AngularGrid& grid) {
+// Z, Y and X of each node.
+std::vector<double> take_tristimulus(Tokens& tokens, const AngularGrid& grid) {
     const auto X = take_block(tokens, "TristimulusX", grid), Y = take_block(tokens, "TristimulusY", grid),
                Z = take_block(tokens, "TristimulusZ", grid);
     std::vector<double> values;
-    for (std::size_t i = 0; i < X.size(); ++i) {
-        const auto rgb = spectral::linear_srgb({X[i], Y[i], Z[i]}, spectral::Illuminant::D65);
-        for (const double value : {rgb.blue, rgb.green, rgb.red}) values.push_back(std::max(0.0, value));
-    }
+    for (std::size_t i = 0; i < X.size(); ++i) values.insert(values.end(), {Z[i], Y[i], X[i]});
     return values;
 }
 
@@ -221,12 +221,13 @@ std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularG
     return texts;
 }
 
-spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
-                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
+static ZemaxFile one_file(std::string_view text, const std::string& name,
+                          const std::optional<spectral::WavelengthGrid>& wavelengths) {
     Tokens tokens{text, name};
     const Header header = take_header(tokens);
-    std::vector<double> values = header.tristimulus ? take_linear_srgb(tokens, header.grid)
+    std::vector<double> values = header.tristimulus ? take_tristimulus(tokens, header.grid)
                                                     : take_block(tokens, "Monochrome", header.grid);
+    if (!tokens.at_end()) throw tokens.error("text after DataEnd, which no reader would see");
     auto channels = wavelengths          ? wavelengths
                     : header.tristimulus ? rgb_wavelengths()
                                          : commented_wavelength(text, name);
@@ -235,7 +236,15 @@ spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
         throw Error{name + ": holds " + (header.tristimulus ? "3 channels" : "1 wavelength") + ", not " +
                     std::to_string(channels->size())};
     }
-    return gridded_brdf(name, *channels, header.grid, std::move(values));
+    ZemaxFile file{gridded_brdf(name, *channels, header.grid, std::move(values))};
+    if (header.tristimulus && !wavelengths) file.channels = xyz_channels();
+    if (tokens.negative().count > 0) file.notes.push_back(tokens.negative().text());
+    return file;
+}
+
+spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
+    return one_file(text, name, wavelengths).brdf;
 }
 
 std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
@@ -265,25 +274,31 @@ void write_zemax(const spectral::Reflectance& brdf, const std::filesystem::path&
     spectral::write_files(zemax_files(brdf, path));
 }
 
-spectral::Reflectance read_zemax(const std::filesystem::path& path,
-                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
-    const auto one = [](const std::filesystem::path& file,
-                        const std::optional<spectral::WavelengthGrid>& channels) {
-        return zemax_brdf(spectral::read_text_file(file), file.string(), channels);
-    };
-    if (path.extension() != ".json") return one(path, wavelengths);
+ZemaxFile zemax_file(std::string_view text, const std::filesystem::path& path,
+                     const std::optional<spectral::WavelengthGrid>& wavelengths) {
+    if (!spectral::trimmed(text).starts_with('{')) return one_file(text, path.string(), wavelengths);
     if (wavelengths) throw Error{path.string() + ": says its wavelengths, which must not be given"};
-    const auto index = spectral::JsonValue::read(path);
+    const auto index = spectral::JsonValue::parse(std::string{text}, path.string());
     std::vector<spectral::Reflectance> parts;
+    std::vector<std::string> notes;
     for (const auto& item : index["zemax_files"].items()) {
         item.require_keys_among({"wavelength_um", "file"});
         const double micrometres = item["wavelength_um"].number();
-        parts.push_back(spectral::located(item.place(), [&] {
-            return one(path.parent_path() / item["file"].text(),
-                       spectral::WavelengthGrid::from_micrometres({micrometres}));
-        }));
+        const auto part = path.parent_path() / item["file"].text();
+        auto found = spectral::located(item.place(), [&] {
+            return one_file(spectral::read_text_file(part), part.string(),
+                            spectral::WavelengthGrid::from_micrometres({micrometres}));
+        });
+        parts.push_back(std::move(found.brdf));
+        for (const std::string& note : found.notes) notes.push_back(item["file"].text() + ": " + note);
     }
-    return spectral::located(path.string(), [&] { return joined(path.string(), std::move(parts)); });
+    return {
+        spectral::located(path.string(), [&] { return joined(path.string(), std::move(parts)); }), {}, notes};
+}
+
+spectral::Reflectance read_zemax(const std::filesystem::path& path,
+                                 const std::optional<spectral::WavelengthGrid>& wavelengths) {
+    return zemax_file(spectral::read_text_file(path), path, wavelengths).brdf;
 }
 
 }  // namespace hts::tables

@@ -28,7 +28,7 @@ namespace hts::tables {
 [[nodiscard]] std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf,
                                                    AngularGrid grid = zemax_grid());
 
-/// The BRDF of a file; one with tristimulus values comes as linear sRGB (rgb_wavelengths).
+/// The BRDF of a file; one with tristimulus values has the channels Z, Y, X (see rgb_wavelengths).
 ///   text          the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelengths   what the channels are called: one, for tristimulus values three; if none is given the comment, 0.46,
 ///                 0.55 and 0.62 um for tristimulus values, else hts::Error
@@ -36,6 +36,17 @@ namespace hts::tables {
 [[nodiscard]] spectral::Reflectance zemax_brdf(
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
+
+/// A file and what a user should know of it.
+struct ZemaxFile {
+    spectral::Reflectance brdf;
+    std::vector<std::string> channels{};  ///< what its wavelengths stand for; none if they are wavelengths
+    std::vector<std::string> notes{};
+};
+/// Of a file, or of an index of several.
+///   text   the whole of what stood at `path`      wavelengths   as above; none of an index
+[[nodiscard]] ZemaxFile zemax_file(std::string_view text, const std::filesystem::path& path,
+                                   const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
 
 /// Writes files: at one wavelength `path` itself unless it ends in .json; at several `path` must end in .json and becomes an index,
 /// {"zemax_files": [{"wavelength_um": 0.633, "file": "NAME_633nm.bsdf"}, …]}, of files beside it. hts::Error if one cannot be written.

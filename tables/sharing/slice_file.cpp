@@ -28,7 +28,7 @@ std::string header_text(const PartHeader& header) {
     text["library_version"] = library_version();
     text["material_path"] = job.source.material_path;
     text["material"] = job.source.material;
-    text["clamp"] = job.source.policy == spectral::OutsideRange::clamp;
+    text["clamp"] = job.source.policy == spectral::OutsideRange::hold;
     text["wavelengths_um"] = job.wavelengths_um;
     text["tolerance"] = job.request.tolerance;
     text["seed"] = job.request.seed;
@@ -78,7 +78,7 @@ PartHeader header_from(const std::string& text, const std::string& name) {
     }
     PartHeader header;
     header.job = {{head["name"].text(), head["material"].text(), head["material_path"].text(),
-                   head["clamp"].boolean() ? spectral::OutsideRange::clamp : spectral::OutsideRange::error},
+                   head["clamp"].boolean() ? spectral::OutsideRange::hold : spectral::OutsideRange::error},
                   numbers_in(head["wavelengths_um"]),
                   {head["tolerance"].number(), whole(head["seed"]), head["polarised"].boolean(),
                    whole(head["largest_bytes"])}};
@@ -140,6 +140,13 @@ PartHeader header_from_bytes(std::string_view bytes, const std::string& name) {
         throw Error{name + ": its header is cut short or changed: must be the file as it was written"};
     }
     return header_from(std::string{bytes.substr(prelude_bytes, size)}, name);
+}
+
+bool is_header_cut_short(const std::filesystem::path& path) {
+    const std::string bytes = read_whole_file(path);
+    if (bytes.size() < prelude_bytes) return magic.substr(0, bytes.size()) == bytes.substr(0, magic.size());
+    return bytes.starts_with(magic) && from_little_endian<std::uint64_t>(std::string_view{bytes}.substr(16)) >
+                                           bytes.size() - prelude_bytes;
 }
 
 Part read_part(const std::filesystem::path& path) {

@@ -36,6 +36,9 @@ struct Part {
 /// The head of a part, hts::Error "name: …" where it is none.
 [[nodiscard]] PartHeader header_from_bytes(std::string_view bytes, const std::string& name);
 
+/// Whether the file is the beginning of a part whose header is not whole.
+[[nodiscard]] bool is_header_cut_short(const std::filesystem::path& path);
+
 /// Header and records as bytes.
 [[nodiscard]] std::string part_header_bytes(const PartHeader& header);
 [[nodiscard]] std::string slice_bytes(std::size_t slice, const std::vector<double>& values);

@@ -12,8 +12,10 @@
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
 #include "spectral/text/output.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/measured_model.hpp"
+#include "tables/formats/whole_file.hpp"
 #include "tables/sharing/slice_file.hpp"
 
 namespace hts::tables {
@@ -25,14 +27,23 @@ fs::path slices_path(const fs::path& path) {
     return path.string() + ".slices";
 }
 
+/// Slices are needed until the file that holds them has its name.
+void remove_when_done(const fs::path& slices) {
+    if (auto* run = spectral::RunFiles::of_process()) return run->remove_at_end(slices);
+    fs::remove(slices);
+}
+
 /// What an earlier go at the same job left.
 std::optional<Part> left_behind(const fs::path& path, const TableJob& job, const TableShard& shard) {
     if (!fs::exists(path)) return std::nullopt;
     std::optional<Part> part;
     try {
         part = read_part(path);
-    } catch (const Error&) {
-        return std::nullopt;  // cut short before its header was whole, or no part: the job starts anew
+    } catch (const Error& error) {
+        if (is_header_cut_short(path)) return std::nullopt;  // the job starts anew
+        throw Error{path.string() +
+                    ": no finished slices of this job: must be removed first, if nobody needs it (" +
+                    error.what() + ")"};
     }
     if (part->header.job == job && part->header.shard == shard) return part;
     throw Error{path.string() +
@@ -91,7 +102,7 @@ class OpenPart {
 OpenPart open_part(const spectral::Reflectance& exact, const TableJob& job, const fs::path& path,
                    const TableShard& shard, const TableProgress& progress) {
     if (auto part = left_behind(path, job, shard)) return {path, std::move(*part)};
-    { const spectral::Output writable{path.string()}; }  // whether it can be, before the work is done
+    if (!fs::exists(path)) const spectral::Output writable{path.string()};  // before the work is done
     return {path, PartHeader{job, plan_table(exact, job.request, progress), shard}};
 }
 
@@ -210,7 +221,8 @@ void build_table_file(const spectral::Reflectance& exact, const TableJob& job, c
     if (shard.count > 1) {
         fill(part, worker, progress);
         part.close();
-        fs::rename(slices, path);
+        spectral::write_file(path.string(), read_whole_file(slices));
+        remove_when_done(slices);
         return;
     }
     const auto filled = [&](const TablePlan& plan) {
@@ -230,7 +242,7 @@ void build_table_file(const spectral::Reflectance& exact, const TableJob& job, c
     }();
     part.close();
     spectral::write_file(path.string(), bytes);
-    fs::remove(slices);
+    remove_when_done(slices);
 }
 
 void merge_table_file(const std::vector<fs::path>& parts, const fs::path& path) {

@@ -100,7 +100,13 @@ std::string finished_table(const spectral::Reflectance& exact, const TableSource
                            const SliceSource& slices) {
     for (;;) {
         MeasuredTable table = measured_table(exact, source, plan, slices(plan));
-        if (table.error.largest <= plan.request.tolerance) return std::move(table.bytes);
+        if (table.error.largest <= plan.request.tolerance) {
+            // with its header and the curves beside the lobe, which the plan does not count
+            if (table.bytes.size() <= plan.request.largest_bytes) return std::move(table.bytes);
+            throw Error{source.name + ": table of " + std::to_string(table.bytes.size()) +
+                        " bytes: must be at most " + std::to_string(plan.request.largest_bytes) +
+                        " bytes, the largest asked for"};
+        }
         plan = refined(std::move(plan), table.error, source.name);
     }
 }

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/text/run_files.hpp"
 #include "tables/table/table_contents.hpp"
 #include "tables/table/table_lobe.hpp"
 
@@ -118,7 +119,7 @@ void write_lobe(const TableContents& contents, const DirectionPair& pair, std::s
 class Mapping {
   public:
     explicit Mapping(const std::filesystem::path& path) {
-        const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        const int file = ::open(spectral::path_to_read(path).c_str(), O_RDONLY | O_CLOEXEC);
         if (file < 0) fail(path);
         struct stat status {};
         const bool regular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);

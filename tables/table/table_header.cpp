@@ -97,7 +97,7 @@ std::string header_text(const TableInfo& info) {
                        {"albedo", info.nodes.albedo},   {"polarisation", info.nodes.polarisation}};
     header["components"] = info.components;
     header["numbers"] = info.double_precision ? "double" : "float";
-    header["outside_range"] = info.source.policy == spectral::OutsideRange::clamp ? "clamp" : "error";
+    header["outside_range"] = info.source.policy == spectral::OutsideRange::hold ? "clamp" : "error";
     header["material_path"] = info.source.material_path;
     header["material"] = info.source.material;
     return header.dump(1);
@@ -113,7 +113,7 @@ TableInfo info_from_header(std::string_view text, const std::string& name) {
     constexpr double least_spacing = 0.1, most_spacing = 100;
     return {
         {header["name"].text(), header["material"].text(), header["material_path"].text(),
-         is_clamp(header["outside_range"]) ? spectral::OutsideRange::clamp : spectral::OutsideRange::error},
+         is_clamp(header["outside_range"]) ? spectral::OutsideRange::hold : spectral::OutsideRange::error},
         wavelengths_from(header["wavelengths_um"]),
         number_within(header["tolerance"], hts::accuracy::finest_tolerance, 1),
         error_from(header["error"]),

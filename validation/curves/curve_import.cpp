@@ -202,6 +202,13 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
             check_value(p.point, head.noise_floor.has_value(), uncertain);
             if (!filter.keeps(p.point)) return;
             const CurvePoint& q = p.point;
+            const double turn = std::abs(std::remainder(q.phi_r - q.phi_i, 360));
+            if (recipe.sweep != Sweep::scattered && turn != 0 && turn != 180) {
+                throw Error{
+                    "azimuth " + shortest(turn) +
+                    " deg from the light, out of the plane of incidence: the recipe's key \"sweep\" must be "
+                    "scattered, or \"keep.in_plane_only\" true"};
+            }
             const std::array place{p.band.first, p.band.last, q.theta_i, q.phi_i, q.theta_r, q.phi_r};
             const auto [first, fresh] = lines.emplace(place, p.line);
             if (!fresh)

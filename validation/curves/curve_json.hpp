@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spectral/text/json_value.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/curves/curve.hpp"
 
@@ -44,7 +45,7 @@ template <class Values>
         if (key.text() == name(value)) return value;
         names.emplace_back(name(value));
     }
-    throw key.error(spectral::in_quotes(key.text()) + ": must be one of " + spectral::joined(names));
+    throw key.error(spectral::in_quotes(key.text()) + ": " + spectral::must_be_one_of(key.text(), names));
 }
 
 }  // namespace hts::validation

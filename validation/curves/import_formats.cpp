@@ -9,33 +9,13 @@
 #include "spectral/text/csv.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/points/astm.hpp"
+#include "tables/formats/points/fred.hpp"
 
 namespace hts::validation {
 namespace {
 
 namespace fs = std::filesystem;
 using spectral::CsvTable;
-
-/// A line of a text file that is neither blank nor a comment.
-struct Line {
-    std::size_t number;
-    std::vector<std::string_view> words;
-};
-
-std::vector<Line> lines_of(std::string_view text) {
-    std::vector<Line> result;
-    std::size_t number = 0;
-    for (const std::string_view line : spectral::split(text, '\n')) {
-        ++number;
-        const std::string_view content = spectral::trimmed(line);
-        if (!content.empty() && content.front() != '#') result.push_back({number, spectral::words(content)});
-    }
-    return result;
-}
-
-std::string where(const fs::path& path, std::size_t line) {
-    return path.string() + ":" + std::to_string(line);
-}
 
 /// The only wavelength that the recipe gives a file without any.
 Band only_band(const ImportRecipe& recipe, const fs::path& path) {
@@ -154,22 +134,6 @@ std::vector<AstmChannel> astm_channels(const tables::AstmFile& file, const Impor
     return result;
 }
 
-// ---- FRED
-
-std::vector<double> numbers_in(const Line& line, const fs::path& path) {
-    std::vector<double> result;
-    spectral::located(where(path, line.number), [&] {
-        for (const std::string_view word : line.words)
-            for (const std::string_view piece : spectral::split(word, ','))
-                if (!piece.empty()) result.push_back(spectral::number_in(piece));
-    });
-    return result;
-}
-
-Error wrong_count(const fs::path& path, std::size_t line, std::size_t count, const std::string& legal) {
-    return Error{where(path, line) + ": " + std::to_string(count) + " numbers: must be " + legal};
-}
-
 }  // namespace
 
 std::vector<ImportedPoint> read_csv_points(const fs::path& path, const ImportRecipe& recipe) {
@@ -195,30 +159,11 @@ std::vector<ImportedPoint> read_csv_points(const fs::path& path, const ImportRec
 
 std::vector<ImportedPoint> read_fred_points(const fs::path& path, const ImportRecipe& recipe) {
     const Band band = only_band(recipe, path);
-    const std::string text = spectral::read_text_file(path);
-    const auto lines = lines_of(text);
-    const std::vector<std::vector<std::string_view>> head{{"type", "bsdf_data"},
-                                                          {"format", "angles=deg", "bsdf=value", "scale=1"}};
-    for (std::size_t i = 0; i < head.size(); ++i) {
-        if (lines.size() > i && lines[i].words == head[i]) continue;
-        throw Error{where(path, lines.size() > i ? lines[i].number : i + 1) + ": must be \"" +
-                    (i == 0 ? "type bsdf_data" : "format angles=deg bsdf=value scale=1") + "\""};
-    }
+    const auto file = tables::fred_file(spectral::read_text_file(path), path.string());
     std::vector<ImportedPoint> points;
-    std::optional<std::array<double, 2>> light;
-    for (std::size_t i = head.size(); i < lines.size(); ++i) {
-        const auto numbers = numbers_in(lines[i], path);
-        if (numbers.size() == 2) light = {numbers[0], numbers[1]};
-        if (numbers.size() == 2) continue;
-        if (numbers.size() != 3)
-            throw wrong_count(path, lines[i].number, numbers.size(),
-                              "2 (theta_i phi_i) or 3 (theta_s phi_s bsdf)");
-        if (!light)
-            throw Error{where(path, lines[i].number) +
-                        ": values before the light's direction: must follow \"theta_i phi_i\""};
-        const CurvePoint point =
-            full_point(recipe, {(*light)[0], (*light)[1], numbers[0], numbers[1]}, numbers[2]);
-        points.push_back({band, flattened(point, recipe.sweep), lines[i].number});
+    for (const tables::FredPoint& p : file.points) {
+        const CurvePoint point = full_point(recipe, {p.theta_i, p.phi_i, p.theta_s, p.phi_s}, p.value);
+        points.push_back({band, flattened(point, recipe.sweep), p.line});
     }
     return points;
 }

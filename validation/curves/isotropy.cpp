@@ -11,7 +11,7 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-/// Tilt of the mirroring facet and BRDF, on one side of the mirror direction, by rising tilt.
+/// Tilt of the mirroring facet and BRDF times cos theta_r, on one side of the mirror direction, by rising tilt.
 using Side = std::vector<std::pair<double, double>>;
 
 double at_tilt(const Side& side, double tilt) {
@@ -23,12 +23,11 @@ double at_tilt(const Side& side, double tilt) {
     return below->second + share * (above->second - below->second);
 }
 
-double brdf_of(const CurvePoint& point, Quantity quantity) {
-    if (quantity == Quantity::brdf_cosine) {
-        const double cosine = std::cos(point.theta_r * half_turn / 180);
-        return cosine > 1e-6 ? point.value / cosine : 0;
-    }
-    return quantity == Quantity::reflectance_factor ? point.value / half_turn : point.value;
+/// BRDF times cos theta_r, of which facets show in any direction what they show in the plane.
+double outgoing(const CurvePoint& point, Quantity quantity) {
+    if (quantity == Quantity::brdf_cosine) return point.value;
+    const double brdf = quantity == Quantity::reflectance_factor ? point.value / half_turn : point.value;
+    return brdf * std::cos(point.theta_r * half_turn / 180);
 }
 
 }  // namespace
@@ -40,8 +39,8 @@ std::optional<double> isotropic_reflectance(const Curve& curve, Quantity quantit
     Side sides[2];
     for (const CurvePoint& point : curve.points) {
         const double signed_tilt = (curve.swept_angle(point) - fixed) / 2 * half_turn / 180;
-        if (signed_tilt <= 0) sides[0].emplace_back(-signed_tilt, brdf_of(point, quantity));
-        if (signed_tilt >= 0) sides[1].emplace_back(signed_tilt, brdf_of(point, quantity));
+        if (signed_tilt <= 0) sides[0].emplace_back(-signed_tilt, outgoing(point, quantity));
+        if (signed_tilt >= 0) sides[1].emplace_back(signed_tilt, outgoing(point, quantity));
     }
     for (Side& side : sides) std::ranges::sort(side);
     if (sides[0].size() + sides[1].size() < 4) return std::nullopt;
@@ -62,7 +61,7 @@ std::optional<double> isotropic_reflectance(const Curve& curve, Quantity quantit
                 std::cos(theta) * std::cos(tilt) + std::sin(theta) * std::sin(tilt) * std::cos(turn);
             const double cos_out = 2 * cos_facet * std::cos(tilt) - std::cos(theta);
             if (cos_facet <= 0 || cos_out <= 0) continue;
-            sum += value * cos_out * 4 * cos_facet * std::sin(tilt) * width * 2 * half_turn / azimuths;
+            sum += value * 4 * cos_facet * std::sin(tilt) * width * 2 * half_turn / azimuths;
         }
     }
     return sum;

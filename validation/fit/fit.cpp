@@ -8,6 +8,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/statistics.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_estimate.hpp"
@@ -68,7 +69,6 @@ FitRequest with_a_lobe_less(FitRequest request) {
     std::erase_if(request.starts, [&](const auto& entry) { return of_one_lobe(entry.first); });
     std::erase_if(request.freed, of_one_lobe);
     --request.lobes;
-    request.progress = {};
     return request;
 }
 
@@ -110,26 +110,24 @@ std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request
     const Residuals residuals = problem.residuals_to_search();
     const auto bounds = problem.searched_bounds();
     std::vector<Minimum> result(starts.size());
-    std::size_t done = 0;
-    const auto follow = [&](std::size_t i, const Stopping& stopping, std::size_t all) {
+    const spectral::Job job{"following starts", 2};
+    const auto follow = [&](std::size_t i, const Stopping& stopping) {
         Minimum next = local_minimum(residuals, starts[i], bounds, stopping);
         next.iterations += result[i].iterations;
         result[i] = std::move(next);
         starts[i] = result[i].x;
-#pragma omp critical(hts_fit_progress)
-        if (request.progress) request.progress(++done, all);
     };
     spectral::parallel_for(starts.size(), [&](std::size_t i) {
-        follow(i, {std::min(first_stage.most_iterations, request.most_iterations), first_stage.least_gain},
-               2 * starts.size());
+        follow(i, {std::min(first_stage.most_iterations, request.most_iterations), first_stage.least_gain});
     });
+    job.done();
     const double enough = worth_finishing * best_of(result).cost;
     std::vector<std::size_t> promising;
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (result[i].cost <= enough) promising.push_back(i);
     }
     spectral::parallel_for(promising.size(), [&](std::size_t i) {
-        follow(promising[i], {request.most_iterations, 1e-12}, starts.size() + promising.size());
+        follow(promising[i], {request.most_iterations, 1e-12});
     });
     return result;
 }
@@ -219,8 +217,11 @@ void add_slope(Fit& fit, const Estimate& found, const std::optional<RoughLimit>&
     const std::string apart = "sigma0 and tau apart: only sigma0/tau = ";
     const auto said = std::ranges::find_if(found.uncertainty.statements,
                                            [&](const std::string& text) { return text.starts_with(apart); });
+    // a model that misses the data tells no surfaces apart that it misses by about as much
+    constexpr double about = 2;
     fit.slope_alone = said != found.uncertainty.statements.end() ||
-                      (rough && within_noise(*rough, cost, found.scatter.residuals));
+                      (rough && within_noise(*rough, cost, found.scatter.residuals)) ||
+                      (rough && !fit.errors_hold && rough->cost <= about * cost);
     if (!fit.slope_alone) return;
     if (rough) {
         const double off = fit.slope->value - rough->slope.value;
@@ -238,17 +239,24 @@ void add_slope(Fit& fit, const Estimate& found, const std::optional<RoughLimit>&
                          [&](const std::string& text) { return !text.starts_with(apart); });
 }
 
-/// What reduced chi squared says of the model and so of the errors.
-void add_validity(Fit& fit) {
+/// What reduced chi squared says of the model and so of the errors, gains of the curves allowed for.
+void add_validity(Fit& fit, const Estimate& found) {
     constexpr double most = 2;
+    double squares = 0;
+    for (const double r : found.scatter.residuals) squares += r * r;
+    const double share = squares > 0 ? found.noise.variance * found.noise.freedom / squares : 1;
+    const auto& reduced = fit.statistics.reduced_chi_squared;
+    fit.errors_hold = !reduced || *reduced * share <= most;
+}
+
+void say_validity(Fit& fit) {
     if (const double gain = fit.statistics.gain_error; gain > 0)
         fit.statements.push_back("the curves are off by factors of their own, " +
                                  spectral::brief(100 * gain, 2) +
                                  " % (one standard deviation): the standard errors allow for it");
-    const auto& reduced = fit.statistics.reduced_chi_squared;
-    fit.errors_hold = !reduced || *reduced <= most;
     if (!fit.errors_hold)
-        fit.statements.push_back("reduced chi squared " + spectral::brief(*reduced, 3) +
+        fit.statements.push_back("reduced chi squared " +
+                                 spectral::brief(*fit.statistics.reduced_chi_squared, 3) +
                                  ": the model misses the data by more than their uncertainties, so that the "
                                  "standard errors are not valid");
 }
@@ -332,11 +340,12 @@ Fit fitted(const FitRequest& request, const FitData& data, const Fit* with_a_lob
     }
     const Estimate found = estimate(problem, good, coordinates);
     add_uncertainty(fit, found, problem, coordinates);
+    add_validity(fit, found);
     if (std::ranges::find(problem.model().parameters(), "sigma0", &FitParameter::name) !=
         problem.model().parameters().end())
         add_slope(fit, found, rough, best.cost);
     if (!fit.slope_alone) std::ranges::copy(found.uncertainty.statements, std::back_inserter(fit.statements));
-    add_validity(fit);
+    say_validity(fit);
     fit.material = problem.model().material_text(std::span{values}.first(values.size() - 1),
                                                  data.name + ", fitted " + request.model);
     return fit;

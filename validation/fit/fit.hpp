@@ -22,10 +22,10 @@
 /// of gain that the data of a curve share, both as large as the residuals say (fit_uncertainty.hpp). Where
 /// the very rough surface comes as close as such noise allows, sigma0 and tau are open however sharp the
 /// minimum. Where the model is wrong in some systematic way along the curves, the errors are too small; a
-/// reduced chi squared far above 1 tells, and a statement says that they do not hold.
+/// reduced chi squared above 2, gains allowed for, tells, and a statement says that they do not hold. sigma0 and
+/// tau are open then wherever the very rough surface's sum is at most twice the lowest.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -70,8 +70,6 @@ struct FitRequest {
     bool conserve_energy = false;  ///< holds what the material reflects of the light at 0, 45 and 75 deg at 1
     std::size_t followed_starts = 8;  ///< how many of the most promising starts are followed
     int most_iterations = 100;
-    /// Is told how many of how many starts are done; from any thread, one at a time.
-    std::function<void(std::size_t done, std::size_t all)> progress{};
 };
 
 /// What became of a parameter.

@@ -177,7 +177,6 @@ struct OtherWay {
 std::vector<OtherWay> other_ways(const Fit& fit, const FitSelection& selection) {
     FitRequest again = fit.request;
     again.followed_starts = 1;
-    again.progress = {};
     for (const FittedParameter& parameter : fit.parameters) {
         if (parameter.outcome == Outcome::fitted || parameter.outcome == Outcome::at_bound)
             again.starts[parameter.name] = parameter.value;

@@ -5,6 +5,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::validation {
@@ -49,8 +50,8 @@ const FitFamily& family_named(const std::string& name) {
     if (const FitFamily* found = find_family(name)) return *found;
     std::vector<std::string> names;
     for (const FitFamily& family : fit_families()) names.push_back(family.name);
-    throw RequestError{"model " + spectral::in_quotes(name) + " is not known: must be one of " +
-                       spectral::joined(names)};
+    throw RequestError{"model " + spectral::in_quotes(name) +
+                       " is not known: " + spectral::must_be_one_of(name, names)};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ SetResult result_of(const std::string& set, Effort effort) {
                               .selection = {80,
                                             quick ? std::size_t{40} : 0,
                                             {quick ? 3 : 4, quick ? 0 : 1},
-                                            spectral::OutsideRange::clamp},
+                                            spectral::OutsideRange::hold},
                               .index = known_index(set),
                               .followed_starts = quick ? std::size_t{1} : 8};
     SetResult result{set, fits_of(compared_models(), curves, request), {}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hts/error.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::validation {
@@ -106,8 +107,8 @@ std::vector<std::size_t> FitProblem::named(const std::string& name) const {
                            ": must not be asked for where the index is given, which holds it"};
     }
     throw RequestError{"parameter " + spectral::in_quotes(name) + " of model " +
-                       spectral::in_quotes(request_.model) + " is not known: must be one of " +
-                       spectral::joined(names)};
+                       spectral::in_quotes(request_.model) +
+                       " is not known: " + spectral::must_be_one_of(name, names)};
 }
 
 void FitProblem::assign_roles() {

@@ -45,7 +45,7 @@ CaseResult result_of(const FitCase& asked, Effort effort) {
     CurveSet set = built_in_curves(asked.set);
     FitSelection selection = asked.selection;
     if (effort == Effort::quick) selection.most_points = asked.quick_points;
-    selection.outside = spectral::OutsideRange::clamp;
+    selection.outside = spectral::OutsideRange::hold;
     Fit fit = fitted(asked.request, set, selection);
     return {asked, std::move(set), std::move(fit)};
 }
@@ -107,7 +107,7 @@ Section section_of(const CaseResult& result) {
     return comparison_section(result.set, fitted_material(result.fit),
                               {.model = model,
                                .free_parameters = static_cast<int>(result.fit.statistics.free_parameters),
-                               .policy = spectral::OutsideRange::clamp,
+                               .policy = spectral::OutsideRange::hold,
                                .nodes = result.asked.selection.nodes,
                                .scale = scale});
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
 
 namespace hts::validation {
 namespace {
@@ -44,6 +45,7 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
     const FitData with_bands = fit_data(set, selection);
     const FitData plain = fit_data(set, without_bands(selection));
     std::vector<Fit> result;
+    const spectral::Job job{"fitting all models", models.size()};
     for (const ModelChoice& choice : models) {
         const bool spectral = has_index(choice.model);
         FitRequest fit{.model = choice.model,
@@ -52,15 +54,10 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
                        .residual = request.residual,
                        .followed_starts = request.followed_starts};
         if (set.scale == Scale::unknown) fit.freed.emplace_back("scale");
-        if (request.progress) {
-            fit.progress = [&, before = result.size()](std::size_t done, std::size_t all) {
-                const double part = static_cast<double>(done) / static_cast<double>(all);
-                request.progress((static_cast<double>(before) + part) / static_cast<double>(models.size()));
-            };
-        }
         const auto fewer = std::ranges::find(result, ModelChoice{choice.model, choice.lobes - 1}, choice_of);
         result.push_back(
             fitted(fit, spectral ? with_bands : plain, fewer == result.end() ? nullptr : &*fewer));
+        job.done();
     }
     return result;
 }

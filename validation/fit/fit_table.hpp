@@ -1,7 +1,6 @@
 /// Every model fitted to the same curves, to see which comes closest.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,8 +28,6 @@ struct ComparisonRequest {
     FitSelection selection{};
     std::string index{};  ///< JSON, of the models that have one; else their n is fitted, and k is 0
     std::size_t followed_starts = 4;
-    std::function<void(double share)>
-        progress{};  ///< is told which part of all fits is done; one call at a time
 };
 
 /// A fit per model, in their order.

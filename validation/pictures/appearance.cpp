@@ -14,9 +14,10 @@ namespace {
 /// Blue, green and red: those that draw.
 constexpr std::array<std::size_t, 3> drawing_bands{5, 15, 25};
 
-spectral::Reflectance prepared(const spectral::Material& material, Tolerance tolerance) {
-    return material.at(picture_wavelengths(),
-                       {.tolerance = tolerance, .outside = spectral::OutsideRange::clamp});
+spectral::Reflectance prepared(const spectral::Material& material, Tolerance tolerance,
+                               spectral::OutsideRange outside) {
+    if (outside == spectral::OutsideRange::error) outside = spectral::OutsideRange::hold;
+    return material.at(picture_wavelengths(), {.tolerance = tolerance, .outside = outside});
 }
 
 }  // namespace
@@ -88,9 +89,9 @@ Spectrum average_albedo(const Appearance& appearance, const Spectrum& uniform) {
 
 }  // namespace
 
-Appearance::Appearance(const spectral::Material& material)
-    : reflectance_{prepared(material, Tolerance{accuracy::rendered_brdf})},
-      mirror_{prepared(material, Tolerance{accuracy::finest_tolerance})} {
+Appearance::Appearance(const spectral::Material& material, spectral::OutsideRange outside)
+    : reflectance_{prepared(material, Tolerance{accuracy::rendered_brdf}, outside)},
+      mirror_{prepared(material, Tolerance{accuracy::finest_tolerance}, outside)} {
     for (const std::size_t band : drawing_bands) samplers_.push_back(reflectance_.sampler(band));
     Spectrum uniform;
     reflectance_.uniform_diffuse(uniform.values);

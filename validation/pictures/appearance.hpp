@@ -48,9 +48,10 @@ struct SpectralDraw {
 /// An immutable material; copies share it. Calls may run on any thread and allocate nothing.
 class Appearance {
   public:
-    /// Optical constants outside their range are held at its ends.
-    ///   error   accuracy::rendered_brdf; other models are exact      cost   some 100 ms
-    explicit Appearance(const spectral::Material& material);
+    ///   outside   what is reflected beyond what is known; for `error` the same as `hold`
+    ///   error     accuracy::rendered_brdf; other models are exact      cost   some 100 ms
+    explicit Appearance(const spectral::Material& material,
+                        spectral::OutsideRange outside = spectral::OutsideRange::hold);
 
     /// BRDF of the diffuse terms [1/sr].
     [[nodiscard]] Spectrum brdf(const DirectionPair& pair) const noexcept;

@@ -4,6 +4,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
+#include "spectral/progress.hpp"
 #include "validation/report/prose.hpp"
 #include "validation/scattering/fourier_integral.hpp"
 
@@ -133,7 +134,12 @@ GroundTruth fourier_study(Effort effort) {
     FourierSettings settings;
     if (effort == Effort::quick) settings.realisations = 100;
     std::vector<FourierResult> results;
-    for (const FourierCase& of : cases(effort)) results.push_back(fourier_result(of, settings));
+    const auto all = cases(effort);
+    const spectral::Job job{"", all.size()};
+    for (const FourierCase& of : all) {
+        results.push_back(fourier_result(of, settings));
+        job.done();
+    }
     return ground_truth("Fourier integral of random surfaces 12 tau by 12 tau, periodic: " +
                             std::to_string(settings.realisations) + " realisations, " +
                             std::to_string(settings.directions) + " directions each, seeds from " +

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/progress.hpp"
 #include "spectral/statistics.hpp"
 #include "validation/scattering/profile_study.hpp"
 
@@ -272,9 +273,11 @@ std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>&
                                          const std::vector<double>& theta_i_deg,
                                          const MomentSettings& settings) {
     std::vector<MomentResult> results;
+    const spectral::Job job{"", surfaces.size()};
     for (const RoughnessStatistics& surface : surfaces) {
         const auto some = moment_results(surface, theta_i_deg, settings);
         results.insert(results.end(), some.begin(), some.end());
+        job.done();
     }
     return results;
 }

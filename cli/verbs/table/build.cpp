@@ -1,15 +1,17 @@
 // hts table build: a table of a material, or one shard's part of it.
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "cli/io/options.hpp"
-#include "cli/io/progress.hpp"
 #include "cli/io/summary.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/progress.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/sharing/table_parts.hpp"
 
@@ -47,11 +49,19 @@ tables::TableShard shard_from_option(const std::string& text) {
     }
 }
 
+/// Where a material that names files is found from any folder; others need no such place.
+std::string path_for(const std::string& material, const std::string& path) {
+    const bool names_files = material.find("\"file\"") != std::string::npos;
+    return names_files ? std::filesystem::canonical(path).string() : path;
+}
+
 tables::TableJob job_from(const BuildOptions& options) {
     const auto grid = wavelengths_from_option(options.wavelengths);
     const auto reflector = options.material.read();
-    return {{reflector.name(), spectral::read_text_file(options.material.path), options.material.path,
-             options.material.policy()},
+    if (options.material.policy() == spectral::OutsideRange::zero)
+        throw UsageError{"--outside zero: must be error or hold, since a table holds logarithms"};
+    const std::string text = spectral::read_text_file(options.material.path);
+    return {{reflector.name(), text, path_for(text, options.material.path), options.material.policy()},
             {grid.micrometres().begin(), grid.micrometres().end()},
             options.request};
 }
@@ -72,9 +82,14 @@ void run(const BuildOptions& options) {
     Ranks ranks{exact, job};
     if (!ranks.first()) return;
     {
-        Progress progress;
+        constexpr std::size_t parts = 10'000;
+        spectral::Job building{"", parts};
+        std::string before;
         build_table_file(exact, job, options.output, shard, ranks.worker(),
-                         [&](const std::string& step, double share) { progress.show(step, share); });
+                         [&](const std::string& step, double share) {
+                             if (step != before) building.restart(before = step);
+                             building.set_done(static_cast<std::size_t>(share * parts));
+                         });
     }
     watch.stop();
     if (shard.count == 1) report(options.output, watch.seconds());
@@ -86,7 +101,7 @@ void add_table_build(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("build", "build a table of a material");
     auto options = std::make_shared<BuildOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     verb->add_option("--tolerance", options->request.tolerance, "largest error, 1e-9 ... 0.5")
         ->check(number_within(1e-9, 0.5))
@@ -100,7 +115,11 @@ void add_table_build(CLI::App& table) {
                      "stop where a table would be larger, 1024 ... 2^52")
         ->check(whole_number(1024, std::uint64_t{1} << 52))
         ->capture_default_str();
-    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
+    writes(verb->add_option("--output,-o", options->output, "file to write"))
+        ->each([](const std::string& path) {
+            spectral::RunFiles::of_process()->will_continue(path + ".slices");
+        })
+        ->required();
     verb->footer(build_help);
     verb->callback([options] { run(*options); });
 }

@@ -53,15 +53,15 @@ void add_table_chart(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("chart", "size against error of ways to tabulate, SVG by gnuplot");
     auto options = std::make_shared<ChartOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]")
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
-    verb->add_option("--samples", options->pairs, "pairs of directions, 100 ... 1000000")
+    verb->add_option(samples_names, options->pairs, "pairs of directions, 100 ... 1000000")
         ->check(whole_number(100, 1'000'000))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of the random directions")
         ->check(seed_number())
         ->capture_default_str();
-    verb->add_option("--plot", options->plot, "draw the sizes as SVG (needs gnuplot)")->check(svg_file());
+    draws(verb->add_option("--plot", options->plot, "draw the sizes as SVG (needs gnuplot)"));
     options->output.add_to(*verb);
     verb->footer(chart_help);
     verb->callback([options] { run(*options); });

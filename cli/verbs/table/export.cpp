@@ -10,6 +10,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/formats.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/round_trip.hpp"
 #include "tables/formats/specular_box.hpp"
@@ -23,7 +24,8 @@ struct ExportOptions {
     double solid_angle = 0.001;
     std::size_t pairs = 100'000;
     std::uint64_t seed = 1;
-    bool json = false, clamp = false;
+    bool json = false;
+    OutsideOption outside;
 };
 
 std::string export_help() {
@@ -54,11 +56,14 @@ Reflectance table_of(const ExportOptions& options) {
 
 Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
     if (options.source.ends_with(".htst")) return table_of(options);
-    const MaterialOptions material{options.source, options.clamp};
+    const MaterialOptions material{options.source, options.outside};
     const auto wavelengths =
         wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
+    const auto described = material.read();
+    const auto& channels = described.properties().channels;
+    if (format.name != "merl" || (!channels.empty() && channels.front() != "B")) require_spectrum(described);
     // far finer than any of these files holds
-    return reflectance_from_option("--wavelengths", material.read(), wavelengths,
+    return reflectance_from_option("--wavelengths", described, wavelengths,
                                    {.tolerance = Tolerance{1e-6}, .outside = material.policy()});
 }
 
@@ -78,7 +83,8 @@ void run(const ExportOptions& options) {
     tables::write_with_sidecar(options.output, plain, std::move(exported));
     const auto report = tables::round_trip(brdf, format.read(options.output), {options.pairs, options.seed});
     std::cout << (options.json ? report.json() + "\n" : report.text());
-    std::cerr << options.output << ": " << std::filesystem::file_size(options.output) << " bytes\n";
+    std::cerr << options.output << ": " << std::filesystem::file_size(spectral::path_to_read(options.output))
+              << " bytes\n";
 }
 
 }  // namespace
@@ -88,18 +94,22 @@ void add_table_export(CLI::App& table) {
     auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> names;
     for (const TableFormat& format : table_formats()) names.push_back(format.name);
-    verb->add_option("source", options->source, "material file (JSON) or table (.htst)")->required();
-    verb->add_option("--format,-f", options->format, "of the file")->required()->check(CLI::IsMember(names));
-    verb->add_option("--output,-o", options->output, "file to write")->required()->check(path_to_write());
-    verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
-    verb->add_flag("--clamp", options->clamp, "outside the material's wavelength range use its end values");
-    auto* specular = verb->add_option("--specular", options->specular, "what becomes of the specular delta")
-                         ->check(CLI::IsMember({"none", "box"}))
-                         ->capture_default_str();
+    reads(verb->add_option("source,--material,-m", options->source, "material file (JSON) or table (.htst)"))
+        ->required();
+    one_of(verb->add_option("--format,-f", options->format, "of the file"), names)->required();
+    writes(verb->add_option("--output,-o", options->output, "file to write"), [](const std::string& path) {
+        return std::vector{path + ".json"};
+    })->required();
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]");
+    options->outside.add_to(*verb);
+    auto* specular =
+        one_of(verb->add_option("--specular", options->specular, "what becomes of the specular delta"),
+               {"none", "box"})
+            ->capture_default_str();
     verb->add_option("--solid-angle", options->solid_angle, "of the box [sr]")
         ->needs(specular)
         ->capture_default_str();
-    verb->add_option("--pairs", options->pairs, "pairs of directions to compare at, 1 ... 100000000")
+    verb->add_option(pairs_names, options->pairs, "pairs of directions to compare at, 1 ... 100000000")
         ->check(whole_number(1, 100'000'000))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of those pairs")->check(seed_number())->capture_default_str();

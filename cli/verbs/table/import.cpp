@@ -1,19 +1,20 @@
 // hts table import: what a file of another program or of an instrument holds, and a material file that points
 // to it.
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/references.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/table.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/brdf_file.hpp"
-#include "tables/formats/lobe.hpp"
-#include "tables/formats/lobe_quadrature.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/formats/points/scatter_points.hpp"
 
@@ -22,6 +23,8 @@ namespace {
 
 struct ImportOptions {
     std::string source, format, wavelengths, output, csv;
+    double mirror_azimuth = 0;
+    OutsideOption outside;
     bool json = false;
 };
 
@@ -30,8 +33,11 @@ std::string import_help() {
     for (const tables::BrdfFormat& format : tables::readable_formats())
         text.append("  ").append(format.name).append(": ").append(format.what).append("\n");
     return text + R"(
-Says what the file holds and how much of the light from 0, 30 and 60 degrees it reflects at
-each wavelength [um]. --output writes a material file with the model "measured", which
+Says what the file holds, which directions and which share of the hemisphere were measured,
+and how much of the light from 0, 30 and 60 degrees it reflects at each wavelength [um]; nan
+where less than 98 % of the hemisphere was, unless --outside says what stands there. Scans of
+the plane of incidence alone are spread about the mirror direction: views beside the plane
+see what stands in it at the same angle from the mirror direction. --output writes a material file with the model "measured", which
 eval, polar, sample and the others take.
 
 Examples:
@@ -45,13 +51,13 @@ std::optional<spectral::WavelengthGrid> wavelengths_of(const ImportOptions& opti
 }
 
 std::string material_text(const ImportOptions& options, const tables::BrdfFile& file) {
-    const auto folder = std::filesystem::absolute(options.output).parent_path();
-    const auto source = std::filesystem::absolute(options.source).lexically_relative(folder);
     std::string text = "{\n  \"name\": ";
     text.append(json_string(std::filesystem::path{options.source}.stem().string()))
         .append(",\n  \"model\": \"measured\",\n  \"file\": ")
-        .append(json_string(source.string()));
+        .append(json_string(reference_from(options.output, options.source)));
     if (!options.format.empty()) text.append(",\n  \"format\": ").append(json_string(file.format));
+    if (options.mirror_azimuth != 0)
+        text.append(",\n  \"mirror_azimuth_deg\": ").append(shortest(options.mirror_azimuth));
     if (!options.wavelengths.empty()) {
         std::string list;
         for (const double um : file.brdf.wavelengths().micrometres())
@@ -61,48 +67,68 @@ std::string material_text(const ImportOptions& options, const tables::BrdfFile& 
     return text + "\n}\n";
 }
 
-// Directional-hemispherical reflectance per wavelength, to some 1e-3.
+// Directional-hemispherical reflectance per wavelength; NaN where too little of the hemisphere was measured.
 std::vector<double> albedo(const spectral::Reflectance& brdf, const Direction& in) {
-    std::vector<double> sums(brdf.wavelengths().size(), 0), values(sums.size());
-    for (const auto& view : tables::lobe_quadrature(in, tables::lobe_slope(brdf), 20'000)) {
-        brdf.brdf({in, view.out}, values);
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            sums[i] += view.weight * view.out.cos_theta() * values[i];
+    std::vector<double> values;
+    for (std::size_t i = 0; i < brdf.size(); ++i) {
+        try {
+            values.push_back(brdf.albedo(in, i).total());
+        } catch (const Error&) {
+            values.push_back(std::numeric_limits<double>::quiet_NaN());
+        }
     }
-    return sums;
+    return values;
 }
 
-void write_summary(const ImportOptions& options, const tables::BrdfFile& file) {
+void warn_of_gain(const std::string& source, double largest) {
+    if (largest > 1.005)
+        std::cerr << source << ": WARNING: reflects " << brief(largest) << " times the light that falls in\n";
+}
+
+void write_summary(const ImportOptions& options, const spectral::Reflectance& brdf,
+                   const std::vector<std::string>& channels) {
     Output output{"-"};
-    TableWriter table{
-        output, format_of("-", options.json), {"wavelength_um", "albedo_0", "albedo_30", "albedo_60"}};
+    std::vector<std::string> columns{"wavelength_um", "albedo_0", "albedo_30", "albedo_60"};
+    if (!channels.empty()) columns.emplace_back("channel");
+    TableWriter table{output, format_of("-", options.json), columns};
     std::vector<std::vector<double>> albedos;
-    for (const double theta : {0.0, 30.0, 60.0})
-        albedos.push_back(albedo(file.brdf, Direction::from_degrees(theta, 0)));
-    for (std::size_t i = 0; i < file.brdf.wavelengths().size(); ++i) {
+    double largest = 0;
+    for (const double theta : {0.0, 30.0, 60.0}) {
+        albedos.push_back(albedo(brdf, Direction::from_degrees(theta, 0)));
+        for (const double value : albedos.back()) largest = std::fmax(largest, value);
+    }
+    for (std::size_t i = 0; i < brdf.size(); ++i) {
         std::string text;
         TableWriter::Row row{table, text};
-        row.field(shortest(file.brdf.wavelengths().micrometres()[i]));
-        for (const auto& at_angle : albedos) row.field(brief(at_angle[i]));
+        row.field(shortest(brdf.wavelengths().micrometres()[i]));
+        for (const auto& at_angle : albedos)
+            std::isnan(at_angle[i]) ? row.number(at_angle[i]) : row.field(brief(at_angle[i]));
+        if (!channels.empty()) row.word(channels[i]);
         row.end();
         table.add(text);
     }
     table.finish();
     output.commit();
+    warn_of_gain(options.source, largest);
 }
 
 void run(const ImportOptions& options) {
-    const auto file = tables::read_brdf(options.source, wavelengths_of(options), options.format);
+    const auto file =
+        tables::read_brdf(options.source, {wavelengths_of(options), options.format, options.mirror_azimuth});
     std::cerr << options.source << ": " << file.format << ", " << file.brdf.wavelengths().size()
               << " wavelengths, " << (file.brdf.properties().isotropic ? "isotropic" : "not isotropic")
               << '\n';
     for (const std::string& note : file.notes) std::cerr << options.source << ": " << note << '\n';
-    if (!options.output.empty()) write_file(options.output, material_text(options, file));
+    const auto known = tables::material_of_file(file.brdf)
+                           .named(options.source, "measured", options.source)
+                           .at(file.brdf.wavelengths(), {.outside = options.outside.policy});
+    if (!options.output.empty())
+        write_file(options.output, read_back(options.output, material_text(options, file)));
     if (!options.csv.empty()) {
         const auto grid = tables::csv_grid(file.brdf.properties().isotropic);
-        write_file(options.csv, tables::scatter_csv(file.brdf, grid));
+        write_file(options.csv, tables::scatter_csv(known, grid));
     }
-    write_summary(options, file);
+    write_summary(options, known, file.channels);
 }
 
 }  // namespace
@@ -113,12 +139,17 @@ void add_table_import(CLI::App& table) {
     auto options = std::make_shared<ImportOptions>();
     std::vector<std::string> names;
     for (const tables::BrdfFormat& format : tables::readable_formats()) names.push_back(format.name);
-    verb->add_option("source", options->source, "file to read")->required();
-    verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised")
-        ->check(CLI::IsMember(names));
-    verb->add_option("--wavelengths", options->wavelengths, "what the channels are called, a,b,c [um]");
-    verb->add_option("--output,-o", options->output, "material file to write (JSON)")->check(path_to_write());
-    verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV")->check(path_to_write());
+    reads(verb->add_option("source", options->source, "file to read"))->required();
+    one_of(verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised"),
+           names);
+    verb->add_option(wavelengths_names, options->wavelengths, "what the channels are called, a,b,c [um]");
+    writes(verb->add_option("--output,-o", options->output, "material file to write (JSON)"));
+    writes(verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV"));
+    verb->add_option("--mirror-azimuth", options->mirror_azimuth,
+                     "where azimuths of FRED's tables have the mirror\ndirection [deg], 0 or 180")
+        ->check(CLI::IsMember({0.0, 180.0}))
+        ->capture_default_str();
+    options->outside.add_to(*verb);
     verb->add_flag("--json", options->json, "what it holds as JSON");
     verb->footer(import_help());
     verb->callback([options] { run(*options); });

@@ -72,7 +72,7 @@ void run(const InfoOptions& options) {
 void add_table_info(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("info", "what a table holds and promises");
     auto options = std::make_shared<InfoOptions>();
-    verb->add_option("table", options->table, "file to read")->required();
+    reads(verb->add_option("table", options->table, "file to read"))->required();
     options->output.add_to(*verb);
     verb->get_option("--json")->description("write JSON instead of text");
     verb->footer("\nExample:\n  hts table info m.htst");

@@ -20,8 +20,8 @@ struct MergeOptions {
 void add_table_merge(CLI::App& table) {
     CLI::App* verb = table.add_subcommand("merge", "join the parts that hts table build --shard wrote");
     auto options = std::make_shared<MergeOptions>();
-    verb->add_option("parts", options->parts, "files of all shards, in any order")->required();
-    verb->add_option("--output,-o", options->output, "table to write")->required()->check(path_to_write());
+    reads(verb->add_option("parts", options->parts, "files of all shards, in any order"))->required();
+    writes(verb->add_option("--output,-o", options->output, "table to write"))->required();
     verb->footer(R"(
 Examples:
   hts table build --material cli/data/rough-aluminium.json --wavelengths 0.5 --tolerance 0.02 \

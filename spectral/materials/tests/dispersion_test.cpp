@@ -90,12 +90,21 @@ TEST_CASE("a term without leading coefficient is absent, even where its denomina
     CHECK(formula(4, "1 3 1 0 1")(2) == Approx(std::sqrt(2.5)).epsilon(1e-15));
 }
 
-TEST_CASE("coefficients that are left out are 0") {
+TEST_CASE("terms at the end may be left out, but no part of a term") {
     CHECK(formula(3, "2.25")(0.5) == 1.5);
-    CHECK(formula(3, "1.25 1")(0.5) == 1.5);  // 1 l^0
+    CHECK(formula(3, "1.25 1 0")(0.5) == 1.5);  // 1 l^0
     CHECK(formula(5, "1.5")(0.5) == 1.5);
-    CHECK(formula(5, "")(0.5) == 0);
-    CHECK(formula(1, "")(0.5) == 1);
+    // the first counts that are no whole number of terms
+    const std::pair<int, std::size_t> cut[]{{1, 0}, {1, 2}, {2, 4}, {3, 6}, {4, 2}, {4, 4}, {4, 8}, {4, 10},
+                                            {5, 2}, {6, 4}, {7, 0}, {8, 2}, {9, 2}, {9, 4}, {9, 5}};
+    for (const auto& [number, count] : cut) {
+        std::string coefficients;
+        for (std::size_t i = 0; i < count; ++i) coefficients += " 1";
+        CHECK_THROWS_WITH(formula(number, coefficients), "formula " + std::to_string(number) + " with " +
+                                                             std::to_string(count) + " coefficients: C" +
+                                                             std::to_string(count + 1) +
+                                                             " is missing: must end with a whole term");
+    }
     CHECK(formula(7, "1.5")(0.5) == 1.5);
     CHECK(formula(7, "1.5 0 0 0 0 0 0 0")(0.5) == 1.5);  // zeros beyond the sixth do no harm
 }
@@ -118,7 +127,7 @@ TEST_CASE("formulas that cannot be are refused") {
     CHECK_THROWS_WITH(formula(10, "1"), "dispersion formula 10: must be from 1 to 9");
     CHECK_THROWS_WITH(formula(7, "1 1 1 1 1 1 1"), "formula 7 with 7 coefficients: must be at most 6");
     CHECK_THROWS_WITH(formula(8, "1 1 1 1 1"), "formula 8 with 5 coefficients: must be at most 4");
-    CHECK_THROWS_WITH((DispersionFormula{5, {1, nan}, wide}), "coefficient C2 nan: must be finite");
+    CHECK_THROWS_WITH((DispersionFormula{5, {1, nan, 1}, wide}), "coefficient C2 nan: must be finite");
     CHECK_THROWS_WITH((DispersionFormula{5, {1}, {2, 1}}),
                       "end of the wavelength range 1 um: must be >= its beginning, 2 um");
     CHECK_THROWS_WITH((DispersionFormula{5, {1}, {0, 1}}),

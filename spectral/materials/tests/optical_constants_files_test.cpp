@@ -1,5 +1,6 @@
 #include "spectral/materials/optical_constants_files.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -35,9 +36,8 @@ TEST_CASE("files that hold no material are refused") {
     CHECK(complaint_about(folder, "m.yml", "- 1\n- 2\n") == "m.yml" + no_data);
     CHECK(complaint_about(folder, "m.yml", "REFERENCES: x\n") == "m.yml" + no_data);
     CHECK(complaint_about(folder, "m.yml", "DATA: 3\n") == "m.yml:1: key \"DATA\": must be a list");
-    CHECK(complaint_about(folder, "m.txt", "0.5 1 0\n") ==
-          "m.txt: ending \".txt\": must be .yml, .yaml, .csv or .json");
-    CHECK(complaint_about(folder, "m", "0.5 1 0\n") == "m: ending \"\": must be .yml, .yaml, .csv or .json");
+    CHECK(complaint_about(folder, "m", "0.5 1 0\n") ==
+          "m: ending \"\": must be .yml, .yaml, .csv, .txt, .spd or .json");
     CHECK(complaint(folder, [&] { static_cast<void>(read_optical_constants(folder.path() / "none.yml")); }) ==
           "none.yml: no such file");
 }
@@ -55,6 +55,54 @@ TEST_CASE("CSV materials in micrometres and nanometres are read") {
     CHECK(nm.range().shortest == 0.4);
     CHECK(nm.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
     CHECK(nm.index(micrometres(0.5)).k() == 0);
+}
+
+TEST_CASE("what the database's website writes is read") {
+    const TemporaryFolder folder;
+    const std::string csv = "wl,n\n0.4,1.4\n0.6,1.6\n\nwl,k\n0.4,0.1\n0.5,0.2\n";
+    std::string txt = csv;
+    std::replace(txt.begin(), txt.end(), ',', '\t');
+    for (const auto& [name, text] : {std::pair{"m.csv", csv}, {"m.txt", txt}}) {
+        const auto metal = read_optical_constants(folder.write(name, text));
+        CHECK(metal.index(micrometres(0.45)).n() == Approx(1.45).epsilon(1e-14));
+        CHECK(metal.index(micrometres(0.45)).k() == Approx(0.15).epsilon(1e-14));
+        CHECK(metal.range().longest == 0.5);
+    }
+    const auto glass = read_optical_constants(folder.write("g.csv", "wl,n\n0.4,1.4\n0.6,1.6\n"));
+    CHECK(glass.index(micrometres(0.5)).k() == 0);
+    CHECK(complaint_about(folder, "m.csv", "wl,n\n0.4,1.4\nwl,k\n0.4,-1\n") ==
+          "m.csv:4: extinction coefficient k -1: must be >= 0 and at most 1e+24");
+}
+
+TEST_CASE("text tables and .spd pairs are read, and refused with path and line") {
+    const TemporaryFolder folder;
+    for (const std::string text :
+         {"0.4 1.4 0.1\n0.6 1.6 0.3\n", "# um n k\n0.4 (1.4,0.1)\n0.6 (1.6,0.3)\n",
+          "0.4\t1.4\t0.1\n0.6\t1.6\t0.3\n", "wavelength_nm n k\n400 1.4 0.1\n600 1.6 0.3\n",
+          "wavelength_nm;n;k\n400;1,4;0,1\n600;1,6;0,3\n"}) {
+        const auto metal = read_optical_constants(folder.write("m.txt", text));
+        CHECK(metal.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
+        CHECK(metal.index(micrometres(0.5)).k() == Approx(0.2).epsilon(1e-14));
+    }
+    CHECK(complaint_about(folder, "m.txt", "400 1.4\n") ==
+          "m.txt:1: wavelength without a unit 400: must be at most 100 um; a header \"wavelength_nm n k\" "
+          "says that they are nm");
+    CHECK(complaint_about(folder, "m.txt", "0.4 1.4\n0.5 1.5 0\n") ==
+          "m.txt:2: 3 numbers: must be 2 as above");
+    CHECK(complaint_about(folder, "m.spd", "400 1.4\n500\n") ==
+          "m.spd: a wavelength without a value at the end: must be pairs");
+    CHECK(complaint_about(folder, "m.spd", "400 1.4\n400 1.5\n") ==
+          "m.spd:2: wavelength 400 nm: must be > the one before it");
+    CHECK(complaint_about(folder, "Au.k.spd", "400 1.4\n").find("Au.k.spd: holds k alone") == 0);
+    const auto alone = read_optical_constants(folder.write("Ag.eta.spd", "# nm\n400 1.4\n600 1.6\n"));
+    CHECK(alone.index(micrometres(0.5)).k() == 0);
+    REQUIRE(alone.warnings().size() == 1);
+    CHECK(alone.warnings().front().find("holds n alone, and there is no ") != std::string::npos);
+    folder.write("Ag.k.spd", "400 2\n600 4\n");
+    const auto silver = read_optical_constants(folder.path() / "Ag.eta.spd");
+    CHECK(silver.index(micrometres(0.5)).n() == Approx(1.5));
+    CHECK(silver.index(micrometres(0.5)).k() == Approx(3));
+    CHECK(silver.warnings().empty());
 }
 
 TEST_CASE("CSV materials that cannot be are refused with path and line") {

@@ -60,8 +60,28 @@ TEST_CASE("outside its range a material refuses, or keeps to the end") {
     CHECK_THROWS_WITH(glass.index(micrometres(0.5)),
                       "wavelength 0.5 um: must be from 0.6 to 0.8 um (range of glass)");
     CHECK_THROWS_AS(glass.index(micrometres(0.9)), hts::Error);
-    CHECK(glass.index(micrometres(0.1), OutsideRange::clamp).k() == 0.1);
-    CHECK(glass.index(micrometres(9), OutsideRange::clamp).n() == 1.6);
+    CHECK(glass.index(micrometres(0.1), OutsideRange::hold).k() == 0.1);
+    CHECK(glass.index(micrometres(9), OutsideRange::hold).n() == 1.6);
+}
+
+TEST_CASE("beyond the range of k alone n is what it is there") {
+    // ZnSe-like: n to 18 um, k to 0.9 um
+    const OpticalConstants window{"window", "", PiecewiseLinear{{{0.5, 2.7}, {10, 2.4}, {18, 2.3}}},
+                                  PiecewiseLinear{{{0.5, 1e-5}, {0.9, 1e-7}}}};
+    const auto held = window.index(micrometres(10), OutsideRange::hold);
+    CHECK(held.n() == 2.4);
+    CHECK(held.k() == 1e-7);
+    CHECK(window.index(micrometres(20), OutsideRange::hold).n() == 2.3);
+    CHECK_THROWS_AS(window.index(micrometres(10)), hts::Error);
+    CHECK_THROWS_AS(window.index(micrometres(10), OutsideRange::zero), hts::Error);
+}
+
+TEST_CASE("a range's end has one rounding of slack") {
+    const auto glass = table(0.3, 0.9, 0.3, 0.9);
+    const double sum = 0.3 + 6 * 0.1;
+    REQUIRE(sum > 0.9);
+    CHECK(glass.index(micrometres(sum)).n() == glass.index(micrometres(0.9)).n());
+    CHECK_THROWS_AS(glass.index(micrometres(0.9000001)), hts::Error);
 }
 
 TEST_CASE("a curve that leaves the physical range says where") {

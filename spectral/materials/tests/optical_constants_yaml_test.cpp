@@ -86,7 +86,7 @@ TEST_CASE("tabulated nk, n and k and formulas are read and put together") {
 
     const auto passed_over = read(
         "  - type: tabulated n2\n    data: |\n        0.5 1e-20\n"
-        "  - type: something new\n"
+        "  - type: tabulated n2\n    data: |\n        0.6 1e-20\n"
         "  - type: tabulated n\n    data: |\n        0.4 1.4\n");
     CHECK(passed_over.index(micrometres(0.4)).n() == 1.4);
 }
@@ -126,6 +126,23 @@ TEST_CASE("the source is one line without HTML") {
     CHECK(source("") == (folder.path() / "m.yml").string());
 }
 
+TEST_CASE("one row of a page that is no refractive index is refused where it is asked for alone") {
+    const TemporaryFolder folder;
+    const auto page = read_optical_constants(folder.write(
+        "m.yml", yaml("  - type: tabulated nk\n    data: |\n        0.4 1.4 0.1\n        0.5 1.5 0.1\n"
+                      "        0.6 1.6 -0.2\n        0.7 1.7 0.3\n        0.8 1.8 0.4\n")));
+    const std::string row = (folder.path() / "m.yml").string() +
+                            ":8: extinction coefficient k -0.2: must be >= 0 and at most 1e+24";
+    REQUIRE(page.warnings() == std::vector<std::string>{row});
+    const auto at = [&](double um) { return page.index(Wavelength::from_micrometres(um)); };
+    CHECK(at(0.45).k() == Approx(0.1));
+    CHECK(at(0.5).k() == 0.1);
+    CHECK(at(0.7).k() == 0.3);
+    CHECK(at(0.75).k() == Approx(0.35));
+    for (const double um : {0.51, 0.6, 0.69})
+        CHECK_THROWS_WITH(at(um), Catch::Contains("no index beside a row that has none: " + row));
+}
+
 TEST_CASE("YAML that cannot be is refused with path and line") {
     const TemporaryFolder folder;
     const std::string table = "  - type: tabulated nk\n    data: |\n        0.4 1.4 0.1\n";
@@ -135,9 +152,24 @@ TEST_CASE("YAML that cannot be is refused with path and line") {
         {table + "\n        0.5 1.5 0 0\n", "m.yml:8: 4 numbers in a row of a table of nk: must be 3"},
         {table + "        0.5 abc 0\n", "m.yml:7: \"abc\" is not a number"},
         {table + "        0.5 nan 0\n", "m.yml:7: \"nan\" is not a finite number"},
-        {table + "        0.5 1.5 -1e-9\n",
-         "m.yml:7: extinction coefficient k -1e-09: must be >= 0 and at most 1e+24"},
-        {table + "        0.5 0 0\n", "m.yml:7: refractive index n 0: must be > 0 and at most 1e+24"},
+        {"  - type: tabulated nk\n    data: |\n        0.5 1.5 -1e-9\n",
+         "m.yml:6: extinction coefficient k -1e-09: must be >= 0 and at most 1e+24"},
+        {"  - type: tabulated n\n    data: |\n        0.5 0\n        0.6 -1\n",
+         "m.yml:6: refractive index n 0: must be > 0 and at most 1e+24"},
+        {"  - type: tabulated kn\n    data: |\n        0.5 0.1 1\n",
+         "m.yml:4: type \"tabulated kn\": not known; must be formula 1 to formula 9, tabulated nk, tabulated "
+         "n, "
+         "tabulated k or tabulated n2"},
+        {"  - type: Formula 1\n    wavelength_range: 0.3 2.5\n    coefficients: 1\n",
+         "m.yml:4: type \"Formula 1\": not known; must be formula 1 to formula 9, tabulated nk, tabulated n, "
+         "tabulated k or tabulated n2"},
+        {table + "    data: |\n        0.4 1.5 0.1\n", "m.yml:7: key \"data\": stands twice"},
+        {"  - type: tabulated nk\n    type: tabulated k\n    data: |\n        0.4 1.4 0.1\n",
+         "m.yml:5: key \"type\": stands twice"},
+        {table + "DATA:\n" + table, "m.yml:7: key \"DATA\": stands twice"},
+        {"  - type: formula 2\n    wavelength_range: 0.3 2.5\n    coefficients: 0 1.03961212 0.00600069867 "
+         "0.231792344\n",
+         "m.yml:4: formula 2 with 4 coefficients: C5 is missing: must end with a whole term"},
         {table + "        0 1.5 0\n", "m.yml:7: wavelength 0 um: must be > 0 (from 1e-24 to 1e+24 um)"},
         {"  - type: tabulated k\n    data: |\n        0.5 0.1 1\n",
          "m.yml:6: 3 numbers in a row of a table of k: must be 2"},

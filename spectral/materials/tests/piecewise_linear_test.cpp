@@ -80,7 +80,7 @@ TEST_CASE("a range admits what is inside, and outside does as it is told") {
                       "wavelength 3 um: must be from 0.3 to 2.5 um (range of N-BK7)");
     CHECK_THROWS_WITH(admit(0.2, OutsideRange::error),
                       "wavelength 0.2 um: must be from 0.3 to 2.5 um (range of N-BK7)");
-    CHECK(admit(3, OutsideRange::clamp) == 2.5);
-    CHECK(admit(0.2, OutsideRange::clamp) == 0.3);
-    CHECK(admit(1.0, OutsideRange::clamp) == 1.0);
+    CHECK(admit(3, OutsideRange::hold) == 2.5);
+    CHECK(admit(0.2, OutsideRange::hold) == 0.3);
+    CHECK(admit(1.0, OutsideRange::hold) == 1.0);
 }

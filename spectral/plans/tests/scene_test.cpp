@@ -62,7 +62,14 @@ TEST_CASE("a scene is read as it is written") {
     CHECK(scene.materials[1].name() == "foil");
     CHECK(scene.materials[1].properties().surface->correlation_length() == 2);
     CHECK(scene.wavelengths.size() == 4);
-    CHECK(scene.outside_range == OutsideRange::clamp);
+    CHECK(scene.outside_range == OutsideRange::hold);
+    const std::string clamped = fingerprint(scene);
+    text.rest = R"(, "illuminant": "E", "memory_budget_bytes": 5000, "outside": "hold", "name": "mine")";
+    CHECK(fingerprint_of(folder, text) == clamped);
+    text.rest = R"(, "outside": "near")";
+    CHECK_THROWS_WITH(scene_of(folder, text), Catch::Contains("must be error, hold or zero"));
+    text.rest = R"(, "outside": "hold", "clamp": true)";
+    CHECK_THROWS_WITH(scene_of(folder, text), Catch::Contains("must not come with clamp"));
     CHECK(scene.largest_theta_i == Approx(80 * std::numbers::pi / 180));
     CHECK(scene.largest_theta_r == Approx(70 * std::numbers::pi / 180));
     CHECK(!scene.polarised);

@@ -9,6 +9,7 @@
 #include "hts/error.hpp"
 #include "tables/formats/mitsuba/rgl_square.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
+#include "tables/formats/points/angular_grid.hpp"
 #include "tables/formats/whole_file.hpp"
 
 namespace hts::tables {
@@ -122,6 +123,9 @@ double usable(float value) noexcept {
     return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0;
 }
 
+constexpr double nodes_end = 1e-3;                               // [rad]: angles are written in few digits
+constexpr double horizon_reached = 0.97 * std::numbers::pi / 2;  // [rad]: no slice can stand on the horizon
+
 class MeasuredBrdf final : public RglBrdf {
   public:
     MeasuredBrdf(std::string name, RglFile file)
@@ -145,6 +149,19 @@ class MeasuredBrdf final : public RglBrdf {
 
     void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
         std::ranges::fill(values, 0.0);
+    }
+
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
+        const double theta_i = std::atan2(pair.in.sin_theta(), pair.in.cos_theta());
+        const double last = static_cast<double>(file_.theta_i.back());
+        return theta_i >= static_cast<double>(file_.theta_i.front()) - nodes_end &&
+               (theta_i <= last + nodes_end || last > horizon_reached);
+    }
+    [[nodiscard]] spectral::MeasuredDomain domain() const override {
+        std::vector<double> theta_i;
+        for (const float node : file_.theta_i)
+            theta_i.push_back(static_cast<double>(node) * 180 / std::numbers::pi);
+        return {theta_i, axis_in_words("theta_i", theta_i) + ", all views"};
     }
 
     [[nodiscard]] double density(const DirectionPair& pair) const noexcept override {

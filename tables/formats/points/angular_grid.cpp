@@ -9,34 +9,70 @@
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/text/text.hpp"
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
+
+using spectral::brief;
+
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Neighbouring nodes and the share of the second.
+constexpr double slack = 0.05;  // [deg]: angles are written in few digits
+
+// Neighbouring nodes and the share of the second, and whether the data reach there.
 struct Neighbours {
     std::size_t low, high;
     double share;
+    bool known = true;
 };
 
-Neighbours neighbours(const std::vector<double>& nodes, double at) noexcept {
-    const auto above = std::upper_bound(nodes.begin(), nodes.end(), at);
-    if (above == nodes.begin()) return {0, 0, 0};
-    const auto low = static_cast<std::size_t>(above - nodes.begin()) - 1;
-    if (above == nodes.end()) return {low, low, 0};
-    return {low, low + 1, (at - nodes[low]) / (nodes[low + 1] - nodes[low])};
-}
+// An axis, and up to where its first and last node speak for what is beyond.
+class Axis {
+  public:
+    ///   first, last   natural ends [deg]
+    ///   coarsest      step of which half is taken beyond an end
+    Axis(const std::vector<double>& nodes, double first, double last, double coarsest, double gap)
+        : nodes_{&nodes}, from_{nodes.front() - slack}, to_{nodes.back() + slack}, gap_{gap + slack} {
+        if (nodes.size() < 2) return;
+        const double low = nodes[1] - nodes[0], high = nodes.back() - nodes[nodes.size() - 2];
+        if (low <= coarsest && nodes.front() - low / 2 <= first) from_ = first;
+        if (high <= coarsest && nodes.back() + high / 2 >= last) to_ = last;
+    }
+    void reaches_horizon() noexcept {
+        if (nodes_->back() >= 89) to_ = 90;
+    }
+    [[nodiscard]] Neighbours at(double angle) const noexcept {
+        const std::vector<double>& nodes = *nodes_;
+        const bool inside = angle >= from_ && angle <= to_;
+        const auto above = std::upper_bound(nodes.begin(), nodes.end(), angle);
+        if (above == nodes.begin()) return {0, 0, 0, inside};
+        const auto low = static_cast<std::size_t>(above - nodes.begin()) - 1;
+        if (above == nodes.end()) return {low, low, 0, inside};
+        return between(low, low + 1, angle - nodes[low], nodes[low + 1] - nodes[low]);
+    }
+    // Begins again after 360 degrees.
+    [[nodiscard]] Neighbours around(double angle) const noexcept {
+        const std::vector<double>& nodes = *nodes_;
+        const double turned = angle < nodes.front() ? angle + 360 : angle;
+        const double gap = nodes.front() + 360 - nodes.back();
+        if (turned <= nodes.back() || gap <= 0) return at(turned);
+        return between(nodes.size() - 1, 0, turned - nodes.back(), gap);
+    }
 
-// On an axis that begins again after 360 degrees.
-Neighbours neighbours_around(const std::vector<double>& nodes, double at) noexcept {
-    const double turned = at < nodes.front() ? at + 360 : at;
-    const double gap = nodes.front() + 360 - nodes.back();
-    if (turned <= nodes.back() || gap <= 0) return neighbours(nodes, turned);
-    return {nodes.size() - 1, 0, (turned - nodes.back()) / gap};
-}
+  private:
+    [[nodiscard]] Neighbours between(std::size_t low, std::size_t high, double beyond,
+                                     double gap) const noexcept {
+        if (gap <= gap_) return {low, high, beyond / gap};
+        const std::size_t nearer = beyond < gap / 2 ? low : high;
+        return {nearer, nearer, 0, beyond <= slack || gap - beyond <= slack};
+    }
+
+    const std::vector<double>* nodes_;
+    double from_, to_, gap_;
+};
 
 double in_turn(double azimuth) noexcept {
     return azimuth < 0 ? azimuth + 360 : azimuth;
@@ -63,15 +99,85 @@ class GriddedBrdf final : public spectral::Evaluator {
   public:
     GriddedBrdf(const std::string& name, const spectral::WavelengthGrid& wavelengths, AngularGrid grid,
                 std::vector<double> values)
-        : spectral::Evaluator{name, wavelengths}, grid_{std::move(grid)}, values_{std::move(values)} {
+        : spectral::Evaluator{name, wavelengths},
+          grid_{std::move(grid)},
+          values_{std::move(values)},
+          phi_i_{grid_.phi_i, 0, 360, 0, azimuth_gap()},
+          theta_i_{grid_.theta_i, 0, 90, 10, polar_gap()},
+          azimuth_{grid_.azimuth, 0, 180, 20, azimuth_gap()},
+          polar_{grid_.polar, 0, about_normal() ? 90.0 : 180.0, 10, polar_gap()} {
+        theta_i_.reaches_horizon();
+        if (about_normal()) polar_.reaches_horizon();
         for (std::size_t node = 0; node < grid_.size(); ++node)
-            above_.push_back(grid_.pair(node).has_value());
+            known_.push_back(grid_.pair(node).has_value() && !std::isnan(values_[node * wavelengths.size()]));
+        for (std::size_t first = 0; first < grid_.size(); first += grid_.polar.size()) fill_row(first);
     }
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         std::ranges::fill(values, 0);
         if (!(pair.in.cos_theta() > 0) || !(pair.out.cos_theta() > 0)) return;
+        const auto axes = around(pair);
+        const auto add = [&](std::size_t node, double weight) {
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] += weight * values_[node * values.size() + i];
+        };
+        double share = for_corners(axes, true, add);
+        if (share == 0 && grid_.of_points) share = for_corners(axes, false, add);
+        if (share > 0 && share != 1)
+            for (double& value : values) value /= share;
+    }
+    void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
+        std::ranges::fill(values, 0);
+    }
+    [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
         const std::array<Neighbours, 4> axes = around(pair);
+        return std::ranges::all_of(axes, &Neighbours::known) &&
+               for_corners(axes, true, [](std::size_t, double) {}) > (grid_.of_points ? 0.49 : 0);
+    }
+    [[nodiscard]] spectral::MeasuredDomain domain() const override {
+        std::string axes = axis_in_words("theta_i", grid_.theta_i) + ", ";
+        if (grid_.phi_i.size() > 1) axes += axis_in_words("phi_i", grid_.phi_i) + ", ";
+        axes += axis_in_words(about_normal() ? "theta_r" : "angle from the mirror direction", grid_.polar);
+        axes += ", " + axis_in_words(about_normal() ? "phi" : "azimuth about it", grid_.azimuth);
+        if (!about_normal() && grid_.azimuth.size() == 1) axes += ", which stands for all";
+        return {grid_.theta_i, axes};
+    }
+
+  private:
+    [[nodiscard]] bool about_normal() const noexcept { return grid_.axis == PolarAxis::normal; }
+    [[nodiscard]] double polar_gap() const noexcept { return grid_.of_points ? largest_polar_gap : 360; }
+    [[nodiscard]] double azimuth_gap() const noexcept { return grid_.of_points ? largest_azimuth_gap : 360; }
+    [[nodiscard]] std::array<Neighbours, 4> around(const DirectionPair& pair) const noexcept {
+        const auto [azimuth, polar] = view_angles(grid_.axis, pair);
+        const double phi_i = in_turn(std::atan2(pair.in.sin_phi(), pair.in.cos_phi()) / degree);
+        std::array<Neighbours, 4> axes{
+            phi_i_.around(phi_i), theta_i_.at(std::atan2(pair.in.sin_theta(), pair.in.cos_theta()) / degree),
+            grid_.symmetric ? azimuth_.at(std::abs(azimuth)) : azimuth_.around(in_turn(azimuth)),
+            polar_.at(polar)};
+        if (grid_.phi_i.size() == 1) axes[0] = {0, 0, 0};
+        if (polar <= slack || (!about_normal() && grid_.azimuth.size() == 1)) axes[2].known = true;
+        return axes;
+    }
+    // Nodes that were not measured hold the value of the nearest one in their row, for who asks for it.
+    void fill_row(std::size_t first) {
+        const std::size_t row = grid_.polar.size(), width = wavelengths().size();
+        for (std::size_t r = 0; r < row; ++r) {
+            if (known_[first + r] || !grid_.of_points) continue;
+            std::size_t nearest = row;
+            for (std::size_t other = 0; other < row; ++other) {
+                const bool nearer = nearest == row || std::abs(grid_.polar[other] - grid_.polar[r]) <
+                                                          std::abs(grid_.polar[nearest] - grid_.polar[r]);
+                if (known_[first + other] && nearer) nearest = other;
+            }
+            for (std::size_t i = 0; i < width; ++i)
+                values_[(first + r) * width + i] = nearest < row ? values_[(first + nearest) * width + i] : 0;
+        }
+    }
+    // Calls visit(node, weight) for the nodes that have a part; returns the sum of weights.
+    //   known_alone   leaves out what is below the horizon or was not measured
+    template <class Visit>
+    double for_corners(const std::array<Neighbours, 4>& axes, bool known_alone,
+                       Visit&& visit) const noexcept {
         double share = 0;
         for (unsigned corner = 0; corner < 16; ++corner) {
             double weight = 1;
@@ -82,27 +188,11 @@ class GriddedBrdf final : public spectral::Evaluator {
                 index[axis] = up ? axes[axis].high : axes[axis].low;
             }
             const std::size_t node = node_at(index);
-            if (weight == 0 || !above_[node]) continue;
+            if (weight == 0 || (known_alone && !known_[node])) continue;
             share += weight;
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] += weight * values_[node * values.size() + i];
+            visit(node, weight);
         }
-        if (share > 0 && share != 1)
-            for (double& value : values) value /= share;
-    }
-    void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
-        std::ranges::fill(values, 0);
-    }
-
-  private:
-    [[nodiscard]] std::array<Neighbours, 4> around(const DirectionPair& pair) const noexcept {
-        const auto [azimuth, polar] = view_angles(grid_.axis, pair);
-        const double phi_i = in_turn(std::atan2(pair.in.sin_phi(), pair.in.cos_phi()) / degree);
-        return {neighbours_around(grid_.phi_i, phi_i),
-                neighbours(grid_.theta_i, std::atan2(pair.in.sin_theta(), pair.in.cos_theta()) / degree),
-                grid_.symmetric ? neighbours(grid_.azimuth, std::abs(azimuth))
-                                : neighbours_around(grid_.azimuth, in_turn(azimuth)),
-                neighbours(grid_.polar, polar)};
+        return share;
     }
     [[nodiscard]] std::size_t node_at(const std::array<std::size_t, 4>& index) const noexcept {
         return ((index[0] * grid_.theta_i.size() + index[1]) * grid_.azimuth.size() + index[2]) *
@@ -112,7 +202,8 @@ class GriddedBrdf final : public spectral::Evaluator {
 
     AngularGrid grid_;
     std::vector<double> values_;
-    std::vector<bool> above_;  // the horizon, per node
+    std::vector<bool> known_;  // per node: above the horizon, and measured
+    Axis phi_i_, theta_i_, azimuth_, polar_;
 };
 
 void check_axis(const char* name, const std::vector<double>& nodes, double most) {
@@ -126,6 +217,15 @@ void check_axis(const char* name, const std::vector<double>& nodes, double most)
 }
 
 }  // namespace
+
+std::string axis_in_words(const char* name, const std::vector<double>& nodes) {
+    std::string text = std::string{name} + " ";
+    if (nodes.size() > 4) {
+        return text + brief(nodes.front(), 6) + " to " + brief(nodes.back(), 6) + " deg (" +
+               std::to_string(nodes.size()) + " values)";
+    }
+    return text + brief(nodes, 6) + " deg";
+}
 
 std::optional<DirectionPair> AngularGrid::pair(std::size_t node) const {
     const double r = polar[node % polar.size()];
@@ -172,7 +272,7 @@ spectral::Reflectance gridded_brdf(const std::string& name, const spectral::Wave
             std::to_string(grid.size()) + " nodes times " + std::to_string(wavelengths.size()));
     }
     for (const double value : values) {
-        if (!(std::abs(value) <= largest_number))
+        if (!(std::abs(value) <= largest_number) && !(std::isnan(value) && grid.of_points))
             throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
     }
     return spectral::Reflectance{

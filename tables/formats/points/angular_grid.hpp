@@ -18,6 +18,9 @@ namespace hts::tables {
 
 enum class PolarAxis { normal, mirror };
 
+/// Neighbouring points further apart [deg] say nothing of what lies between.
+inline constexpr double largest_polar_gap = 45, largest_azimuth_gap = 90;
+
 struct AngularGrid {
     PolarAxis axis = PolarAxis::normal;
     // [deg], each strictly increasing and not empty
@@ -27,6 +30,9 @@ struct AngularGrid {
         azimuth;  ///< 0 ... 180 if the surface is symmetric to the plane of incidence, else within 360
     std::vector<double> polar;  ///< 0 ... 90 about the normal, 0 ... 180 about the mirror direction
     bool symmetric = true;      ///< whether azimuths above 180 follow from those below
+    /// Whether nothing is known between neighbours that are further apart than largest_polar_gap and largest_azimuth_gap: of a list
+    /// of points, whose grid nobody promised.
+    bool of_points = false;
 
     [[nodiscard]] std::size_t size() const noexcept {
         return phi_i.size() * theta_i.size() * azimuth.size() * polar.size();
@@ -41,11 +47,16 @@ struct AngularGrid {
 /// Values [1/sr] at every node, all wavelengths of a node together; 0 below the horizon. Same bits for any number of threads.
 [[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf);
 
-/// Linear interpolation in all angles; nodes below the horizon have no part in it. Constant beyond the ends of an axis.
-///   values   as `values_on` gives them, finite, grid.size() times the number of wavelengths; else hts::Error
+/// Linear interpolation in all angles; nodes below the horizon have no part in it. Beyond the ends of an axis, and in gaps of a list
+/// of points, the value of the nearest node; `knows` says that nothing was measured there. An axis reaches to its pole or the horizon
+/// where that is at most half a step away, and to the horizon from 89 deg. One azimuth about the mirror direction stands for all.
+///   values   as `values_on` gives them, finite but for nodes of points that are NaN since nobody measured there; grid.size() times the number of wavelengths; else hts::Error
 [[nodiscard]] spectral::Reflectance gridded_brdf(const std::string& name,
                                                  const spectral::WavelengthGrid& wavelengths,
                                                  AngularGrid grid, std::vector<double> values);
+
+/// "theta_i 0 to 75 deg (6 values)", or all of them if they are few.
+[[nodiscard]] std::string axis_in_words(const char* name, const std::vector<double>& nodes);
 
 /// Whether the BRDF is the same on both sides of the plane of incidence, as far as random pairs can tell (1e-6).
 [[nodiscard]] bool is_plane_symmetric(const spectral::Reflectance& brdf);

@@ -9,11 +9,14 @@
 namespace hts::tables {
 namespace {
 
-// Between commas if the line has any, so that an empty cell stays one; otherwise between blanks.
+// Between semicolons or commas if the line has any, so that an empty cell stays one, but for one behind the last; otherwise
+// between white space.
 std::vector<std::string_view> pieces(std::string_view line) {
-    if (line.find(',') == std::string_view::npos) return spectral::words(line);
-    auto result = spectral::split(line, ',');
+    const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
+    if (line.find(separator) == std::string_view::npos) return spectral::words(line);
+    auto result = spectral::split(line, separator);
     for (std::string_view& piece : result) piece = spectral::trimmed(piece);
+    if (result.size() > 1 && result.back().empty()) result.pop_back();
     return result;
 }
 
@@ -24,10 +27,10 @@ struct HeadLine {
 };
 
 HeadLine head_line(std::string_view line) {
-    const auto end = line.find_first_of(", \t");
+    const auto end = line.find_first_of(",; \t");
     if (end == std::string_view::npos) return {line};
     auto rest = spectral::trimmed(line.substr(end));
-    if (rest.starts_with(',')) rest = spectral::trimmed(rest.substr(1));
+    if (rest.starts_with(',') || rest.starts_with(';')) rest = spectral::trimmed(rest.substr(1));
     return {line.substr(0, end), rest.empty() ? std::vector<std::string_view>{} : pieces(rest)};
 }
 

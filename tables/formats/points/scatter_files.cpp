@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "hts/error.hpp"
-#include "spectral/colour/display_colour.hpp"
 #include "spectral/text/csv.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/points/astm.hpp"
+#include "tables/formats/points/fred.hpp"
 #include "tables/formats/points/scatter_points.hpp"
+#include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
 namespace {
@@ -23,7 +24,7 @@ using spectral::WavelengthGrid;
 struct ChannelColumns {
     WavelengthGrid wavelengths;
     std::vector<std::size_t> order;
-    bool tristimulus = false;  // columns X, Y, Z
+    std::vector<std::string> channels{};  // what they stand for if not for wavelengths
 };
 
 // 0.55 of "550nm", none of other names.
@@ -53,10 +54,12 @@ ChannelColumns channels_named(const std::string& file, const std::vector<std::st
     ChannelColumns result{given ? *given : rgb_wavelengths(), {}};
     if (names == std::vector<std::string>{"R", "G", "B"}) {
         result.order = {2, 1, 0};
+        if (!given) result.channels = rgb_channels();
     } else if (names == std::vector<std::string>{"X", "Y", "Z"}) {
-        result.order = {0, 1, 2};
-        result.tristimulus = true;
+        result.order = {2, 1, 0};
+        if (!given) result.channels = xyz_channels();
     } else if (!names.empty() && wavelengths.size() == names.size()) {
+        if (given) throw Error{file + ": says its wavelengths, which must not be given"};
         result.order = in_order(wavelengths);
         std::sort(wavelengths.begin(), wavelengths.end());
         result.wavelengths =
@@ -76,16 +79,54 @@ ChannelColumns channels_named(const std::string& file, const std::vector<std::st
     return result;
 }
 
-// Values of a point in the order of wavelengths; negative ones, which measurements have, become 0.
-void append_values(std::vector<double>& values, const std::vector<double>& columns,
-                   const ChannelColumns& channels) {
-    if (channels.tristimulus) {
-        const auto rgb =
-            spectral::linear_srgb({columns[0], columns[1], columns[2]}, spectral::Illuminant::D65);
-        for (const double value : {rgb.blue, rgb.green, rgb.red}) values.push_back(std::max(0.0, value));
-        return;
+// Values of points, of which negative ones become 0 and are counted.
+class Values {
+  public:
+    explicit Values(ScatterPoints& points) : points_{points} {}
+
+    // Those of a point in the order of wavelengths.
+    void append(const std::vector<double>& columns, const ChannelColumns& channels, std::size_t line) {
+        for (const std::size_t column : channels.order) append(columns[column], line);
     }
-    for (const std::size_t column : channels.order) values.push_back(std::max(0.0, columns[column]));
+    void append(double value, std::size_t line) {
+        if (value < 0) negative_.note(value, line);
+        points_.values.push_back(std::max(0.0, value));
+    }
+    void write_note() {
+        if (negative_.count > 0) points_.notes.push_back(negative_.text());
+    }
+
+  private:
+    ScatterPoints& points_;
+    NegativeValues negative_;
+};
+
+// What `hts eval` writes besides directions and BRDF.
+bool is_of_eval(std::string_view column) {
+    static const std::vector<std::string_view> names{"directional_diffuse",
+                                                     "uniform_diffuse",
+                                                     "specular_reflectance",
+                                                     "n",
+                                                     "k",
+                                                     "rms_roughness_um",
+                                                     "correlation_length_um",
+                                                     "albedo",
+                                                     "g",
+                                                     "t",
+                                                     "effective_roughness_um",
+                                                     "shadowing",
+                                                     "fresnel",
+                                                     "method",
+                                                     "btdf",
+                                                     "s0",
+                                                     "s1",
+                                                     "s2",
+                                                     "s3",
+                                                     "degree_of_polarisation",
+                                                     "angle_of_polarisation_deg"};
+    const bool mueller = column.size() == 3 && column[0] == 'm' && column[1] >= '0' && column[1] <= '3' &&
+                         column[2] >= '0' && column[2] <= '3';
+    return mueller || std::ranges::find(names, column) != names.end();
 }
 
 class CsvPoints {
@@ -100,14 +141,55 @@ class CsvPoints {
     }
 
     [[nodiscard]] ScatterPoints read(const std::optional<WavelengthGrid>& given) const {
-        if (const auto value = table_.find_column("brdf")) {
-            if (const auto wavelength = table_.find_column("wavelength_um"))
-                return by_rows(*value, *wavelength);
+        const std::vector<std::string> unused = unused_columns();
+        const auto um = table_.find_column("wavelength_um"), nm = table_.find_column("wavelength_nm");
+        const auto value = table_.find_column("brdf");
+        if (um && nm)
+            throw Error{table_.where_header() +
+                        R"(columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
+        if ((um || nm) && given)
+            throw Error{table_.name() + ": says its wavelengths, which must not be given"};
+        if ((um || nm) && !value) {
+            throw Error{table_.where_header() + "column " +
+                        spectral::in_quotes(um ? "wavelength_um" : "wavelength_nm") +
+                        ": must come with one column \"brdf\""};
         }
-        return by_columns(given);
+        ScatterPoints points = um || nm ? by_rows(*value, um ? *um : *nm, um ? 1 : 1e-3) : by_columns(given);
+        if (!unused.empty()) points.notes.push_back("columns not used: " + spectral::joined(unused));
+        const std::string dialect = table_.dialect_in_words();
+        if (!dialect.empty()) points.notes.push_back(dialect);
+        return points;
     }
 
   private:
+    // hts::Error for a column that may be meant for a known one.
+    [[nodiscard]] std::vector<std::string> unused_columns() const {
+        const std::vector<std::string> known{"theta_i_deg", "phi_i_deg",     "theta_r_deg",  "phi_r_deg",
+                                             "brdf",        "wavelength_um", "wavelength_nm"};
+        std::vector<std::string> unused;
+        for (const std::string& column : table_.columns()) {
+            if (std::ranges::find(known, column) != known.end() || is_of_eval(column)) continue;
+            if (column.starts_with("brdf_") && wavelength_named(column.substr(5))) continue;
+            std::string similar = spectral::similar_name(column, known);
+            if (column.starts_with("brdf_") && wavelength_named(column.substr(5) + "nm"))
+                similar = column + "nm";
+            const bool of_points =
+                std::ranges::any_of(std::array{"theta", "phi", "wave", "lambda", "azimuth", "polar", "wl"},
+                                    [&](std::string_view word) {
+                                        return column.size() >= word.size() &&
+                                               spectral::same_letters(column.substr(0, word.size()), word);
+                                    });
+            if (similar.empty() && !of_points) {
+                unused.push_back(column);
+                continue;
+            }
+            throw Error{table_.where_header() + "column " + spectral::in_quotes(column) +
+                        ": not known; must be " +
+                        (similar.empty() ? "one of " + spectral::joined(known) + ", brdf_550nm"
+                                         : spectral::in_quotes(similar))};
+        }
+        return unused;
+    }
     [[nodiscard]] double angle(std::size_t row, std::size_t column, double least, double most) const {
         const double degrees = table_.number(row, column);
         if (degrees >= least && degrees <= most) return degrees;
@@ -133,43 +215,56 @@ class CsvPoints {
         if (columns.empty())
             throw Error{table_.name() + R"(: column "brdf" or "brdf_550nm" or the like: missing)"};
         const ChannelColumns channels = channels_named(table_.name(), names, given);
-        ScatterPoints points{channels.wavelengths, {}, {}};
+        ScatterPoints points{channels.wavelengths, {}, {}, {}, {}, channels.channels};
+        Values values{points};
         std::vector<double> row_values(columns.size());
         for (std::size_t row = 0; row < table_.row_count(); ++row) {
             for (std::size_t k = 0; k < columns.size(); ++k) row_values[k] = table_.number(row, columns[k]);
             points.angles.push_back(angles(row));
-            append_values(points.values, row_values, channels);
+            points.lines.push_back(table_.line(row));
+            values.append(row_values, channels, table_.line(row));
         }
+        values.write_note();
         return points;
     }
     // A row per point and wavelength, in any order.
-    [[nodiscard]] ScatterPoints by_rows(std::size_t value, std::size_t wavelength) const {
+    //   unit   of the wavelengths [um]
+    [[nodiscard]] ScatterPoints by_rows(std::size_t value, std::size_t wavelength, double unit) const {
         std::vector<double> wavelengths;
         for (std::size_t row = 0; row < table_.row_count(); ++row)
-            wavelengths.push_back(table_.number(row, wavelength));
+            wavelengths.push_back(unit * table_.number(row, wavelength));
         std::sort(wavelengths.begin(), wavelengths.end());
         wavelengths.erase(std::unique(wavelengths.begin(), wavelengths.end()), wavelengths.end());
         ScatterPoints points{
             spectral::located(table_.name(), [&] { return WavelengthGrid::from_micrometres(wavelengths); }),
             {},
             {}};
-        // values at the wavelengths seen of each point; a point lacks some until its last row
-        std::map<std::array<double, 4>, std::map<double, double>> found;
+        // rows at the wavelengths seen of each point; a point lacks some until its last row
+        std::map<std::array<double, 4>, std::map<double, std::size_t>> found;
         for (std::size_t row = 0; row < table_.row_count(); ++row) {
             const ScatterAngles at = angles(row);
-            found[{at.phi_i, at.theta_i, at.phi_r, at.theta_r}][table_.number(row, wavelength)] =
-                std::max(0.0, table_.number(row, value));
+            const auto [first, fresh] = found[{at.phi_i, at.theta_i, at.phi_r, at.theta_r}].emplace(
+                unit * table_.number(row, wavelength), row);
+            if (fresh || table_.number(row, value) == table_.number(first->second, value)) continue;
+            throw table_.error(row, "the directions and wavelength of line " +
+                                        std::to_string(table_.line(first->second)) + " again, BRDF " +
+                                        table_.text(row, value) + " and " +
+                                        table_.text(first->second, value) + " 1/sr: must have one value");
         }
-        for (const auto& [at, spectrum] : found) {
-            if (spectrum.size() != wavelengths.size()) {
-                throw Error{table_.name() + ": " + std::to_string(spectrum.size()) + " of " +
-                            std::to_string(wavelengths.size()) + " wavelengths at theta_i_deg " +
-                            shortest(at[1]) + ", theta_r_deg " + shortest(at[3]) + ", phi_r_deg " +
-                            shortest(at[2])};
+        Values values{points};
+        for (const auto& [at, rows] : found) {
+            const std::size_t first_row = rows.begin()->second;
+            if (rows.size() != wavelengths.size()) {
+                throw table_.error(first_row,
+                                   std::to_string(rows.size()) + " of " + std::to_string(wavelengths.size()) +
+                                       " wavelengths at theta_i_deg " + shortest(at[1]) + ", theta_r_deg " +
+                                       shortest(at[3]) + ", phi_r_deg " + shortest(at[2]) + ": must be all");
             }
             points.angles.push_back({at[1], at[0], at[3], at[2]});
-            for (const auto& [one, brdf] : spectrum) points.values.push_back(brdf);
+            points.lines.push_back(table_.line(first_row));
+            for (const auto& [one, row] : rows) values.append(table_.number(row, value), table_.line(row));
         }
+        values.write_note();
         return points;
     }
 
@@ -196,9 +291,11 @@ ScatterPoints points_of_astm(std::string_view text, const std::string& name,
                              const std::optional<WavelengthGrid>& wavelengths) {
     const AstmFile file = astm_file(text, name);
     const ChannelColumns channels = channels_named(name, file.channel_names, wavelengths);
-    ScatterPoints points{channels.wavelengths, {}, {}};
+    ScatterPoints points{channels.wavelengths, {}, {}, {}, {}, channels.channels};
+    Values negatives{points};
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
         const auto row = file.row(i);
+        points.lines.push_back(file.lines[i]);
         const std::string place = name + ":" + std::to_string(file.lines[i]);
         points.angles.push_back({checked_degrees(row[file.theta_i], 90, place),
                                  file.phi_i ? checked_degrees(row[*file.phi_i], 1e6, place) : 0,
@@ -206,8 +303,44 @@ ScatterPoints points_of_astm(std::string_view text, const std::string& name,
                                  checked_degrees(row[file.phi_s], 1e6, place)});
         std::vector<double> values;
         for (const std::size_t channel : file.channels) values.push_back(row[channel]);
-        append_values(points.values, values, channels);
+        negatives.append(values, channels, file.lines[i]);
     }
+    negatives.write_note();
+    return points;
+}
+
+ScatterPoints points_of_fred(std::string_view text, const std::string& name,
+                             const std::optional<WavelengthGrid>& wavelengths, double mirror_azimuth) {
+    const FredFile file = fred_file(text, name);
+    if (!wavelengths) throw Error{name + ": does not say its wavelength, which must be given"};
+    if (wavelengths->size() != 1)
+        throw Error{name + ": holds 1 channel, not " + std::to_string(wavelengths->size())};
+    ScatterPoints points{*wavelengths, {}, {}};
+    points.notes = file.remarks;
+    Values values{points};
+    std::array<double, 2> sums{};  // on the mirror's side and on the light's
+    for (const FredPoint& p : file.points) {
+        for (const double theta : {p.theta_i, p.theta_s}) {
+            if (theta >= 0 && theta <= 90) continue;
+            throw Error{name + ":" + std::to_string(p.line) + ": " +
+                        out_of_range("polar angle", theta, "deg", "from 0 to 90").what()};
+        }
+        points.angles.push_back({p.theta_i, p.phi_i, p.theta_s, p.phi_s + 180 - mirror_azimuth});
+        points.lines.push_back(p.line);
+        values.append(p.value, p.line);
+        const double turn = std::abs(std::remainder(p.phi_s - p.phi_i - mirror_azimuth, 360));
+        if (p.theta_i >= 5 && p.theta_s >= 5 && (turn < 1 || turn > 179)) sums[turn < 1 ? 0 : 1] += p.value;
+    }
+    if (sums[1] > 2 * sums[0]) {
+        throw Error{
+            name + ": more light at azimuth " + shortest(180 - mirror_azimuth) + " deg than at " +
+            shortest(mirror_azimuth) +
+            ", where the mirror direction is taken to be: mirror_azimuth_deg (--mirror-azimuth) must be " +
+            shortest(180 - mirror_azimuth)};
+    }
+    points.notes.push_back("azimuths counted with the mirror direction at " + shortest(mirror_azimuth) +
+                           " deg");
+    values.write_note();
     return points;
 }
 

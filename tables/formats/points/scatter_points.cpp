@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/points/in_plane.hpp"
+#include "tables/formats/points/nearest_points.hpp"
 #include "tables/formats/points/tokens.hpp"
 
 namespace hts::tables {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-// Angles that differ by less are the same: printed with six decimals at least.
+// Angles that differ by less are the same: radians of six decimals are.
 double snapped(double degrees) {
-    return std::round(degrees * 1e6) / 1e6;
+    return std::round(degrees * 1e4) / 1e4;
 }
 double snapped_turn(double degrees) {
     const double turn = snapped(degrees - 360 * std::floor(degrees / 360));
@@ -44,10 +46,18 @@ class GridOfPoints {
             grid_.polar.push_back(snapped(at.theta_r));
         }
         for (auto* axis : {&grid_.phi_i, &grid_.theta_i, &grid_.azimuth, &grid_.polar}) sort_unique(*axis);
-        grid_.symmetric = grid_.azimuth.back() <= 180;
+        const auto& turns = grid_.azimuth;
+        const auto below = [](double turn) { return turn > 0 && turn < 180; };
+        grid_.symmetric = turns.back() <= 180 || std::ranges::none_of(turns, below);
+        if (turns.back() > 180 && grid_.symmetric) {  // the other side was measured
+            for (double& turn : grid_.azimuth) turn = azimuth_of(turn);
+            sort_unique(grid_.azimuth);
+        }
+        grid_.of_points = true;
     }
 
-    // The values at every node; none if one has no point or two. A view along the normal stands for all azimuths.
+    // The values at every node, NaN where there is no point; none if less than three in four nodes have one. A view along the
+    // normal stands for all azimuths.
     [[nodiscard]] std::optional<std::vector<double>> values() const {
         double nodes = 1;
         for (const auto* axis : {&grid_.phi_i, &grid_.theta_i, &grid_.azimuth, &grid_.polar})
@@ -59,122 +69,28 @@ class GridOfPoints {
             const ScatterAngles& at = points_.angles[i];
             const std::size_t row = place(grid_.phi_i, snapped_turn(at.phi_i)) * grid_.theta_i.size() +
                                     place(grid_.theta_i, snapped(at.theta_i));
-            const std::size_t azimuth = place(grid_.azimuth, snapped_turn(at.phi_r - at.phi_i));
+            const std::size_t azimuth = place(grid_.azimuth, azimuth_of(snapped_turn(at.phi_r - at.phi_i)));
             const std::size_t polar = place(grid_.polar, snapped(at.theta_r));
             const bool along_normal = grid_.polar[polar] == 0;
             for (std::size_t a = 0; a < grid_.azimuth.size(); ++a) {
                 if (a != azimuth && !along_normal) continue;
                 double* const node =
                     &values[((row * grid_.azimuth.size() + a) * grid_.polar.size() + polar) * channels];
-                if (!along_normal && !std::isnan(*node)) return std::nullopt;
                 std::copy_n(&points_.values[i * channels], channels, node);
             }
         }
-        for (const double value : values)
-            if (std::isnan(value)) return std::nullopt;
+        const auto missing = std::ranges::count_if(values, [](double value) { return std::isnan(value); });
+        if (4 * static_cast<std::size_t>(missing) > values.size()) return std::nullopt;
         return values;
     }
     [[nodiscard]] const AngularGrid& grid() const noexcept { return grid_; }
 
   private:
+    [[nodiscard]] double azimuth_of(double turn) const noexcept {
+        return grid_.symmetric && turn > 180 ? snapped(360 - turn) : turn;
+    }
     const ScatterPoints& points_;
     AngularGrid grid_;
-};
-
-using Place = std::array<double, 3>;
-
-Place place_of(const DirectionPair& pair) noexcept {
-    const Vector3 in = pair.in.vector(), sum = in + pair.out.vector();
-    const double length = std::sqrt(dot(sum, sum)), across = std::hypot(sum.x, sum.y);
-    const double theta_h = std::atan2(across, sum.z), cos_d = std::min(1.0, length / 2);
-    const double sin_d = std::sqrt(1 - cos_d * cos_d);
-    double along = 0;  // sin theta_d cos phi_d
-    if (across > 0) along = (sum.z * (in.x * sum.x + in.y * sum.y) / across - across * in.z) / length;
-    // sin theta_d cos 2 phi_d = (2 along^2 - sin^2 theta_d)/sin theta_d
-    const double doubled = sin_d > 0 ? (2 * along * along - sin_d * sin_d) / sin_d : 0;
-    return {4 * theta_h, std::acos(cos_d), 2 * across / length * doubled};
-}
-
-class NearestPoints final : public spectral::Evaluator {
-  public:
-    NearestPoints(const std::string& name, const ScatterPoints& points)
-        : spectral::Evaluator{name, points.wavelengths} {
-        for (std::size_t i = 0; i < points.angles.size(); ++i) {
-            const ScatterAngles& at = points.angles[i];
-            points_.push_back({place_of({Direction::from_degrees(at.theta_i, at.phi_i),
-                                         Direction::from_degrees(at.theta_r, at.phi_r)}),
-                               i * points.wavelengths.size()});
-        }
-        std::stable_sort(points_.begin(), points_.end(),
-                         [](const Point& a, const Point& b) { return a.place[0] < b.place[0]; });
-        values_ = points.values;
-    }
-
-    void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
-        std::ranges::fill(values, 0);
-        if (!(pair.in.cos_theta() > 0) || !(pair.out.cos_theta() > 0)) return;
-        const Nearest nearest = nearest_to(place_of(pair));
-        double sum = 0;
-        for (std::size_t k = 0; k < nearest.count; ++k) {
-            const double weight = 1 / (nearest.distance[k] + 1e-10);
-            sum += weight;
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] += weight * values_[nearest.first[k] + i];
-        }
-        for (double& value : values) value /= sum;
-    }
-    void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
-        std::ranges::fill(values, 0);
-    }
-
-  private:
-    struct Point {
-        Place place;
-        std::size_t first;  // of its values
-    };
-    // Squared distances in growing order.
-    struct Nearest {
-        std::array<double, 8> distance{};
-        std::array<std::size_t, 8> first{};
-        std::size_t count = 0;
-
-        [[nodiscard]] bool needs(double squared) const noexcept {
-            return count < distance.size() || squared < distance.back();
-        }
-        void note(double squared, std::size_t values) noexcept {
-            if (!needs(squared)) return;
-            std::size_t i = count < distance.size() ? count++ : count - 1;
-            for (; i > 0 && distance[i - 1] > squared; --i) {
-                distance[i] = distance[i - 1];
-                first[i] = first[i - 1];
-            }
-            distance[i] = squared;
-            first[i] = values;
-        }
-    };
-    [[nodiscard]] Nearest nearest_to(const Place& place) const noexcept {
-        Nearest nearest;
-        const auto visit = [&](const Point& point) {
-            const double x = point.place[0] - place[0], y = point.place[1] - place[1],
-                         z = point.place[2] - place[2];
-            if (!nearest.needs(x * x)) return false;
-            nearest.note(x * x + y * y + z * z, point.first);
-            return true;
-        };
-        const auto middle =
-            std::lower_bound(points_.begin(), points_.end(), place[0],
-                             [](const Point& point, double at) { return point.place[0] < at; });
-        // outwards on both sides in turn until neither has a point that may be nearer
-        auto up = middle, down = middle;
-        for (bool rising = true, falling = true; rising || falling;) {
-            if (rising) rising = up != points_.end() && visit(*up++);
-            if (falling) falling = down != points_.begin() && visit(*--down);
-        }
-        return nearest;
-    }
-
-    std::vector<Point> points_;  // by their first coordinate
-    std::vector<double> values_;
 };
 
 void check(const std::string& name, const ScatterPoints& points) {
@@ -192,15 +108,112 @@ void check(const std::string& name, const ScatterPoints& points) {
             throw out_of_range("BRDF", value, "1/sr", "from -1e100 to 1e100");
 }
 
+// Largest ratio of values at azimuths that stand more than 20 degrees apart, of what is not small.
+double steepest_across(const AngularGrid& grid, const std::vector<double>& values, std::size_t channels) {
+    const double least = 0.01 * std::accumulate(values.begin(), values.end(), 0.0,
+                                                [](double a, double b) { return std::fmax(a, b); });
+    double steepest = 1;
+    for (std::size_t node = 0; node < grid.size(); ++node) {
+        const std::size_t azimuth = node / grid.polar.size() % grid.azimuth.size();
+        if (azimuth == 0 || grid.azimuth[azimuth] - grid.azimuth[azimuth - 1] <= 20) continue;
+        for (std::size_t k = 0; k < channels; ++k) {
+            const auto [low, high] =
+                std::minmax(values[node * channels + k], values[(node - grid.polar.size()) * channels + k]);
+            if (high > least && low >= 0) steepest = std::max(steepest, high / std::max(low, least));
+        }
+    }
+    return steepest;
+}
+
+// Every pair of directions once. Rows that say the same twice count once; views along the normal, which stand for all azimuths, are
+// averaged; hts::Error for others that contradict.
+ScatterPoints without_repetitions(const std::string& name, const ScatterPoints& points) {
+    const std::size_t channels = points.wavelengths.size();
+    struct Found {
+        std::size_t place;  // in the result
+        std::size_t row;    // in the points
+        double azimuth;
+        double count = 1;
+    };
+    std::map<std::array<double, 4>, Found> found;
+    ScatterPoints result{points.wavelengths, {}, {}, {}, points.notes};
+    std::size_t same = 0, averaged = 0;
+    for (std::size_t i = 0; i < points.angles.size(); ++i) {
+        const ScatterAngles& at = points.angles[i];
+        const double azimuth = snapped_turn(at.phi_r - at.phi_i);
+        const bool along_normal = snapped(at.theta_r) == 0;
+        const std::array key{snapped_turn(at.phi_i), snapped(at.theta_i), along_normal ? 0 : azimuth,
+                             snapped(at.theta_r)};
+        const double* const values = &points.values[i * channels];
+        const auto [known, fresh] = found.emplace(key, Found{result.angles.size(), i, azimuth});
+        if (fresh) {
+            result.angles.push_back(at);
+            result.values.insert(result.values.end(), values, values + channels);
+            continue;
+        }
+        Found& first = known->second;
+        const auto shown = [](double angle) { return spectral::brief(angle, 6); };
+        double* const mean = &result.values[first.place * channels];
+        if (std::equal(values, values + channels, &points.values[first.row * channels])) {
+            if (!along_normal || first.azimuth == azimuth) ++same;
+        } else if (along_normal && first.azimuth != azimuth) {
+            ++averaged;
+            first.count += 1;
+            for (std::size_t k = 0; k < channels; ++k) mean[k] += (values[k] - mean[k]) / first.count;
+        } else {
+            throw Error{name + (points.lines.empty() ? "" : ":" + std::to_string(points.lines[i])) +
+                        ": theta_i " + shown(at.theta_i) + ", phi_i " + shown(at.phi_i) + ", theta_r " +
+                        shown(at.theta_r) + ", phi_r " + shown(at.phi_r) + " deg: " +
+                        (points.lines.empty() ? ""
+                                              : "the directions of line " +
+                                                    std::to_string(points.lines[first.row]) + " again, ") +
+                        "BRDF " + shortest(values[0]) + " and " +
+                        shortest(points.values[first.row * channels]) + " 1/sr: must have one value"};
+        }
+    }
+    if (same > 0)
+        result.notes.push_back(
+            std::to_string(same) +
+            (same == 1 ? " point says again what another says" : " points say again what others say") +
+            ": left out");
+    if (averaged > 0)
+        result.notes.push_back(std::to_string(averaged) +
+                               " views along the normal repeat others with another value: averaged");
+    return result;
+}
+
 }  // namespace
 
-spectral::Reflectance brdf_from(const std::string& name, const ScatterPoints& points, bool* regular) {
-    check(name, points);
+PointsBrdf brdf_from(const std::string& name, const ScatterPoints& given) {
+    check(name, given);
+    const ScatterPoints points = without_repetitions(name, given);
+    std::vector<std::string> notes = points.notes;
+    const std::string count = std::to_string(points.angles.size()) + " points ";
+    if (is_in_plane(points)) {
+        notes.push_back(count +
+                        "in the plane of incidence; views beside it are assumed to see what stands in it at "
+                        "the same angle "
+                        "from the mirror direction");
+        return {in_plane_brdf(name, points), PointLayout::in_plane, std::move(notes)};
+    }
     const GridOfPoints grid{points};
-    auto values = grid.values();
-    if (regular != nullptr) *regular = values.has_value();
-    if (values) return gridded_brdf(name, points.wavelengths, grid.grid(), std::move(*values));
-    return spectral::Reflectance{std::make_shared<const NearestPoints>(name, points)};
+    if (auto values = grid.values()) {
+        const auto missing = std::ranges::count_if(*values, [](double value) { return std::isnan(value); });
+        const double share = 1 - static_cast<double>(missing) / static_cast<double>(values->size());
+        notes.push_back(count +
+                        (missing == 0 ? "on a full grid"
+                                      : "on a grid, " + spectral::brief(100 * share, 3) + " % of its nodes") +
+                        ": linear between them");
+        if (const double ratio = steepest_across(grid.grid(), *values, points.wavelengths.size());
+            ratio > 3) {
+            notes.push_back("values of neighbouring azimuths differ up to " + spectral::brief(ratio, 3) +
+                            " times: the azimuths do not resolve the lobe");
+        }
+        return {gridded_brdf(name, points.wavelengths, grid.grid(), std::move(*values)), PointLayout::grid,
+                std::move(notes)};
+    }
+    notes.push_back(count + "scattered: the eight nearest count");
+    return {nearest_points_brdf(name, points), PointLayout::scattered, std::move(notes)};
 }
 
 AngularGrid csv_grid(bool isotropic) {

@@ -1,12 +1,8 @@
 /// A BRDF from points at which it was measured or computed, and the two text formats that list them.
 ///
-/// Points on a full regular grid about the normal are interpolated on it (angular_grid.hpp). Others are taken by nearness: at a
-/// pair of directions the eight nearest points count by the inverse square of their distance in
-///
-///   4 theta_h,  theta_d,  2 sin theta_h sin theta_d cos 2 phi_d
-///
-/// of Rusinkiewicz' half and difference angles [Rusinkiewicz98]. These are the same for swapped directions and on both sides of the
-/// plane of incidence: the surface is taken to be isotropic and reciprocal. Half directions count most, since lobes depend on them.
+/// Points in the plane of incidence alone are spread about the mirror direction (in_plane.hpp), points on a full regular grid about
+/// the normal are interpolated on it (angular_grid.hpp), others are taken by nearness (nearest_points.hpp). Each says where it knows
+/// the surface (spectral::Evaluator::knows).
 #pragma once
 
 #include <array>
@@ -29,12 +25,25 @@ struct ScatterPoints {
     spectral::WavelengthGrid wavelengths;
     std::vector<ScatterAngles> angles;  ///< polar angles 0 ... 90
     std::vector<double> values;         ///< [1/sr], all wavelengths of a point together
+    std::vector<std::size_t> lines{};   ///< of each point in its file; may be empty
+    std::vector<std::string> notes{};   ///< what a user should know of the file
+    /// What the wavelengths stand for: B, G, R or Z, Y, X; none if they are wavelengths.
+    std::vector<std::string> channels{};
 };
 
-/// The BRDF that the points describe. hts::Error if there is none, a polar angle is out of range or a value not finite or above 1e100.
-///   regular   set to whether the points are a full grid
-[[nodiscard]] spectral::Reflectance brdf_from(const std::string& name, const ScatterPoints& points,
-                                              bool* regular = nullptr);
+/// How points are joined.
+enum class PointLayout { in_plane, grid, scattered };
+
+/// The BRDF that points describe.
+struct PointsBrdf {
+    spectral::Reflectance brdf;
+    PointLayout layout;
+    std::vector<std::string> notes;  ///< those of the points, and what was assumed
+};
+
+/// hts::Error if there is no point, a polar angle is out of range, a value not finite or above 1e100, or if two points of the same
+/// directions contradict each other.
+[[nodiscard]] PointsBrdf brdf_from(const std::string& name, const ScatterPoints& points);
 
 /// The grid that a CSV file gets: polar angles every 2.5 degrees, the last 89.9, azimuths every 5; where the surface is not
 /// isotropic polar angles every 5, azimuths every 10 and the light's every 15.
@@ -61,5 +70,12 @@ struct ScatterPoints {
 [[nodiscard]] ScatterPoints points_of_astm(
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelengths = std::nullopt);
+
+/// Points of a scatter table of FRED (fred.hpp), which names no wavelength.
+///   mirror_azimuth   of the mirror direction as the file counts azimuths from the light's [deg]: 0, FRED's own way, or 180
+/// hts::Error "path:line: …", also where the values say that the mirror direction is on the other side.
+[[nodiscard]] ScatterPoints points_of_fred(std::string_view text, const std::string& name,
+                                           const std::optional<spectral::WavelengthGrid>& wavelengths,
+                                           double mirror_azimuth = 0);
 
 }  // namespace hts::tables

@@ -20,6 +20,17 @@ std::string shown(std::string_view word) {
 
 }  // namespace
 
+void NegativeValues::note(double value, std::size_t line) noexcept {
+    if (count++ == 0) first_line = line;
+    least = std::min(least, value);
+}
+
+std::string NegativeValues::text() const {
+    return std::to_string(count) + (count == 1 ? " value is" : " values are") +
+           " negative, the first on line " + std::to_string(first_line) + ", the least " +
+           spectral::brief(least) + " 1/sr: taken as 0";
+}
+
 Tokens::Tokens(std::string_view text, std::string name, std::size_t line)
     : rest_{text}, name_{std::move(name)}, line_{line} {
     advance();
@@ -59,6 +70,13 @@ double Tokens::take_number(const char* quantity) {
     return value;
 }
 
+double Tokens::take_value(const char* quantity) {
+    const std::size_t line = line_;
+    const double value = take_number(quantity);
+    if (value < 0) negative_.note(value, line);
+    return value > 0 ? value : 0;
+}
+
 std::size_t Tokens::take_count(const char* quantity, std::size_t most) {
     std::size_t value = 0;
     const auto* const end = word_.data() + word_.size();
@@ -80,7 +98,7 @@ std::vector<double> Tokens::take_numbers(const char* quantity, std::size_t count
 }
 
 void Tokens::take_word(std::string_view expected) {
-    if (word_ != expected)
+    if (!spectral::same_letters(word_, expected))
         throw error(std::string{expected}.append(": must stand here, not ").append(shown(word_)));
     advance();
 }

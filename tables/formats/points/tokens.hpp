@@ -13,6 +13,16 @@ namespace hts::tables {
 /// Numbers in files must be no larger, so that what is interpolated between them is finite.
 inline constexpr double largest_number = 1e100;
 
+/// Negative values, which measurements have and a BRDF has not: counted, so that nobody is left to guess.
+struct NegativeValues {
+    std::size_t count = 0, first_line = 0;
+    double least = 0;
+
+    void note(double value, std::size_t line) noexcept;
+    /// "2 values are negative, the first on line 5, the least -0.01 1/sr: taken as 0".
+    [[nodiscard]] std::string text() const;
+};
+
 /// Words stand between white space and commas; `{` and `}` are words of their own; what follows a `#` on its line is a comment.
 class Tokens {
   public:
@@ -25,13 +35,19 @@ class Tokens {
     std::string_view take();
     /// Takes a number of at most largest_number either way; hts::Error otherwise.
     double take_number(const char* quantity);
+    /// The same of a value that is taken for 0 where it is negative, and counted.
+    double take_value(const char* quantity);
+    /// Those that were.
+    [[nodiscard]] const NegativeValues& negative() const noexcept { return negative_; }
     /// Takes a whole number 1 ... most; hts::Error otherwise.
     std::size_t take_count(const char* quantity, std::size_t most);
     /// Takes so many numbers.
     std::vector<double> take_numbers(const char* quantity, std::size_t count);
-    /// Takes a word that must be this one; hts::Error otherwise.
+    /// Takes a word that must be this one, in letters of any case; hts::Error otherwise.
     void take_word(std::string_view expected);
 
+    /// Where the next word stands.
+    [[nodiscard]] std::size_t line() const noexcept { return line_; }
     /// hts::Error "path:line: message".
     [[nodiscard]] Error error(std::string_view message) const;
 
@@ -41,6 +57,7 @@ class Tokens {
     std::string_view rest_, word_;
     std::string name_;
     std::size_t line_;
+    NegativeValues negative_;
 };
 
 /// Appends a number with so many significant digits.

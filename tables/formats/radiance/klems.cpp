@@ -102,7 +102,7 @@ const KlemsBasis& KlemsBasis::quarter() {
 
 const KlemsBasis& KlemsBasis::named(std::string_view name) {
     for (const KlemsBasis* basis : {&full(), &half(), &quarter()}) {
-        if (basis->name() == name) return *basis;
+        if (spectral::same_letters(basis->name(), name)) return *basis;
     }
     throw Error{"angle basis " + spectral::in_quotes(name.substr(0, 40)) +
                 ": must be LBNL/Klems Full, LBNL/Klems Half or LBNL/Klems Quarter"};

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tables/formats/radiance/klems.hpp"
 #include "tables/formats/radiance/tensor_tree.hpp"
@@ -26,11 +27,22 @@ namespace hts::tables {
 [[nodiscard]] std::string tensor_tree_xml(const spectral::Reflectance& brdf,
                                           const TensorTreeOptions& options = {});
 
-/// The BRDF of a file of either kind: of its "Reflection Back", else "Reflection Front"; of these "Visible" first. Constant in
-/// patches or cells; negative values become 0.
+/// A file and what a user should know of it.
+struct RadianceFile {
+    spectral::Reflectance brdf;
+    std::vector<std::string> notes{};  ///< which of its blocks was read, which were not
+};
+
+/// The BRDF of a file of either kind, by the rules of Radiance: of the blocks of the wavelength "Visible" that of "Reflection Back",
+/// else of "Reflection Front"; names in letters of any case. What stands in front of the first element, a line of a log or a byte
+/// order mark, is passed over. Constant in patches or cells; negative values become 0.
 ///   text         the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelength   what the channel is called, one; if none is given 0.55 um
-/// hts::Error "path: …" or "path:line: …" where it is no such file. Entities are not expanded.
+/// hts::Error "path: …" or "path:line: …" where it is no such file, has no such block or several. Entities are not expanded.
+[[nodiscard]] RadianceFile radiance_file(
+    std::string_view text, const std::string& name,
+    const std::optional<spectral::WavelengthGrid>& wavelength = std::nullopt);
+/// The same without notes.
 [[nodiscard]] spectral::Reflectance radiance_brdf(
     std::string_view text, const std::string& name,
     const std::optional<spectral::WavelengthGrid>& wavelength = std::nullopt);

@@ -230,7 +230,7 @@ class TensorTree {
     }
     Node take_values(Tokens& tokens) {
         const std::size_t first = values_.size();
-        while (tokens.next() != "}") values_.push_back(std::max(0.0, tokens.take_number("BRDF")));
+        while (tokens.next() != "}") values_.push_back(tokens.take_value("BRDF"));
         const std::size_t count = values_.size() - first;
         int halvings = 0;
         while (halvings < most_halvings && std::size_t{1} << (halvings * rank_) < count) ++halvings;

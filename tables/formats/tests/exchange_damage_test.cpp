@@ -84,8 +84,8 @@ std::vector<Sample> samples() {
         {"tensor tree", tensor_tree_xml(smooth(green), {3, 0.02}),
          [](auto text) { return radiance_brdf(text, "x"); }},
         {"CSV", scatter_csv(smooth(green), above),
-         [](auto text) { return brdf_from("c", points_of_csv(text, "c")); }},
-        {"ASTM", astm, [](auto text) { return brdf_from("a", points_of_astm(text, "a")); }},
+         [](auto text) { return brdf_from("c", points_of_csv(text, "c")).brdf; }},
+        {"ASTM", astm, [](auto text) { return brdf_from("a", points_of_astm(text, "a")).brdf; }},
     };
 }
 
@@ -284,15 +284,15 @@ TEST_CASE("a file is recognised by what it holds, or refused with the list of fo
     for (std::size_t i = 0; i < files.size(); ++i) {
         const auto path = folder.write("file.dat", files[i].text);
         CHECK(read_brdf(path).format == formats[i]);
-        CHECK_THROWS_AS(read_brdf(path, std::nullopt, formats[i] == "zemax" ? "astm" : "zemax"), Error);
+        CHECK_THROWS_AS(read_brdf(path, {.format = formats[i] == "zemax" ? "astm" : "zemax"}), Error);
     }
     const auto message = [&](const std::string& text) {
         const auto path = folder.write("unknown.dat", text);
         return complaint(folder, [&] { static_cast<void>(read_brdf(path)); });
     };
     CHECK(message("Lorem ipsum") ==
-          "unknown.dat: of no format that is known: merl, rgl, radiance, zemax, astm, csv");
-    CHECK(message("") == "unknown.dat: of no format that is known: merl, rgl, radiance, zemax, astm, csv");
-    CHECK_THROWS_WITH(read_brdf(folder.path() / "none.dat"), Catch::Contains("must be a file that exists"));
-    CHECK_THROWS_WITH(read_brdf(folder.path()), Catch::Contains("must be a file that exists"));
+          "unknown.dat: of no format that is known: merl, rgl, radiance, zemax, lighttools, fred, astm, csv");
+    CHECK(message("") == "unknown.dat: file is empty");
+    CHECK_THROWS_WITH(read_brdf(folder.path() / "none.dat"), Catch::Contains("no such file"));
+    CHECK_THROWS_WITH(read_brdf(folder.path()), Catch::Contains("is a directory"));
 }

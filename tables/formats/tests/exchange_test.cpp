@@ -282,10 +282,9 @@ TEST_CASE("CSV survives on its grid, also of surfaces with a grain; scattered po
     for (const TestSurface& surface : chosen()) {
         const auto brdf = brdf_of(surface, one_wavelength);
         const auto points = points_of_csv(scatter_csv(brdf, csv_grid()), "c");
-        bool regular = false;
-        const auto read = brdf_from("c", points, &regular);
-        CHECK(regular);
-        check(std::string{"CSV, "}.append(surface.name), compared(brdf, read), 0.15, 0.04);
+        const auto read = brdf_from("c", points);
+        CHECK(read.layout == PointLayout::grid);
+        check(std::string{"CSV, "}.append(surface.name), compared(brdf, read.brdf), 0.15, 0.04);
     }
     AngularGrid coarse = csv_grid(false);
     if (!exhaustive()) {
@@ -294,7 +293,8 @@ TEST_CASE("CSV survives on its grid, also of surfaces with a grain; scattered po
     }
     const spectral::Reflectance grained = written(grained_lobe, rgb());
     check("CSV, grained lobe",
-          compared(grained, brdf_from("c", points_of_csv(scatter_csv(grained, coarse), "c"))), 0.06, 0.05);
+          compared(grained, brdf_from("c", points_of_csv(scatter_csv(grained, coarse), "c")).brdf), 0.06,
+          0.05);
     CHECK_THROWS_WITH(scatter_csv(grained, csv_grid()), Catch::Contains("azimuth"));
 
     Random random{4};
@@ -310,9 +310,9 @@ TEST_CASE("CSV survives on its grid, also of surfaces with a grain; scattered po
         points.angles.push_back(at);
         points.values.insert(points.values.end(), values.begin(), values.end());
     }
-    bool regular = true;
-    const auto nearest = brdf_from("c", points, &regular);
-    CHECK_FALSE(regular);
+    const auto found = brdf_from("c", points);
+    CHECK(found.layout == PointLayout::scattered);
+    const auto& nearest = found.brdf;
     check("3000 scattered points, reciprocal lobe", compared(lobe, nearest), 0.2, 0.1);
     std::vector<double> there(3);
     for (std::size_t i = 0; i < 100; ++i) {  // and nearly exact at the points themselves

@@ -42,7 +42,7 @@ TEST_CASE("a measured model lies on straight lines between its wavelengths") {
     CHECK(at(0.6) == values[1]);
     CHECK(at(0.525) == Approx(0.75 * values[0] + 0.25 * values[1]).epsilon(1e-14));
     CHECK_THROWS_WITH(at(0.61), Catch::Contains("0.61 um") && Catch::Contains("from 0.5 to 0.6 um"));
-    CHECK(reflector.at(Wavelength::from_micrometres(0.9), {.outside = spectral::OutsideRange::clamp})
+    CHECK(reflector.at(Wavelength::from_micrometres(0.9), {.outside = spectral::OutsideRange::hold})
               .brdf(pair)
               .front() == values[1]);
     const auto single = material_of_file(brdf_at(brdf, 0));
@@ -118,8 +118,13 @@ TEST_CASE("a material file names a measured file") {
     const auto material = read(R"({"name": "gold", "model": "measured", "file": "gold.csv"})");
     CHECK(material.name() == "gold");
     CHECK(material.model_name() == "measured");
-    REQUIRE(material.warnings().size() == 1);
+    REQUIRE(material.warnings().size() == 3);
     CHECK(material.warnings().front().find("full grid") != std::string::npos);
+    CHECK(material.warnings()[1].find("the azimuths do not resolve the lobe") != std::string::npos);
+    CHECK(
+        material.warnings().back() ==
+        "covers 0.6 um, theta_i 0 to 80 deg (5 values), theta_r 0 to 80 deg (5 values), phi 0 to 180 deg (23 "
+        "values): 96.9 % of the hemisphere of views");
     const DirectionPair node{Direction::from_degrees(40, 0), Direction::from_degrees(60, 180)};
     double exact = 0;
     brdf.brdf(node, {&exact, 1});
@@ -129,7 +134,7 @@ TEST_CASE("a material file names a measured file") {
     };
     CHECK(complaint_about(R"({"model": "measured"})") == "m.json: key \"file\": missing");
     CHECK(complaint_about(R"({"model": "measured", "file": "no.csv"})") ==
-          "m.json: key \"file\": no.csv: must be a file that exists");
+          "m.json: key \"file\": no.csv: no such file");
     CHECK(complaint_about(R"({"model": "measured", "file": "gold.csv", "format": "ply"})")
               .find("must be one of merl") != std::string::npos);
     CHECK(complaint_about(R"({"model": "measured", "file": "gold.csv", "wavelengths_um": [0]})")
@@ -145,7 +150,7 @@ TEST_CASE("what hts eval writes is a file of points") {
     const auto points = points_of_csv(text, "p.csv");
     CHECK(points.wavelengths.micrometres()[0] == 0.5);
     REQUIRE(points.angles.size() == 2);
-    const auto brdf = brdf_from("p.csv", points);
+    const auto brdf = brdf_from("p.csv", points).brdf;
     std::vector<double> values(2);
     brdf.brdf({Direction::from_degrees(30, 0), Direction::from_degrees(45, 180)}, values);
     CHECK(values[0] == Approx(0.3125));

@@ -38,5 +38,5 @@ TEST_CASE("the sidecar says what the file holds and keeps the specular term") {
     }
     CHECK_THROWS_WITH(write_with_sidecar("/nowhere/x.bsdf", plastic, {}),
                       Catch::Contains("/nowhere/x.bsdf.json: cannot be written"));
-    CHECK_THROWS_WITH(read_whole_file("/nowhere/x"), Catch::Contains("/nowhere/x: must be a file"));
+    CHECK_THROWS_WITH(read_whole_file("/nowhere/x"), Catch::Contains("/nowhere/x: no such file"));
 }

@@ -51,8 +51,9 @@ TEST_CASE("the lobe of an isotropic surface reflects what it does in all directi
         const Curve curve =
             in_plane(fixed, [&](const CurvePoint& p) { return reflectance.brdf(p.pair())[0]; });
         INFO(fixed);
+        // shadowing and Fresnel's reflectance out of the plane are not those in it
         CHECK(isotropic_reflectance(curve, Quantity::brdf).value() ==
-              Approx(reflectance.albedo(Direction::from_degrees(fixed, 0), 0).total()).epsilon(0.05));
+              Approx(reflectance.albedo(Direction::from_degrees(fixed, 0), 0).total()).epsilon(0.15));
     }
 }
 

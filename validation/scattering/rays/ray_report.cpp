@@ -6,6 +6,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
+#include "spectral/progress.hpp"
 #include "validation/report/prose.hpp"
 #include "validation/scattering/rays/facet_tracing.hpp"
 
@@ -43,10 +44,12 @@ struct Tables {
 
 Tables traced(Effort effort, const TracingSettings& settings) {
     Tables tables;
+    const spectral::Job job{"", slopes(effort).size() * (1 + lit_deg(effort).size())};
     for (const double slope : slopes(effort)) {
         for (const ShadowingPoint& p : shadowing_points(slope, seen_deg(), settings))
             tables.shadowing.rows.push_back({p.slope, p.theta_deg, p.lit, p.lit_error, p.lit_and_seen,
                                              p.smith, p.he_torrance, p.correlated});
+        job.done();
         for (const double theta : lit_deg(effort)) {
             const TracedLight light = traced_light(slope, theta, settings);
             const BouncePoint& b = light.bounces;
@@ -55,6 +58,7 @@ Tables traced(Effort effort, const TracingSettings& settings) {
             for (const LobePoint& p : light.lobe)
                 tables.lobes.rows.push_back(
                     {p.slope, p.theta_i_deg, p.theta_r_deg, p.traced, p.he_torrance, p.smith});
+            job.done();
         }
     }
     return tables;
@@ -180,14 +184,7 @@ void add_results(Section& section, const std::vector<FigureTable>& tables, const
 }
 
 Section section() {
-    return {"ray-tracing",
-            "Rays through explicit surfaces",
-            prose("ray-tracing"),
-            {},
-            {},
-            {},
-            {},
-            {}};
+    return {"ray-tracing", "Rays through explicit surfaces", prose("ray-tracing"), {}, {}, {}, {}, {}};
 }
 
 }  // namespace
