@@ -71,12 +71,13 @@ double fitted_scale(const std::string& material, const validation::CurveSet& set
 /// What a reader of the numbers should know beside them.
 void say_what_bears_on_it(const validation::CurveSet& set, const spectral::Material& material, double scale) {
     if (scale != 1) std::cerr << "model times the factor " << brief(scale) << '\n';
-    const auto& [polarised, transmitting, specular_term, isotropic, surface] = material.properties();
-    if (specular_term && !set.source_solid_angle && !set.detector_solid_angle)
+    const auto& properties = material.properties();
+    if (properties.specular_term && !set.source_solid_angle && !set.detector_solid_angle)
         std::cerr << "the mirror term was not compared: no solid angle of source or detector is stated "
                      "(--detector-solid-angle)\n";
-    if (set.roughness && surface)
-        std::cerr << validation::roughness_statement(surface->rms_roughness(), *set.roughness) << '\n';
+    if (set.roughness && properties.surface)
+        std::cerr << validation::roughness_statement(properties.surface->rms_roughness(), *set.roughness)
+                  << '\n';
 }
 
 void run(const CompareOptions& options) {
