@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/figure_files.hpp"
@@ -64,6 +65,8 @@ void draw_section(const Section& section, const std::filesystem::path& folder, b
 
 /// The factor on all values that a fit to these curves found beside the material; 1 where it found none.
 double fitted_scale(const std::string& material, const validation::CurveSet& set) {
+    // a pipe is gone once the material was read
+    if (std::error_code ignored; !std::filesystem::is_regular_file(material, ignored)) return 1;
     const auto fitted = spectral::JsonValue::read(material).find("fitted");
     return fitted && (*fitted)["data"].text() == set.stem ? (*fitted)["scale"].number() : 1;
 }
