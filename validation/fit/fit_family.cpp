@@ -14,7 +14,6 @@
 #include "hts/microfacet/walter.hpp"
 #include "hts/microfacet/ward.hpp"
 #include "spectral/models/he_torrance_material.hpp"
-#include "validation/fit/fit_gradient.hpp"
 
 namespace hts::validation {
 namespace {
@@ -171,7 +170,7 @@ const std::vector<FitFamily>& fit_families() {
          he_torrance,
          true,
          false,
-         he_torrance_gradient},
+         true},
         facets("beckmann", width("alpha"), [](double width) { return FacetDistribution::beckmann(width); }),
         facets("ggx", width("alpha"), FacetDistribution::ggx),
         facets("phong", exponent("exponent"), [](double power) { return FacetDistribution::phong(power); }),
