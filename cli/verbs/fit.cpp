@@ -13,7 +13,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_findings.hpp"

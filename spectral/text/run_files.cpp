@@ -1,6 +1,7 @@
 #include "spectral/text/run_files.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -61,6 +62,36 @@ void copy_bytes(const std::string& path, const std::string& from, const std::str
     if (in.peek() != std::ifstream::traits_type::eof()) out << in.rdbuf();
     out.close();
     if (!in || !out) fail(path, errno);
+}
+
+/// A lock on a folder, which lasts until it is closed or the process ends; -1 where another process has one, or the folder is gone.
+///   surely   -1 also where the medium knows no locks
+int locked(const std::string& folder, bool surely) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return -1;
+    struct stat mine {};
+    struct stat named {};
+    const bool holds = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || (!surely && errno != EWOULDBLOCK);
+    if (holds && ::fstat(descriptor, &mine) == 0 && ::stat(folder.c_str(), &named) == 0 &&
+        mine.st_ino == named.st_ino)
+        return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
+/// Folders under construction that a killed process left.
+void remove_abandoned(const std::string& folder) {
+    std::error_code ignored;
+    for (fs::directory_iterator entry{folder, ignored}, end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.size() != 11 || !name.starts_with(".hts-") || !entry->is_directory(ignored)) continue;
+        const int lock = locked(entry->path().string(), true);
+        if (lock < 0) continue;
+        std::error_code failure;
+        fs::remove_all(entry->path(), failure);
+        ::close(lock);
+    }
 }
 
 }  // namespace
@@ -182,14 +213,23 @@ void RunFiles::require_writable(Target& output) {
                         .string();
 }
 
+RunFiles::Stage::~Stage() {
+    if (lock >= 0) ::close(lock);
+}
+
 const std::string& RunFiles::stage(const std::string& folder, const std::string& path) {
     Stage& stage = stages_[folder];
     if (stage.folder.empty()) {
-        std::string name = (fs::path{folder} / ".hts-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            const int error = errno;
-            stages_.erase(folder);
-            fail(path, error);
+        remove_abandoned(folder);
+        std::string name;
+        while (stage.lock < 0) {
+            name = (fs::path{folder} / ".hts-XXXXXX").string();
+            if (::mkdtemp(name.data()) == nullptr) {
+                const int error = errno;
+                stages_.erase(folder);
+                fail(path, error);
+            }
+            stage.lock = locked(name, false);
         }
         stage.unfinished = std::make_unique<Unfinished>(name, Unfinished::Kind::folder);
         stage.folder = std::move(name);
@@ -258,6 +298,12 @@ std::string RunFiles::open(const std::string& path) {
 void RunFiles::complete(const std::string& path) {
     const std::scoped_lock lock{mutex_};
     if (Target* output = find(file(path))) output->state = State::complete;
+}
+
+bool RunFiles::is_complete(const std::string& path) {
+    const std::scoped_lock lock{mutex_};
+    const Target* output = find(file(path));
+    return output != nullptr && output->state == State::complete;
 }
 
 void RunFiles::drop(const std::string& path) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hts/error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::validation {
 namespace {

@@ -263,7 +263,7 @@ TEST_CASE("a FRED table is imported exactly") {
 
 TEST_CASE("bad FRED tables are refused") {
     refuses(fred_recipe, "a.txt", with(fred, "bsdf_data", "mesh"), "a.txt:1: must be \"type bsdf_data\"");
-    refuses(fred_recipe, "a.txt", with(fred, "angles=deg", "angles=rad"),
+    refuses(fred_recipe, "a.txt", with(fred, "angles=deg", "angles=turns"),
             "a.txt:2: must be \"format angles=deg bsdf=value scale=1\"");
     refuses(fred_recipe, "a.txt", with(fred, "10\t0\n", ""), "a.txt:3: values before the light's direction");
     refuses(fred_recipe, "a.txt", with(fred, "40 180 0.25", "40 180 0.25 7"),
