@@ -96,7 +96,7 @@ TEST_CASE("progress: drawn with the time left, within the width, and gone when a
              "table chart " + m + " --samples 1000000",
              "table export " + m + " --format csv --pairs 100000000 -o b.csv",
              "chart -o new",
-             "fit curet-sandpaper --starts 512 -o f.json",
+             "fit --all-models anodised-ec1 anodised-ec2 curet-sandpaper --starts 512 -o f.csv",
              "render fig14 --size 2048 --samples 4096 -o a.png",
          }) {
         INFO(arguments);

@@ -42,7 +42,7 @@ eval, polar, sample and the others take.
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
-  hts table import scan.csv --wavelengths 0.633 --output scan.json)";
+  hts table import scan.csv --output scan.json)";
 }
 
 std::optional<spectral::WavelengthGrid> wavelengths_of(const ImportOptions& options) {
