@@ -105,7 +105,8 @@ void erase_progress() noexcept {
 }
 
 struct ProgressWatcher::Drawing {
-    ErasingBuffer out{std::cout}, errors{std::cerr};
+    std::unique_ptr<std::streambuf> out = std::make_unique<ErasingBuffer>(std::cout);
+    std::unique_ptr<std::streambuf> errors = std::make_unique<ErasingBuffer>(std::cerr);
     std::mutex mutex;
     std::condition_variable ended;
     bool over = false;
