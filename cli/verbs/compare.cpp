@@ -75,7 +75,8 @@ double fitted_scale(const std::string& material, const validation::CurveSet& set
 void say_what_bears_on_it(const validation::CurveSet& set, const spectral::Material& material, double scale) {
     if (scale != 1) std::cerr << "model times the factor " << brief(scale) << '\n';
     const auto& properties = material.properties();
-    if (properties.specular_term && !set.source_solid_angle && !set.detector_solid_angle)
+    const bool hemispherical = set.quantity == validation::Quantity::hemispherical_reflectance;
+    if (properties.specular_term && !hemispherical && !set.source_solid_angle && !set.detector_solid_angle)
         std::cerr << "the mirror term was not compared: no solid angle of source or detector is stated "
                      "(--detector-solid-angle)\n";
     if (set.roughness && properties.surface)
