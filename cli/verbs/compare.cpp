@@ -23,8 +23,9 @@ using validation::Section;
 
 constexpr auto compare_help = R"(
 The model is averaged over the band and the instrument's solid angles and set beside each
-point; a material that hts fit wrote is multiplied by the factor fitted to these curves. CURVES is a curve set (see hts curves) or the name of one that comes with the
-program. Figures of merit go to standard output; criteria, where the set has any, to
+point; a material that hts fit wrote is multiplied by the factor fitted to these curves.
+CURVES is a curve set (see hts curves) or the name of one that comes with the program.
+Figures of merit go to standard output; criteria, where the set has any, to
 standard error, and a criterion that fails makes the exit code 1. With --output the plots,
 their scripts and numbers go into a folder.
 
