@@ -23,8 +23,9 @@ using validation::Section;
 
 constexpr auto compare_help = R"(
 The model is averaged over the band and the instrument's solid angles and set beside each
-point; a material that hts fit wrote is multiplied by the factor fitted to these curves. CURVES is a curve set (see hts curves) or the name of one that comes with the
-program. Figures of merit go to standard output; criteria, where the set has any, to
+point; a material that hts fit wrote is multiplied by the factor fitted to these curves.
+CURVES is a curve set (see hts curves) or the name of one that comes with the program.
+Figures of merit go to standard output; criteria, where the set has any, to
 standard error, and a criterion that fails makes the exit code 1. With --output the plots,
 their scripts and numbers go into a folder.
 
@@ -75,7 +76,8 @@ double fitted_scale(const std::string& material, const validation::CurveSet& set
 void say_what_bears_on_it(const validation::CurveSet& set, const spectral::Material& material, double scale) {
     if (scale != 1) std::cerr << "model times the factor " << brief(scale) << '\n';
     const auto& properties = material.properties();
-    if (properties.specular_term && !set.source_solid_angle && !set.detector_solid_angle)
+    const bool hemispherical = set.quantity == validation::Quantity::hemispherical_reflectance;
+    if (properties.specular_term && !hemispherical && !set.source_solid_angle && !set.detector_solid_angle)
         std::cerr << "the mirror term was not compared: no solid angle of source or detector is stated "
                      "(--detector-solid-angle)\n";
     if (set.roughness && properties.surface)

@@ -78,6 +78,7 @@ FitData fit_data(std::span<const CurveSet> sets, const FitSelection& selection) 
                  .curves = {},
                  .noise_floor = sets.front().noise_floor.value_or(0),
                  .without_scale = {},
+                 .importance = {},
                  .absolute = sets.front().scale == Scale::absolute,
                  .instrument = prediction,
                  .outside = selection.outside};
@@ -85,6 +86,9 @@ FitData fit_data(std::span<const CurveSet> sets, const FitSelection& selection) 
         std::ranges::none_of(sets, [](const CurveSet& set) { return set.uncertainty.empty(); });
     std::map<std::tuple<std::size_t, std::size_t, double, double>, std::size_t> curves;
     for (std::size_t s = 0; s < chosen.size(); ++s) {
+        const double share =
+            static_cast<double>(chosen.front().point_count()) / static_cast<double>(chosen[s].point_count());
+        data.importance.resize(data.importance.size() + chosen[s].point_count(), std::sqrt(share));
         for (std::size_t c = 0; c < chosen[s].curves.size(); ++c) {
             const Curve& curve = chosen[s].curves[c];
             for (const CurvePoint& point : curve.points) {

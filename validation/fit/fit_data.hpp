@@ -34,6 +34,8 @@ struct FitData {
     /// Of each datum, whether the factor "scale" does not apply: reflectances into all directions are measured
     /// against a reference of their own. Empty: it applies to all.
     std::vector<bool> without_scale{};
+    /// Factor on the residual of each datum; empty: 1. Sets of unlike size count alike by it.
+    std::vector<double> importance{};
     bool absolute = true;  ///< the values are no multiples of an unknown factor
     /// What it would have shown of a surface, a value per datum.
     std::shared_ptr<const Prediction> instrument{};

@@ -266,9 +266,11 @@ std::vector<double> FitProblem::best_linear(std::vector<double> values,
     const auto at_zero = std::move(columns.front());
     columns.erase(columns.begin());
     std::vector<double> target(at_zero.size());
-    for (std::size_t j = 0; j < target.size(); ++j) target[j] = weights_[j] * (data_.values[j] - at_zero[j]);
+    for (std::size_t j = 0; j < target.size(); ++j)
+        target[j] = importance(j) * weights_[j] * (data_.values[j] - at_zero[j]);
     for (auto& column : columns) {
-        for (std::size_t j = 0; j < column.size(); ++j) column[j] = weights_[j] * (column[j] - at_zero[j]);
+        for (std::size_t j = 0; j < column.size(); ++j)
+            column[j] = importance(j) * weights_[j] * (column[j] - at_zero[j]);
     }
     const auto solution = bounded_linear_solution(columns, target, bounds);
     for (std::size_t k = 0; k < linear.size(); ++k) values[linear[k]] = solution[k];
@@ -292,7 +294,7 @@ double FitProblem::residual(double predicted, std::size_t datum) const {
         plain = floor > 0 ? *log_ratio(predicted, value, floor)
                           : std::log(std::max(predicted * weights_[datum], least_ratio));
     }
-    return robust(plain, request_.loss, request_.loss_scale);
+    return importance(datum) * robust(plain, request_.loss, request_.loss_scale);
 }
 
 double FitProblem::residual_slope(double predicted, std::size_t datum) const {
@@ -303,7 +305,7 @@ double FitProblem::residual_slope(double predicted, std::size_t datum) const {
                           : std::log(std::max(ratio, least_ratio));
         slope = floor > 0 ? 1 / std::hypot(predicted, 2 * floor) : ratio > least_ratio ? 1 / predicted : 0;
     }
-    return slope * robust_slope(plain, request_.loss, request_.loss_scale);
+    return importance(datum) * slope * robust_slope(plain, request_.loss, request_.loss_scale);
 }
 
 Move FitProblem::move(std::span<const double> coordinates, std::size_t k) const {
@@ -372,10 +374,6 @@ std::vector<double> FitProblem::change_with_gain(std::span<const double> coordin
     auto result = predicted(values(coordinates));
     for (std::size_t i = 0; i < result.size(); ++i) result[i] *= residual_slope(result[i], i);
     return result;
-}
-
-std::vector<Bounds> FitProblem::searched_bounds() const {
-    return {bounds_.begin(), bounds_.begin() + static_cast<std::ptrdiff_t>(searched_)};
 }
 
 Residuals FitProblem::residuals_to_search() const {

@@ -47,7 +47,9 @@ class FitProblem {
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
     /// Bounds of what is searched, and what is searched over: `projected_residuals`.
-    [[nodiscard]] std::vector<Bounds> searched_bounds() const;
+    [[nodiscard]] std::vector<Bounds> searched_bounds() const {
+        return {bounds_.begin(), bounds_.begin() + static_cast<std::ptrdiff_t>(searched_)};
+    }
     [[nodiscard]] Residuals residuals_to_search() const;
     /// Residuals as the solver sees them, of what is searched with the best of what is separated. The
     /// derivatives leave out what the separated ones can make up for, as they stand [Kaufman 1975].
@@ -72,6 +74,9 @@ class FitProblem {
     /// Whether the factor "scale" applies to a datum, and what it is then.
     [[nodiscard]] bool has_scale(std::size_t datum) const {
         return data_.without_scale.empty() || !data_.without_scale[datum];
+    }
+    [[nodiscard]] double importance(std::size_t datum) const {
+        return data_.importance.empty() ? 1 : data_.importance[datum];
     }
     [[nodiscard]] double scale_of(std::size_t datum, double scale) const {
         return has_scale(datum) ? scale : 1;
