@@ -33,12 +33,13 @@ std::string import_help() {
     for (const tables::BrdfFormat& format : tables::readable_formats())
         text.append("  ").append(format.name).append(": ").append(format.what).append("\n");
     return text + R"(
-Says what the file holds, which directions and which share of the hemisphere were measured,
-and how much of the light from 0, 30 and 60 degrees it reflects at each wavelength [um]; nan
-where less than 98 % of the hemisphere was, unless --outside says what stands there. Scans of
-the plane of incidence alone are spread about the mirror direction: views beside the plane
-see what stands in it at the same angle from the mirror direction. --output writes a material file with the model "measured", which
-eval, polar, sample and the others take.
+Says what the file holds, which directions and which share of the hemisphere
+were measured, and how much of the light from 0, 30 and 60 degrees it reflects
+at each wavelength [um]; nan where less than 98 % of the hemisphere was, unless
+--outside says what stands there. Scans of the plane of incidence alone are
+spread about the mirror direction: views beside the plane see what stands in it
+at the same angle from the mirror direction. --output writes a material file
+with the model "measured", which eval, polar, sample and the others take.
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
