@@ -80,13 +80,14 @@ Statements of_mirror_term(Fit& fit, const CurveSet& chosen, const FitSelection& 
         "tau are not separable but by the shape of the lobe"};
     constexpr double small_detector = 1e-3;  // [sr]; goniometers have smaller ones
     const auto peak = most_visible_peak(fit, chosen, selection.outside);
-    if (!peak || peak->solid_angle < small_detector || fit.slope_alone || chosen.scale != Scale::absolute)
-        return result;
+    if (!peak || peak->solid_angle < small_detector || chosen.scale != Scale::absolute) return result;
     std::string text =
         "the fitted mirror term, " + rounded_text(peak->reflectance) + " at " + rounded_text(peak->theta_i) +
         " deg, would stand out of the data in any detector below " +
         rounded_text(std::min(peak->solid_angle, 2 * std::numbers::pi)) + " sr, and they show none: ";
-    if (rough_is_as_good(fit)) {
+    if (fit.slope_alone) {
+        text += "sigma0 is larger";
+    } else if (rough_is_as_good(fit)) {
         tell_slope_alone(fit);
         text += "sigma0 and tau apart: only sigma0/tau = " + with_error(*fit.slope) +
                 ", of a surface too rough for a mirror term";
