@@ -16,7 +16,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/version.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/run_files.hpp"
 
 namespace {

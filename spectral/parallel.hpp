@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::spectral {
 

@@ -8,7 +8,7 @@
 
 #include "spectral/output/script.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
 #include "tables/table/table_lobe.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bench/stability/stability_rows.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::bench {
 

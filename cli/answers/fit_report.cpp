@@ -27,7 +27,8 @@ std::string parameter_text(const FittedParameter& parameter) {
     std::string text{"  "};
     text.append(padded(parameter.name, 12)).append(" ").append(padded(brief(parameter.value), 10));
     if (parameter.outcome == Outcome::fitted) {
-        text.append(" +- ").append(padded(brief(parameter.standard_error, 2), 9));
+        const double error = parameter.standard_error;
+        text.append(std::isfinite(error) ? " +- " + padded(brief(error, 2), 9) : padded(" open", 13));
     } else {
         text.append(" ").append(padded(name(parameter.outcome), 12));
     }
@@ -52,21 +53,39 @@ ordered_json statistics_json(const validation::FitStatistics& s) {
             {"rms", s.rms},
             {"l2_cosine", s.l2},
             {"reduced_chi_squared", s.reduced_chi_squared ? ordered_json(*s.reduced_chi_squared) : nullptr},
+            {"gain_error", s.gain_error},
             {"cost", s.cost},
             {"aic", s.aic},
             {"bic", s.bic}};
 }
 
+ordered_json slope_json(const Fit& fit) {
+    if (!fit.slope) return nullptr;
+    return {{"value", fit.slope->value}, {"standard_error", number(fit.slope->standard_error)}};
+}
+
 }  // namespace
+
+std::string material_file(const Fit& fit) {
+    auto file = ordered_json::parse(fit.material);
+    const double scale = fit.parameter("scale").value;
+    if (scale != 1) file["fitted"] = {{"data", fit.data}, {"scale", scale}};
+    return file.dump(2) + "\n";
+}
 
 std::string fit_text(const Fit& fit) {
     const auto& s = fit.statistics;
     std::string text = fit.data + ", " + fit.model + ", " + std::to_string(s.data) + " values, residuals " +
                        name(fit.request.residual) + ", loss " + name(fit.request.loss) + "\n";
+    if (fit.slope_alone)
+        text += "  sigma0/tau   " + padded(brief(fit.slope->value), 10) + " +- " +
+                brief(fit.slope->standard_error, 2) + "\n";
     for (const FittedParameter& parameter : fit.parameters) text += parameter_text(parameter);
     text += "  median |ln(model/measured)| " + brief(s.median_abs_log) + ", rms " + brief(s.rms_log) +
             "; rms difference " + brief(s.rms) + ", L2 " + brief(s.l2) + "\n";
-    if (s.reduced_chi_squared) text += "  reduced chi squared " + brief(*s.reduced_chi_squared) + "\n";
+    text += s.reduced_chi_squared ? "  reduced chi squared " + brief(*s.reduced_chi_squared)
+                                  : "  reduced chi squared not known: no uncertainties";
+    text += fit.errors_hold ? "\n" : "; the standard errors are not valid\n";
     text += "  AIC " + brief(s.aic, 6) + ", BIC " + brief(s.bic, 6) + "; " +
             std::to_string(fit.starts_at_best) + " of " + std::to_string(fit.starts.size()) +
             " starts reached the best\n";
@@ -88,6 +107,9 @@ std::string fit_json(const Fit& fit) {
                               {"loss", name(fit.request.loss)},
                               {"loss_scale", fit.request.loss_scale},
                               {"parameters", parameters},
+                              {"sigma0_over_tau", slope_json(fit)},
+                              {"sigma0_and_tau_apart", fit.slope_alone},
+                              {"errors_hold", fit.errors_hold},
                               {"correlated", fit.correlated},
                               {"correlation", fit.correlation},
                               {"statistics", statistics_json(fit.statistics)},

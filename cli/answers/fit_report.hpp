@@ -14,4 +14,7 @@ namespace hts::cli {
 /// The same and more as a JSON object: correlation, starts, settings, the material.
 [[nodiscard]] std::string fit_json(const validation::Fit& fit);
 
+/// The fitted material, with the key "fitted" (data and scale) where a factor was fitted beside it.
+[[nodiscard]] std::string material_file(const validation::Fit& fit);
+
 }  // namespace hts::cli

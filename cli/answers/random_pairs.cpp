@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hts/sampling/random.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::cli {
 namespace {

@@ -1,7 +1,9 @@
-/// The curve set that an argument names.
+/// The curve set that an argument names, and the instrument that options know better.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -18,5 +20,23 @@ namespace hts::cli {
         return validation::curves_named(argument);
     return from_option("curves", [&] { return validation::built_in_curves(argument); });
 }
+
+/// --source-solid-angle and --detector-solid-angle, in place of what a set states.
+struct InstrumentOptions {
+    std::optional<double> source, detector;
+
+    void add_to(CLI::App& verb) {
+        verb.add_option("--source-solid-angle", source, "in place of the set's [sr]");
+        verb.add_option("--detector-solid-angle", detector, "in place of the set's [sr]");
+    }
+    /// UsageError that names the options for what is not 0 ... 2 pi sr.
+    [[nodiscard]] validation::CurveSet of(validation::CurveSet set) const {
+        if (source) set.source_solid_angle = source;
+        if (detector) set.detector_solid_angle = detector;
+        if (!source && !detector) return set;
+        return from_option("--source-solid-angle, --detector-solid-angle",
+                           [&] { return validation::checked(std::move(set), "curves"); });
+    }
+};
 
 }  // namespace hts::cli

@@ -2,11 +2,15 @@
 
 #include "cli/io/table_writer.hpp"
 #include "spectral/output/gnuplot.hpp"
+#include "spectral/text/run_files.hpp"
 
 namespace hts::cli {
 namespace {
 
+/// Figures of one run may show the same numbers.
 void write_table(const std::filesystem::path& path, Format format, const validation::FigureTable& numbers) {
+    if (auto* run = spectral::RunFiles::of_process(); run != nullptr && run->is_complete(path.string()))
+        return;
     Output output{path.string()};
     TableWriter table{output, format, numbers.columns};
     std::string text;

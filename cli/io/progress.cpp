@@ -50,6 +50,8 @@ void erase_in_turn() noexcept {
     erase_progress();
 }
 
+}  // namespace
+
 /// Hands on what is written to a stream, after it has erased what is drawn.
 class ErasingBuffer : public std::streambuf {
   public:
@@ -80,8 +82,6 @@ class ErasingBuffer : public std::streambuf {
     std::streambuf* below_;
 };
 
-}  // namespace
-
 std::string progress_line(const spectral::JobState& state, double seconds, std::size_t columns) {
     std::string end = " " + duration(seconds);
     if (state.share > 0) {
@@ -105,7 +105,8 @@ void erase_progress() noexcept {
 }
 
 struct ProgressWatcher::Drawing {
-    ErasingBuffer out{std::cout}, errors{std::cerr};
+    std::unique_ptr<std::streambuf> out = std::make_unique<ErasingBuffer>(std::cout);
+    std::unique_ptr<std::streambuf> errors = std::make_unique<ErasingBuffer>(std::cerr);
     std::mutex mutex;
     std::condition_variable ended;
     bool over = false;

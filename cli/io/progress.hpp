@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::cli {
 

@@ -37,14 +37,14 @@ std::string reference_from(const std::string& output, const std::string& file) {
     return (relative.empty() ? target : relative).string();
 }
 
-std::string read_back(const std::string& output, std::string text) {
+std::string verified(const std::string& output, std::string text) {
     static_cast<void>(spectral::material_from_text(text, output, tables::models_with_files()));
     return text;
 }
 
 std::string material_for(const std::string& output, const std::string& text) {
     Json material = Json::parse(text);
-    return read_back(output, move_references(material, output) ? material.dump(2) + "\n" : text);
+    return verified(output, move_references(material, output) ? material.dump(2) + "\n" : text);
 }
 
 }  // namespace hts::cli

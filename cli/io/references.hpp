@@ -10,7 +10,7 @@ namespace hts::cli {
 [[nodiscard]] std::string reference_from(const std::string& output, const std::string& file);
 
 /// A material file's text, read as it will be from `output`: hts::Error where that fails.
-[[nodiscard]] std::string read_back(const std::string& output, std::string text);
+[[nodiscard]] std::string verified(const std::string& output, std::string text);
 
 /// The same of a text whose keys "file" begin in the working folder, which become references from `output`.
 [[nodiscard]] std::string material_for(const std::string& output, const std::string& text);

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <iostream>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/io/summary.hpp"
 #include "cli/io/table_writer.hpp"
 #include "hts/error.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/parallel.hpp"
 #include "spectral/text/csv.hpp"
 
@@ -37,9 +40,13 @@ class Transform {
             std::cerr << "hts: " << input_.where_header() << dialect << '\n';
         const std::size_t rows = std::max<std::size_t>(1, values_per_chunk / each_);
         std::size_t count = 0;
+        std::error_code unknown;  // of standard input and the like
+        const auto size = std::filesystem::file_size(input_.name(), unknown);
+        const spectral::Job job{"", unknown ? 0 : size};
         for (auto chunk = input_.read(rows); !chunk.empty(); chunk = input_.read(rows)) {
             count += chunk.size();
             write(chunk, values(chunk, evaluate), append);
+            job.set_done(input_.bytes_read());
         }
         output_.finish();
         return {count, each_, watch_.seconds()};

@@ -66,6 +66,47 @@ TEST_CASE("hts fit holds, frees and starts parameters as told") {
     CHECK(report("--loss cauchy --loss-scale 0.2 --residual relative").contains("n"));
 }
 
+TEST_CASE("what hts fit finds beside a material, hts compare takes") {
+    const Workplace place;
+    const auto fit =
+        place.hts("fit mwir-aluminium-sandblasted --free scale --starts 4 --output fitted.json --json");
+    REQUIRE(fit.exit_code == 0);
+    const auto fitted = nlohmann::json::parse(place.read("fitted.json"));
+    CHECK(fitted["fitted"]["data"] == "mwir-aluminium-sandblasted");
+    const auto compared = place.hts("compare mwir-aluminium-sandblasted --material fitted.json");
+    INFO(compared.errors);
+    CHECK(compared.exit_code == 0);
+    CHECK(contains(compared.errors, "model times the factor"));
+    CHECK(place.hts("compare mwir-aluminium-sandblasted --material fitted.json --scale 1").exit_code == 1);
+    // the factor belongs to these curves alone
+    CHECK_FALSE(contains(place.hts("compare mwir-brass --material fitted.json").errors, "factor"));
+    CHECK(place.hts("eval --material fitted.json --wavelength 3 --theta-i 30 --theta-r 40 --phi 180")
+              .exit_code == 0);
+}
+
+TEST_CASE("hts fit says what solid angle and measured roughness mean") {
+    const Workplace place;
+    const auto plain = place.hts("fit anodised-ec1 --starts 4");
+    INFO(plain.output);
+    CHECK(contains(plain.output, "note: the mirror term was not compared: no solid angle"));
+    CHECK(contains(plain.output, "times below the rms roughness measured, 1.222 um"));
+    CHECK(contains(plain.output, "the standard errors are not valid"));
+    const auto seen = place.hts("fit anodised-ec1 --starts 4 --detector-solid-angle 1e-4");
+    INFO(seen.output);
+    CHECK_FALSE(contains(seen.output, "mirror term"));
+    CHECK(contains(seen.output, "only sigma0/tau = 0."));
+    CHECK(seen.output.find("sigma0/tau ") < seen.output.find("  sigma0  "));
+    const auto held =
+        nlohmann::json::parse(place.hts("fit anodised-ec1 --starts 2 --fix sigma0=measured --json").output);
+    CHECK(held["parameters"][0]["value"] == 1.222);
+    CHECK(held["parameters"][0]["outcome"] == "fixed");
+    CHECK(place.hts("fit mwir-brass --fix sigma0=measured").exit_code == 2);
+    CHECK(place.hts("fit anodised-ec1 --detector-solid-angle 7").exit_code == 2);
+    CHECK(contains(
+        place.hts("compare anodised-ec1 --material " HTS_SOURCE_DIR "/cli/data/rough-aluminium.json").errors,
+        "the mirror term was not compared"));
+}
+
 TEST_CASE("hts fit compares all models") {
     const Workplace place;
     const auto rows =

@@ -26,7 +26,7 @@ struct Folder {
 };
 const std::vector<Folder> folders{
     {"hts", {"phi/tables", "lanes", "phi", "evaluation", "sampling", "microfacet"}},
-    {"spectral", {"text", "", "output", "colour", "materials", "energy", "models", "plans"}},
+    {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
     {"validation", {"report", "scattering", "curves", "fit", "papers", "pictures"}},
     {"bench", {"", "rivals", "phi", "stability", "charts", "micro"}},

@@ -247,7 +247,8 @@ TEST_CASE("what cannot be read ends with a message that says why") {
     check_complaint(place.hts("phi --points /dev/zero", "ulimit -v 4000000; timeout 20"), 1,
                     {"/dev/zero:1: not UTF-8 text"});
     place.file("image.json", R"({"model": "ashikhmin", "f0": 0.9,
-                                 "normals": {"type": "image", "file": "/dev/zero"}})");
+                                 "normals": {"type": "image", "file": "/dev/zero", "extent": 1,
+                                             "sigma_x": 0.1, "sigma_y": 0.1}})");
     check_complaint(place.hts("eval -m image.json --wavelength 0.5" + pair, "ulimit -v 4000000; timeout 20"),
                     1, {"/dev/zero", "PNG"});
     // standard output is closed: no file of the run takes its place

@@ -13,7 +13,7 @@
 #include "cli/io/output.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "spectral/output/gnuplot.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::cli {
 namespace {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/figure_files.hpp"
@@ -22,8 +23,9 @@ using validation::Section;
 
 constexpr auto compare_help = R"(
 The model is averaged over the band and the instrument's solid angles and set beside each
-point. CURVES is a curve set (see hts curves) or the name of one that comes with the
-program. Figures of merit go to standard output; criteria, where the set has any, to
+point; a material that hts fit wrote is multiplied by the factor fitted to these curves.
+CURVES is a curve set (see hts curves) or the name of one that comes with the program.
+Figures of merit go to standard output; criteria, where the set has any, to
 standard error, and a criterion that fails makes the exit code 1. With --output the plots,
 their scripts and numbers go into a folder.
 
@@ -34,7 +36,8 @@ Examples:
 struct CompareOptions {
     std::string curves, folder;
     MaterialOptions material;
-    std::optional<double> source, detector;
+    InstrumentOptions instrument;
+    std::optional<double> scale;
     int wavelengths = 8, rings = 2;
     bool json = false;
 };
@@ -61,17 +64,39 @@ void draw_section(const Section& section, const std::filesystem::path& folder, b
         std::cerr << write_figure(folder, figure, json).string() << '\n';
 }
 
+/// The factor on all values that a fit to these curves found beside the material; 1 where it found none.
+double fitted_scale(const std::string& material, const validation::CurveSet& set) {
+    // a pipe is gone once the material was read
+    if (std::error_code ignored; !std::filesystem::is_regular_file(material, ignored)) return 1;
+    const auto fitted = spectral::JsonValue::read(material).find("fitted");
+    return fitted && (*fitted)["data"].text() == set.stem ? (*fitted)["scale"].number() : 1;
+}
+
+/// What a reader of the numbers should know beside them.
+void say_what_bears_on_it(const validation::CurveSet& set, const spectral::Material& material, double scale) {
+    if (scale != 1) std::cerr << "model times the factor " << brief(scale) << '\n';
+    const auto& properties = material.properties();
+    const bool hemispherical = set.quantity == validation::Quantity::hemispherical_reflectance;
+    if (properties.specular_term && !hemispherical && !set.source_solid_angle && !set.detector_solid_angle)
+        std::cerr << "the mirror term was not compared: no solid angle of source or detector is stated "
+                     "(--detector-solid-angle)\n";
+    if (set.roughness && properties.surface)
+        std::cerr << validation::roughness_statement(properties.surface->rms_roughness(), *set.roughness)
+                  << '\n';
+}
+
 void run(const CompareOptions& options) {
-    auto set = curves_from_argument(options.curves);
-    if (options.source) set.source_solid_angle = options.source;
-    if (options.detector) set.detector_solid_angle = options.detector;
-    set = from_option("--source-solid-angle, --detector-solid-angle",
-                      [&] { return validation::checked(std::move(set), "curves"); });
+    const auto set = options.instrument.of(curves_from_argument(options.curves));
     const auto material = options.material.read();
+    const double scale = options.scale ? *options.scale : fitted_scale(options.material.path, set);
+    std::string model = validation::described(material);
+    if (scale != 1) model += ", times " + brief(scale);
     const Section section = validation::comparison_section(set, material,
-                                                           {.model = validation::described(material),
+                                                           {.model = model,
                                                             .policy = options.material.policy(),
-                                                            .nodes = {options.wavelengths, options.rings}});
+                                                            .nodes = {options.wavelengths, options.rings},
+                                                            .scale = scale});
+    say_what_bears_on_it(set, material, scale);
     Output output{"-"};
     write_report_table(output, options.json ? Format::json : Format::csv, section.tables.front());
     output.commit();
@@ -98,8 +123,10 @@ void add_compare(CLI::App& program) {
     options->material.add_to(*verb)->required();
     fills(verb->add_option("-o,--output", options->folder,
                            "folder for plots, numbers and tables (needs gnuplot)"));
-    verb->add_option("--source-solid-angle", options->source, "in place of the set's [sr]");
-    verb->add_option("--detector-solid-angle", options->detector, "in place of the set's [sr]");
+    options->instrument.add_to(*verb);
+    verb->add_option("--scale", options->scale,
+                     "factor on the model, in place of the one that hts fit wrote beside the material")
+        ->check(number_within(1e-9, 1e9));
     verb->add_option("--band-nodes", options->wavelengths, "wavelengths per band, 1 ... 64")
         ->check(whole_number(1, 64))
         ->capture_default_str();

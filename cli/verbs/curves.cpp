@@ -31,6 +31,7 @@ Examples:
 struct ImportOptions {
     std::string file, recipe, surface, output = "-";
     std::optional<int> every;
+    InstrumentOptions instrument;
 };
 
 /// The command as it is to be repeated, without the folders of this machine.
@@ -39,13 +40,16 @@ std::string command(const ImportOptions& options) {
     std::string text = "hts curves import " + name(options.file) + " --recipe " + name(options.recipe);
     if (!options.surface.empty()) text += " --surface '" + options.surface + "'";
     if (options.every) text += " --every " + std::to_string(*options.every);
+    if (const auto& sr = options.instrument.source) text += " --source-solid-angle " + shortest(*sr);
+    if (const auto& sr = options.instrument.detector) text += " --detector-solid-angle " + shortest(*sr);
     return text;
 }
 
 void run_import(const ImportOptions& options) {
     auto recipe = validation::read_recipe(options.recipe, options.surface);
     if (options.every) recipe.selection.every = *options.every;
-    const CurveSet set = validation::imported_curves(options.file, recipe, command(options));
+    const CurveSet set =
+        options.instrument.of(validation::imported_curves(options.file, recipe, command(options)));
     write_file(options.output, validation::curves_text(set));
     std::cerr << set.surface << ": " << set.curves.size() << " curves, " << set.point_count() << " points\n";
     for (const std::string& note : set.notes) std::cerr << "  " << note << '\n';
@@ -108,6 +112,7 @@ void add_import(CLI::App& curves) {
     verb->add_option("--every", options->every,
                      "thin out: one point of so many, in place of the recipe's number")
         ->check(whole_number(1, 1000));
+    options->instrument.add_to(*verb);
     writes(verb->add_option("-o,--output", options->output, "curve set (JSON), - for standard output"))
         ->capture_default_str();
     verb->callback([options] { run_import(*options); });

@@ -13,9 +13,10 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
+#include "validation/fit/fit_findings.hpp"
 #include "validation/fit/fit_table.hpp"
 
 namespace hts::cli {
@@ -31,8 +32,12 @@ Prints the parameters with standard errors, how close the model comes, and what 
 cannot tell. Parameters are those of the material file, or their symbols (sigma0, tau, a);
 a factor "scale" on all values is 1 unless freed. Where --index is not given, n is fitted
 and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--free my).
---output writes the material, ready for --material of other verbs, without "scale", which
-no material has; --report writes everything.
+--output writes the material, ready for --material of other verbs; "scale", which no
+material has, stands beside it for hts compare. --report writes everything.
+More sets after the first are hemispherical reflectances (1 - emissivity) of the same
+surface, to which "scale" does not apply.
+Without a solid angle of source or detector the mirror term has no finite value and is
+not compared. --fix sigma0=measured holds the roughness that the curve set states.
 
 Examples:
   hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
@@ -46,7 +51,9 @@ struct FitOptions {
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
-    bool all_models = false, json = false;
+    bool all_models = false, json = false, conserve_energy = false;
+    OutsideOption outside{};
+    InstrumentOptions instrument;
 };
 
 /// A bare word is text, anything else JSON.
@@ -74,7 +81,7 @@ Choice choice(const std::string& option, const std::string& text, std::initializ
 }
 
 validation::FitSelection selection(const FitOptions& options) {
-    return {options.largest_theta, options.most_points, {4, options.nodes}};
+    return {options.largest_theta, options.most_points, {4, options.nodes}, options.outside.policy};
 }
 
 validation::Residual residual(const FitOptions& options) {
@@ -82,7 +89,13 @@ validation::Residual residual(const FitOptions& options) {
     return choice("--residual", options.residual, {logarithmic, relative, weighted, cosine});
 }
 
-FitRequest request(const FitOptions& options) {
+/// sigma0 as it was measured by other means.
+double measured_roughness(const CurveSet& set) {
+    if (set.roughness) return set.roughness->rms_um;
+    throw UsageError{"--fix sigma0=measured: " + set.stem + " states no measured_roughness"};
+}
+
+FitRequest request(const FitOptions& options, const CurveSet& set) {
     using enum validation::Loss;
     FitRequest result{.model = options.model,
                       .lobes = options.lobes,
@@ -91,11 +104,14 @@ FitRequest request(const FitOptions& options) {
                       .residual = residual(options),
                       .loss = choice("--loss", options.loss, {squares, huber, cauchy}),
                       .loss_scale = options.loss_scale,
+                      .conserve_energy = options.conserve_energy,
                       .followed_starts = options.followed_starts};
     for (const std::string& text : options.fixed) {
         if (text.starts_with("index=")) {
             if (!options.index.empty()) throw UsageError{"--fix index: must not come with --index"};
             result.index = json_of(text.substr(6));
+        } else if (text == "sigma0=measured") {
+            result.fixed["sigma0"] = measured_roughness(set);
         } else {
             result.fixed.insert(assignment("--fix", text));
         }
@@ -115,17 +131,27 @@ auto from_request(const Make& make) {
 }
 
 void fit_one(const FitOptions& options) {
-    const CurveSet set = curves_from_argument(options.curves.front());
-    FitRequest asked = request(options);
+    std::vector<CurveSet> sets;
+    for (const std::string& name : options.curves) sets.push_back(curves_from_argument(name));
+    for (std::size_t i = 1; i < sets.size(); ++i) {
+        if (sets[i].quantity != validation::Quantity::hemispherical_reflectance)
+            throw UsageError{
+                "curves: " + options.curves[i] +
+                ": must be one set, and hemispherical reflectances of its surface, unless --all-models "
+                "is given"};
+    }
+    sets.front() = options.instrument.of(std::move(sets.front()));
+    const CurveSet& set = sets.front();
+    FitRequest asked = request(options, set);
     if (set.scale == validation::Scale::unknown && !asked.fixed.contains("scale"))
         asked.freed.emplace_back("scale");
     const Fit fit = from_request(
-        [&] { return validation::fitted(asked, validation::fit_data(set, selection(options))); });
+        [&] { return validation::fitted(asked, sets, selection(options), {.other_ways = true}); });
     if (!options.output.empty()) {
-        write_file(options.output, material_for(options.output, fit.material));
+        write_file(options.output, material_for(options.output, material_file(fit)));
         if (const double scale = fit.parameter("scale").value; scale != 1) {
-            std::cerr << "hts: " << options.output << " leaves out the factor scale = " << shortest(scale)
-                      << ", which a material cannot hold\n";
+            std::cerr << "hts: " << options.output << " holds the factor scale = " << shortest(scale)
+                      << " for hts compare alone: a material cannot hold it\n";
         }
     }
     if (!options.report.empty()) write_file(options.report, fit_json(fit));
@@ -160,7 +186,7 @@ void fit_all_models(const FitOptions& options) {
                        "l2_cosine", "aic", "bic"}};
     const spectral::Job job{"", names.size()};
     for (const std::string& name : names) {
-        const CurveSet set = curves_from_argument(name);
+        const CurveSet set = options.instrument.of(curves_from_argument(name));
         const auto fits = from_request([&] {
             return validation::fits_of(
                 validation::compared_models(), set,
@@ -185,7 +211,6 @@ void fit_all_models(const FitOptions& options) {
 
 void run(const FitOptions& options) {
     if (options.all_models) return fit_all_models(options);
-    if (options.curves.size() != 1) throw UsageError{"curves: must be one set, unless --all-models is given"};
     fit_one(options);
 }
 
@@ -197,7 +222,8 @@ void add_fit(CLI::App& program) {
     auto options = std::make_shared<FitOptions>();
     offers(reads(verb->add_option(
                "curves", options->curves,
-               "curve set: a file or a name of hts curves list; with --all-models several, or folders")),
+               "curve set: a file or a name of hts curves list; more of the same surface, as its "
+               "hemispherical reflectance; with --all-models of any, or folders")),
            validation::built_in_curve_names())
         ->required();
     std::vector<CLI::Option*> of_one{
@@ -207,10 +233,12 @@ void add_fit(CLI::App& program) {
         verb->add_option("--lobes", options->lobes, "1 ... 3, of models with lobes")
             ->check(whole_number(1, 3))
             ->capture_default_str(),
-        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, or index=Al"),
+        verb->add_option("--fix", options->fixed, "hold a parameter: name=value, index=Al, sigma0=measured"),
         comma_list(*verb, "--free", options->freed,
                    "parameters to fit that are held otherwise: scale, k, my"),
         verb->add_option("--start", options->starts, "the only start of a parameter: name=value"),
+        verb->add_flag("--conserve-energy", options->conserve_energy,
+                       "hold what the material reflects at all of the light at most"),
         verb->add_option("--loss", options->loss, "squares, huber or cauchy")->capture_default_str(),
         verb->add_option("--loss-scale", options->loss_scale, "residual from where large ones count less")
             ->check(number_within(1e-9, 1e9))
@@ -220,6 +248,8 @@ void add_fit(CLI::App& program) {
                      "optical constants: a built-in name, or JSON as in a material file");
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
         ->capture_default_str();
+    options->outside.add_to(*verb);
+    options->instrument.add_to(*verb);
     verb->add_option("--largest-theta", options->largest_theta, "of both polar angles [deg], 0 ... 90")
         ->check(number_within(0, 90))
         ->capture_default_str();

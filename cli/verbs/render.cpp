@@ -10,7 +10,7 @@
 #include "cli/io/output.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "validation/pictures/gallery.hpp"
 #include "validation/pictures/picture.hpp"
 

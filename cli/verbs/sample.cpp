@@ -15,7 +15,7 @@
 #include "hts/sampling/random.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/output/script.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::cli {
 namespace {

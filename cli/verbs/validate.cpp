@@ -18,7 +18,7 @@
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "hts/version.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/report/report_page.hpp"

@@ -114,6 +114,9 @@ class Fit:
     data: str
     parameters: dict[str, Parameter]
     material: Material = field(repr=False)
+    sigma0_over_tau: tuple[float, float] | None  # with its standard error; of models that have both
+    sigma0_and_tau_apart: bool  # only their ratio is known
+    errors_hold: bool  # False where reduced chi squared says that the model is wrong
     statements: list[str]
     correlated: list[str] = field(repr=False)
     correlation: Floats = field(repr=False)

@@ -12,6 +12,7 @@
 #include "validation/curves/built_in_curves.hpp"
 #include "validation/fit/fit.hpp"
 #include "validation/fit/fit_curves.hpp"
+#include "validation/fit/fit_findings.hpp"
 
 namespace hts::python {
 namespace {
@@ -91,6 +92,10 @@ nb::dict as_dict(const Fit& fit) {
     result["correlated"] = nb::cast(fit.correlated);
     result["correlation"] = nb::cast(fit.correlation);
     result["predicted"] = array_of(fit.predicted);
+    result["sigma0_over_tau"] =
+        fit.slope ? nb::object(nb::make_tuple(fit.slope->value, fit.slope->standard_error)) : nb::none();
+    result["sigma0_and_tau_apart"] = fit.slope_alone;
+    result["errors_hold"] = fit.errors_hold;
     result["statements"] = nb::cast(fit.statements);
     result["material"] = fit.material;
     const FitStatistics& s = fit.statistics;
@@ -123,18 +128,19 @@ nb::dict fit(nb::object data, const std::string& model, int lobes, const std::st
     request.loss = choice("loss", loss, {Loss::squares, Loss::huber, Loss::cauchy});
     request.followed_starts = followed_starts;
     std::optional<FitData> of;
+    std::optional<CurveSet> set;
     if (nb::isinstance<nb::str>(data)) {
-        const CurveSet set = curves_named(nb::cast<std::string>(data));
-        if (set.scale == Scale::unknown && !request.fixed.contains("scale"))
+        set = curves_named(nb::cast<std::string>(data));
+        if (set->scale == Scale::unknown && !request.fixed.contains("scale"))
             request.freed.emplace_back("scale");
-        of = fit_data(set, FitSelection{.largest_theta = largest_theta});
     } else {
         of = samples_data(nb::cast<nb::tuple>(data));
     }
     std::optional<Fit> made;
     {
         const nb::gil_scoped_release others_may_run;
-        made = fitted(request, *of);
+        made =
+            set ? fitted(request, *set, FitSelection{.largest_theta = largest_theta}) : fitted(request, *of);
     }
     return as_dict(*made);
 }

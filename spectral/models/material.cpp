@@ -1,6 +1,7 @@
 #include "spectral/models/material.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -8,6 +9,18 @@
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
+namespace {
+
+/// The text less the key "fitted", what a fit notes beside the material: it is no part of it.
+std::string without_fit(const std::string& text, const std::filesystem::path& path) {
+    if (text.find("\"fitted\"") == std::string::npos) return text;
+    if (!JsonValue::parse(text, path.string()).find("fitted")) return text;
+    auto file = nlohmann::ordered_json::parse(text);
+    file.erase("fitted");
+    return file.dump();
+}
+
+}  // namespace
 
 Material::Material(Prepare prepare, Properties properties, std::vector<std::string> warnings,
                    std::string substance)
@@ -48,7 +61,8 @@ Material read_material(const std::filesystem::path& path, const std::vector<Mode
 Material material_from_text(const std::string& text, const std::filesystem::path& path,
                             const std::vector<ModelEntry>& models) {
     return material_from_json(
-        {JsonValue::parse(text, path.string()), path.parent_path(), path.stem().string()}, models);
+        {JsonValue::parse(without_fit(text, path), path.string()), path.parent_path(), path.stem().string()},
+        models);
 }
 
 Material material_from_json(const MaterialFile& file, const std::vector<ModelEntry>& models) {

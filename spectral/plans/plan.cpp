@@ -11,7 +11,7 @@
 #include "hts/phi.hpp"
 #include "hts/tolerance.hpp"
 #include "spectral/plans/planning_error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::spectral {
 namespace {

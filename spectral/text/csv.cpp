@@ -231,6 +231,7 @@ std::optional<CsvReader::Line> CsvReader::read_line() {
     std::string text;
     while (located(name(), [&] { return take_line(*stream_, text); })) {
         ++line_;
+        bytes_read_ += text.size() + 1;
         if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
         if (!is_text(text)) throw Error{where(line_) + "not UTF-8 text"};
         // spreadsheets keep the separators of empty rows

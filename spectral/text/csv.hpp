@@ -87,6 +87,8 @@ class CsvReader : public CsvHeader {
     /// The next row, none at the end. hts::Error "path:line: …" if it is not UTF-8, a quotation mark has no
     /// partner, or it has more or fewer fields than the header.
     [[nodiscard]] std::optional<CsvRow> next();
+    /// How much was read so far.
+    [[nodiscard]] std::size_t bytes_read() const noexcept { return bytes_read_; }
     /// Up to `count` further rows, none at the end.
     [[nodiscard]] std::vector<CsvRow> read(std::size_t count);
 
@@ -104,7 +106,7 @@ class CsvReader : public CsvHeader {
 
     std::unique_ptr<std::istream> stream_;
     std::deque<Line> ahead_;  // read to find the dialect
-    std::size_t line_ = 0, point_line_ = 0, comma_line_ = 0;
+    std::size_t line_ = 0, bytes_read_ = 0, point_line_ = 0, comma_line_ = 0;
 };
 
 /// A whole table. Every column has a name of its own.

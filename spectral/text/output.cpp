@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/run_files.hpp"
 
 namespace hts::spectral {

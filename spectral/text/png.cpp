@@ -90,8 +90,9 @@ PngPixels png_pixels(std::string_view bytes) {
 ValueGrid read_png_luminance(const std::filesystem::path& path) {
     return located(path.string(), [&] {
         constexpr std::size_t most = 4096;
+        const std::string bytes = read_bytes(path);
         Image image;
-        image.begin_reading(read_bytes(path));
+        image.begin_reading(bytes);
         if (image->width > most || image->height > most) {
             throw Error{"picture of " + std::to_string(image->width) + " by " +
                         std::to_string(image->height) + " pixels: must be at most 4096 by 4096"};

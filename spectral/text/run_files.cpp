@@ -10,6 +10,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "spectral/text/folder_lock.hpp"
+
 namespace hts::spectral {
 namespace {
 
@@ -182,14 +184,23 @@ void RunFiles::require_writable(Target& output) {
                         .string();
 }
 
+RunFiles::Stage::~Stage() {
+    if (lock >= 0) ::close(lock);
+}
+
 const std::string& RunFiles::stage(const std::string& folder, const std::string& path) {
     Stage& stage = stages_[folder];
     if (stage.folder.empty()) {
-        std::string name = (fs::path{folder} / ".hts-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            const int error = errno;
-            stages_.erase(folder);
-            fail(path, error);
+        remove_abandoned(folder);
+        std::string name;
+        while (stage.lock < 0) {
+            name = (fs::path{folder} / ".hts-XXXXXX").string();
+            if (::mkdtemp(name.data()) == nullptr) {
+                const int error = errno;
+                stages_.erase(folder);
+                fail(path, error);
+            }
+            stage.lock = locked(name, false);
         }
         stage.unfinished = std::make_unique<Unfinished>(name, Unfinished::Kind::folder);
         stage.folder = std::move(name);
@@ -258,6 +269,12 @@ std::string RunFiles::open(const std::string& path) {
 void RunFiles::complete(const std::string& path) {
     const std::scoped_lock lock{mutex_};
     if (Target* output = find(file(path))) output->state = State::complete;
+}
+
+bool RunFiles::is_complete(const std::string& path) {
+    const std::scoped_lock lock{mutex_};
+    const Target* output = find(file(path));
+    return output != nullptr && output->state == State::complete;
 }
 
 void RunFiles::drop(const std::string& path) {

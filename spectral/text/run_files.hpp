@@ -64,6 +64,8 @@ class RunFiles {
     [[nodiscard]] std::string open(const std::string& path);
     /// The file at `open(path)` holds all that it is to hold.
     void complete(const std::string& path);
+    /// Whether it does.
+    [[nodiscard]] bool is_complete(const std::string& path);
     /// It is not going to.
     void drop(const std::string& path);
     /// After a successful end this file goes.
@@ -101,9 +103,15 @@ class RunFiles {
         std::string staged{};
         std::unique_ptr<Unfinished> unfinished{};
     };
+    /// The folder beside some targets. A lock says that this run lives: one without is left from a killed process.
     struct Stage {
-        std::string folder;
-        std::unique_ptr<Unfinished> unfinished;
+        Stage() = default;
+        ~Stage();
+        Stage(const Stage&) = delete;
+        Stage& operator=(const Stage&) = delete;
+        std::string folder{};
+        std::unique_ptr<Unfinished> unfinished{};
+        int lock = -1;
     };
 
     [[nodiscard]] static File file(const std::string& path);

@@ -39,7 +39,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
     const std::string wanted = plain(word);
     std::string best, beginning;
     const std::size_t length = wanted.size();
-    std::size_t least = std::max({std::size_t{1}, length / 3, std::min<std::size_t>(2, length / 2)}) + 1;
+    // a letter or two say nothing but in another case
+    std::size_t least = length < 3 ? 1 : std::max(length / 3, std::min<std::size_t>(2, length / 2)) + 1;
     std::size_t begin_so = 0;
     for (const std::string& name : names) {
         const std::string own = plain(name);

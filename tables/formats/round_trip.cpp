@@ -11,6 +11,7 @@
 
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/formats/lobe.hpp"
 #include "tables/formats/lobe_quadrature.hpp"
@@ -241,7 +242,9 @@ RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Refl
     if (original.properties().polarised && read_back.properties().polarised)
         result.worst_mueller = PeakError{};
     std::vector<double> errors;
+    const spectral::Job job{"", options.pairs};
     for (std::size_t i = 0; i < options.pairs; ++i) {
+        job.done();
         const DirectionPair pair = draw();
         const PeakError error = comparison.of_brdf(pair);
         errors.push_back(error.error);

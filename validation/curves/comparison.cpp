@@ -17,12 +17,14 @@ using spectral::brief;
 /// Adds up figures point by point.
 class Sums {
   public:
+    explicit Sums(const CurveSet& set) : floor_{set.noise_floor.value_or(0)} {}
+
     void add(const CurvePoint& point, double model) {
         const double difference = model - point.value;
         differences_.push_back(difference);
         measured_.push_back(point.value);
         if (point.uncertainty > 0) normalised_.push_back(difference / point.uncertainty);
-        if (model > 0 && point.value > 0) logs_.push_back(std::log(model / point.value));
+        if (const auto log = log_ratio(model, point.value, floor_)) logs_.push_back(*log);
     }
     [[nodiscard]] FiguresOfMerit figures(int free_parameters) const {
         FiguresOfMerit result;
@@ -45,6 +47,7 @@ class Sums {
     }
 
   private:
+    double floor_;
     std::vector<double> differences_, measured_, normalised_, logs_;
 };
 
@@ -125,7 +128,7 @@ bool PointRange::holds(const CurvePoint& point) const {
 
 FiguresOfMerit figures_of_merit(const CurveSet& set, std::span<const double> model, const PointRange& range,
                                 int free_parameters) {
-    Sums sums;
+    Sums sums{set};
     for_points(set, model, [&](const Curve&, const CurvePoint& point, double value) {
         if (range.holds(point)) sums.add(point, value);
     });
@@ -140,11 +143,11 @@ Comparison comparison(const CurveSet& set, std::vector<double> model, int free_p
     if (set.scale == Scale::unknown) result.scale = common_scale(set, model);
     for (double& value : model) value *= result.scale;
     result.model = std::move(model);
-    Sums all;
+    Sums all{set};
     std::size_t first = 0;
     for (const Curve& curve : set.curves) {
         const std::span of_curve{result.model.data() + first, curve.points.size()};
-        Sums sums;
+        Sums sums{set};
         for (std::size_t i = 0; i < of_curve.size(); ++i) {
             sums.add(curve.points[i], of_curve[i]);
             all.add(curve.points[i], of_curve[i]);
@@ -165,6 +168,15 @@ Plateau plateau(const CurveSet& set, std::span<const double> model, const PointR
         computed.push_back(value);
     });
     return {spectral::median(std::move(measured)), spectral::median(std::move(computed))};
+}
+
+std::string roughness_statement(double rms_um, const MeasuredRoughness& measured) {
+    const double factor = rms_um / measured.rms_um;
+    const std::string relation = std::abs(std::log(factor)) < 0.05 ? "as large as"
+                                 : factor < 1                      ? brief(1 / factor, 2) + " times below"
+                                                                   : brief(factor, 2) + " times above";
+    return "sigma0 " + brief(rms_um, 3) + " um is " + relation + " the rms roughness measured, " +
+           brief(measured.rms_um) + " um (" + measured.method + ")";
 }
 
 std::vector<Check> criteria(const CurveSet& set, const Comparison& result) {

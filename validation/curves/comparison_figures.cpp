@@ -36,10 +36,9 @@ FigureTable points_table(const ComparisonPicture& picture) {
     for (const Curve& curve : picture.set.curves) {
         for (const CurvePoint& p : curve.points) {
             const double model = picture.result.model[i++];
-            const bool has_log = model > 0 && p.value > 0;
+            const auto log = log_ratio(model, p.value, picture.set.noise_floor.value_or(0));
             table.rows.push_back({static_cast<double>(number), curve.fixed_angle(), curve.swept_angle(p),
-                                  facet_tilt(p), p.value, p.uncertainty, model,
-                                  has_log ? std::log(model / p.value) : std::nan("")});
+                                  facet_tilt(p), p.value, p.uncertainty, model, log.value_or(std::nan(""))});
         }
         ++number;
     }
@@ -64,7 +63,7 @@ std::string swept_label(const CurveSet& set) {
 }
 
 std::string value_label(const CurveSet& set) {
-    const std::string names[] = {"BRDF", "BRDF cos θ_r", "reflectance factor"};
+    const std::string names[] = {"BRDF", "BRDF cos θ_r", "reflectance factor", "hemispherical reflectance"};
     if (set.scale == Scale::specular)
         return names[static_cast<int>(set.quantity)] + " over that in the mirror direction";
     return names[static_cast<int>(set.quantity)] + " [" + unit(set.quantity) + "]";
@@ -72,6 +71,21 @@ std::string value_label(const CurveSet& set) {
 
 std::string fixed_name(const Curve& curve) {
     return curve.sweep == Sweep::incident ? "viewer at " : "light at ";
+}
+
+std::string band_name(const Band& band) {
+    return band.single() ? brief(band.first) + " µm" : brief(band.first) + "–" + brief(band.last) + " µm";
+}
+
+/// What tells a curve from the others of its set: the angle that stands still, and the wavelength where there
+/// are several.
+std::string curve_name(const CurveSet& set, const Curve& curve) {
+    const auto other = [&](const Curve& c) {
+        return c.band.first != curve.band.first || c.band.last != curve.band.last;
+    };
+    const bool bands = std::ranges::any_of(set.curves, other);
+    if (curve.sweep == Sweep::scattered) return bands ? band_name(curve.band) : "";
+    return fixed_name(curve) + brief(curve.fixed_angle()) + "°" + (bands ? ", " + band_name(curve.band) : "");
 }
 
 /// Where the numbers are, and title and legend of a page.
@@ -88,16 +102,30 @@ struct Decades {
     int first = 0, last = 0;
 };
 
-/// Around what was measured of a curve, within eight decades of the largest.
-Decades decades_of(const Curve& curve) {
+/// Largest and least positive value.
+struct Extremes {
     double least = HUGE_VAL, most = 0;
-    for (const CurvePoint& p : curve.points) {
-        most = std::max(most, p.value);
-        if (p.value > 0) least = std::min(least, p.value);
+
+    void hold(double value) {
+        most = std::max(most, value);
+        if (value > 0) least = std::min(least, value);
     }
-    if (!(most > 0)) return {-1, 1};
-    const int last = static_cast<int>(std::ceil(std::log10(most) + 0.05));
-    const int first = static_cast<int>(std::floor(std::log10(least) - 0.05));
+};
+
+/// Around what was measured of a curve and its line, which may leave the points by three decades, within eight
+/// decades of the largest.
+Decades decades_of(const Curve& curve, const Curve* line) {
+    constexpr double far = 1e3;
+    Extremes values;
+    for (const CurvePoint& p : curve.points) values.hold(p.value);
+    if (!(values.most > 0)) return {-1, 1};
+    if (line != nullptr) {
+        const auto [least, most] = values;
+        for (const CurvePoint& p : line->points)
+            if (p.value > 0) values.hold(std::clamp(p.value, least / far, most * far));
+    }
+    const int last = static_cast<int>(std::ceil(std::log10(values.most) + 0.05));
+    const int first = static_cast<int>(std::floor(std::log10(values.least) - 0.05));
     return {std::max(first, last - 8), last};
 }
 
@@ -117,8 +145,7 @@ std::vector<std::size_t> few_curves(const CurveSet& set) {
     return result;
 }
 
-/// How values become radii, 1 at the outermost circle; larger ones, of a model's peak, are cut off just
-/// outside.
+/// How values become radii, 1 at the outermost circle, where larger ones, of a model's peak, are cut off.
 struct Radius {
     double largest = 0;
     int decades = 0;  // 0: linear
@@ -133,15 +160,22 @@ struct Radius {
     }
 };
 
-/// Linear where the largest value is less than thirty times the middle one.
-Radius radius_of(const CurveSet& set, const std::vector<std::size_t>& shown) {
+/// Linear where the largest value is less than thirty times the middle one. The lines may be three times as
+/// large as what was measured.
+Radius radius_of(const ComparisonPicture& picture, const std::vector<std::size_t>& shown) {
     std::vector<double> values;
     for (const std::size_t number : shown)
-        for (const CurvePoint& p : set.curves[number].points)
+        for (const CurvePoint& p : picture.set.curves[number].points)
             if (p.value > 0) values.push_back(p.value);
     if (values.empty()) return {1, 0};
     std::sort(values.begin(), values.end());
-    const double most = values.back(), low = values[values.size() / 20];
+    double most = values.back();
+    const double low = values[values.size() / 20];
+    for (const std::size_t number : shown) {
+        if (number >= picture.lines.size()) continue;
+        for (const CurvePoint& p : picture.lines[number].points)
+            most = std::max(most, std::min(p.value, 3 * values.back()));
+    }
     if (most < 30 * values[values.size() / 2]) return {most, 0};
     return {most, std::clamp(static_cast<int>(std::ceil(std::log10(most / low))) + 1, 1, 8)};
 }
@@ -179,17 +213,16 @@ std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& ma
 Figure log_overlay(const ComparisonPicture& picture) {
     const CurveSet& set = picture.set;
     const bool pairs = scattered(set);
-    auto script = begun(picture, std::string{"dots: "} + name(set.kind) + "     " +
-                                     (pairs ? "crosses" : "lines") + ": model     x: " + swept_label(set) +
-                                     "     y: " + value_label(set));
+    auto script =
+        begun(picture, std::string{"dots: "} + name(set.kind) + "     " + (pairs ? "crosses" : "lines") +
+                           ": model     x: " + swept_label(set) + "     y: " + value_label(set));
     std::vector<std::string> panels;
     std::vector<int> scattered_curves, least, most;
-    for (const Curve& curve : set.curves) {
+    for (std::size_t i = 0; i < set.curves.size(); ++i) {
+        const Curve& curve = set.curves[i];
         scattered_curves.push_back(curve.sweep == Sweep::scattered ? 1 : 0);
-        panels.push_back(curve.sweep == Sweep::scattered
-                             ? ""
-                             : fixed_name(curve) + brief(curve.fixed_angle()) + "°");
-        const Decades decades = decades_of(curve);
+        panels.push_back(curve_name(set, curve));
+        const Decades decades = decades_of(curve, i < picture.lines.size() ? &picture.lines[i] : nullptr);
         least.push_back(decades.first);
         most.push_back(decades.last);
     }
@@ -205,14 +238,13 @@ Figure log_overlay(const ComparisonPicture& picture) {
 
 Figure polar_overlay(const ComparisonPicture& picture) {
     const auto shown = few_curves(picture.set);
-    const Radius radius = radius_of(picture.set, shown);
-    auto script = begun(picture, std::string{"dots: "} + name(picture.set.kind) +
-                                     "     lines: model     radius: " + value_label(picture.set) +
-                                     radius.text());
+    const Radius radius = radius_of(picture, shown);
+    auto script =
+        begun(picture, std::string{"dots: "} + name(picture.set.kind) +
+                           "     lines: model     radius: " + value_label(picture.set) + radius.text());
     std::vector<std::string> names, rings;
     for (const std::size_t number : shown) {
-        const Curve& curve = picture.set.curves[number];
-        names.push_back(fixed_name(curve) + brief(curve.fixed_angle()) + "°");
+        names.push_back(curve_name(picture.set, picture.set.curves[number]));
     }
     for (int ring = 1; ring <= Radius::rings; ++ring) rings.push_back(radius.label(ring));
     script.set("curve", shown).set("name", names).set("ring", rings);
@@ -227,8 +259,7 @@ Figure polar_overlay(const ComparisonPicture& picture) {
 Figure residual_plot(const ComparisonPicture& picture) {
     auto script = begun(picture, "above 0 where the model is too bright; beyond ±3 drawn at the edge");
     script.set("scattered", static_cast<int>(scattered(picture.set))).set("swept", swept_label(picture.set));
-    script.set("fixed",
-               picture.set.curves.front().sweep == Sweep::incident ? "viewer [deg]" : "light [deg]");
+    script.set("fixed", picture.set.curves.front().sweep == Sweep::incident ? "viewer [deg]" : "light [deg]");
     return {picture.stem + "-residuals",
             {points_table(picture), lines_table(picture)},
             script.with("comparison-residuals"),

@@ -31,10 +31,11 @@ void check_angles(const CurvePoint& point) {
     require(std::isfinite(point.phi_r), "phi_r", point.phi_r, "deg", "a finite number");
 }
 
-/// Checks of one point, given whether the set has uncertainties.
-void check_point(const Curve& curve, const CurvePoint& point, bool uncertain) {
+/// Checks of one point, given whether the set has uncertainties and a noise floor.
+void check_point(const Curve& curve, const CurvePoint& point, bool uncertain, bool noisy) {
     check_angles(point);
-    require(std::isfinite(point.value) && point.value >= 0, "value", point.value, "", ">= 0");
+    require(std::isfinite(point.value) && (noisy || point.value >= 0), "value", point.value, "",
+            noisy ? "a finite number" : ">= 0, unless \"noise_floor\" is stated");
     const double u = point.uncertainty;
     if (uncertain) require(std::isfinite(u) && u > 0, "uncertainty", u, "", "> 0");
     if (!uncertain) require(u == 0, "uncertainty", u, "", "0 where the set does not say what it rests on");
@@ -47,7 +48,7 @@ void check_point(const Curve& curve, const CurvePoint& point, bool uncertain) {
     }
 }
 
-void check_curve(const Curve& curve, const std::string& place, bool uncertain) {
+void check_curve(const Curve& curve, const std::string& place, bool uncertain, bool noisy) {
     spectral::located(place, [&] {
         require(curve.band.first >= shortest_length, "wavelength", curve.band.first, "um", "> 0");
         require(curve.band.last >= curve.band.first && curve.band.last <= longest_length, "end of the band",
@@ -58,7 +59,7 @@ void check_curve(const Curve& curve, const std::string& place, bool uncertain) {
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
         const CurvePoint& p = curve.points[i];
         spectral::located(place + ": row " + std::to_string(i + 1), [&] {
-            check_point(curve, p, uncertain);
+            check_point(curve, p, uncertain, noisy);
             if (!seen.emplace(p.theta_i, p.phi_i, p.theta_r, p.phi_r).second) {
                 throw Error{"the same directions as in an earlier row: must stand once"};
             }
@@ -78,6 +79,15 @@ void check_texts(const CurveSet& set) {
     given("how", set.how);
 }
 
+/// Reflectances into all directions have no angle of view.
+void check_views(const CurveSet& set) {
+    if (set.quantity != Quantity::hemispherical_reflectance) return;
+    for (const Curve& curve : set.curves) {
+        if (curve.sweep != Sweep::incident || curve.fixed_angle() != 0 || set.scale != Scale::absolute)
+            throw Error{"hemispherical_reflectance: must be absolute, in curves with \"theta_r_deg\" 0"};
+    }
+}
+
 void check_instrument(const CurveSet& set) {
     const auto cone = [](const char* key, const std::optional<double>& solid_angle) {
         const double sr = solid_angle.value_or(1);
@@ -87,6 +97,8 @@ void check_instrument(const CurveSet& set) {
     cone("detector_solid_angle_sr", set.detector_solid_angle);
     const double rms = set.roughness ? set.roughness->rms_um : 1;
     require(rms >= 0 && rms <= longest_length, "rms_roughness_um", rms, "um", ">= 0");
+    const double floor = set.noise_floor.value_or(1);
+    require(std::isfinite(floor) && floor > 0, "noise_floor", floor, unit(set.quantity), "> 0");
 }
 
 }  // namespace
@@ -97,7 +109,7 @@ const char* name(CurveKind kind) noexcept {
 }
 
 const char* name(Quantity quantity) noexcept {
-    constexpr std::array names{"brdf", "brdf_cosine", "reflectance_factor"};
+    constexpr std::array names{"brdf", "brdf_cosine", "reflectance_factor", "hemispherical_reflectance"};
     return names[static_cast<std::size_t>(quantity)];
 }
 
@@ -107,7 +119,7 @@ const char* name(Scale scale) noexcept {
 }
 
 const char* unit(Quantity quantity) noexcept {
-    return quantity == Quantity::reflectance_factor ? "1" : "1/sr";
+    return quantity == Quantity::brdf || quantity == Quantity::brdf_cosine ? "1/sr" : "1";
 }
 
 DirectionPair CurvePoint::pair() const {
@@ -140,6 +152,13 @@ std::size_t CurveSet::point_count() const noexcept {
     return count;
 }
 
+std::optional<double> log_ratio(double model, double measured, double noise_floor) noexcept {
+    if (noise_floor > 0)
+        return std::asinh(model / (2 * noise_floor)) - std::asinh(measured / (2 * noise_floor));
+    if (model > 0 && measured > 0) return std::log(model / measured);
+    return std::nullopt;
+}
+
 CurveSet checked(CurveSet set, const std::string& place) {
     spectral::located(place, [&] {
         check_texts(set);
@@ -147,8 +166,9 @@ CurveSet checked(CurveSet set, const std::string& place) {
         if (set.curves.empty()) throw Error{"key \"curves\": must have at least one curve"};
         for (std::size_t i = 0; i < set.curves.size(); ++i) {
             check_curve(set.curves[i], "key \"curves[" + std::to_string(i + 1) + "].points\"",
-                        !set.uncertainty.empty());
+                        !set.uncertainty.empty(), set.noise_floor.has_value());
         }
+        check_views(set);
     });
     return set;
 }

@@ -28,6 +28,8 @@ enum class Quantity {
     brdf,                ///< f [1/sr]
     brdf_cosine,         ///< f cos theta_r [1/sr]
     reflectance_factor,  ///< pi f [1]
+    /// All light that leaves the surface over what comes along theta_i [1]; theta_r counts for nothing and is 0.
+    hemispherical_reflectance,
 };
 
 /// What they may be compared with.
@@ -51,7 +53,8 @@ enum class Sweep {
 
 struct CurvePoint {
     double theta_i, phi_i, theta_r, phi_r;  ///< [deg], polar angles 0 … 90
-    double value;                           ///< >= 0; what it is: CurveSet::quantity and scale
+    /// What it is: CurveSet::quantity and scale; >= 0, or noise about 0 where CurveSet::noise_floor is stated.
+    double value;
     double uncertainty;  ///< one standard deviation, in the value's unit; 0 where the set states none
 
     [[nodiscard]] DirectionPair pair() const;
@@ -106,6 +109,9 @@ struct CurveSet {
     /// Cones of source and detector [sr]; none where nobody stated them.
     std::optional<double> source_solid_angle{}, detector_solid_angle{};
     std::optional<MeasuredRoughness> roughness{};
+    /// Standard deviation of the noise of values near 0, in their unit: where it is stated, values may be
+    /// negative.
+    std::optional<double> noise_floor{};
     /// Where the uncertainties come from; empty exactly if there are none.
     std::string uncertainty{};
 
@@ -114,9 +120,13 @@ struct CurveSet {
     [[nodiscard]] std::size_t point_count() const noexcept;
 };
 
+/// ln(model / measured) where both are > 0, else none. With a noise floor f > 0 it is asinh(model/2f) -
+/// asinh(measured/2f) for any values: the same far above the floor, their difference over 2f about 0.
+[[nodiscard]] std::optional<double> log_ratio(double model, double measured, double noise_floor) noexcept;
+
 /// The set itself if it holds together: hts::Error "place: …" that names quantity, value, unit and legal
-/// range for a text that lacks, a set without points, angles outside 0 … 90 deg, values that are negative or
-/// no numbers, uncertainties that only some points have, a solid angle outside 0 … 2 pi sr, and directions
+/// range for a text that lacks, a set without points, angles outside 0 … 90 deg, values that are no numbers or
+/// negative without a noise floor, uncertainties that only some points have, a solid angle outside 0 … 2 pi sr, and directions
 /// that stand twice in one curve.
 [[nodiscard]] CurveSet checked(CurveSet set, const std::string& place);
 

@@ -18,7 +18,8 @@ using spectral::JsonValue;
 constexpr const char* curve_format = "hts curves";
 constexpr int format_version = 1;
 constexpr std::array kinds{CurveKind::measured, CurveKind::digitised, CurveKind::theory};
-constexpr std::array quantities{Quantity::brdf, Quantity::brdf_cosine, Quantity::reflectance_factor};
+constexpr std::array quantities{Quantity::brdf, Quantity::brdf_cosine, Quantity::reflectance_factor,
+                                Quantity::hemispherical_reflectance};
 constexpr std::array scales{Scale::absolute, Scale::specular, Scale::unknown};
 
 // ---- reading
@@ -148,25 +149,28 @@ std::vector<std::string> head_keys() {
             "scale",
             "source_solid_angle_sr",
             "detector_solid_angle_sr",
-            "measured_roughness"};
+            "measured_roughness",
+            "noise_floor"};
 }
 
-CurveSet head_from(const JsonValue& file, const std::string& surface) {
-    return {.stem = "",
-            .surface = surface.empty() ? file["surface"].text() : surface,
-            .kind = named(file["kind"], kinds),
-            .by = file["by"].text(),
-            .source = file["source"].text(),
-            .licence = file["licence"].text(),
-            .how = "",
-            .notes = notes_from(file),
-            .quantity = named(file["quantity"], quantities),
-            .scale = named(file["scale"], scales),
-            .source_solid_angle = optional_number(file, "source_solid_angle_sr"),
-            .detector_solid_angle = optional_number(file, "detector_solid_angle_sr"),
-            .roughness = roughness_from(file),
-            .uncertainty = "",
-            .curves = {}};
+CurveSet head_from(const JsonValue& file, const std::string& surface, bool emissivity) {
+    return {
+        .stem = "",
+        .surface = surface.empty() ? file["surface"].text() : surface,
+        .kind = named(file["kind"], kinds),
+        .by = file["by"].text(),
+        .source = file["source"].text(),
+        .licence = file["licence"].text(),
+        .how = "",
+        .notes = notes_from(file),
+        .quantity = emissivity ? Quantity::hemispherical_reflectance : named(file["quantity"], quantities),
+        .scale = named(file["scale"], scales),
+        .source_solid_angle = optional_number(file, "source_solid_angle_sr"),
+        .detector_solid_angle = optional_number(file, "detector_solid_angle_sr"),
+        .roughness = roughness_from(file),
+        .noise_floor = optional_number(file, "noise_floor"),
+        .uncertainty = "",
+        .curves = {}};
 }
 
 Band band_from(const JsonValue& object) {
@@ -217,6 +221,7 @@ std::string curves_text(const CurveSet& set) {
         const ordered_json roughness{{"rms_um", set.roughness->rms_um}, {"method", set.roughness->method}};
         writer.add("measured_roughness", roughness);
     }
+    if (set.noise_floor) writer.add("noise_floor", *set.noise_floor);
     if (!set.uncertainty.empty()) writer.add("uncertainty", set.uncertainty);
     writer.add_curves(set);
     return writer.text();

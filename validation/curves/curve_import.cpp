@@ -82,8 +82,10 @@ std::vector<ImportedPoint> points_in(const fs::path& path, const ImportRecipe& r
 }
 
 /// What `checked` would say without the line.
-void check_value(const CurvePoint& p) {
-    if (!(p.value >= 0)) throw out_of_range("value", p.value, "", ">= 0");
+void check_value(const CurvePoint& p, bool noisy, bool uncertain) {
+    if (!(p.value >= 0) && !noisy)
+        throw out_of_range("value", p.value, "", ">= 0; or as noise about 0 by the recipe's \"noise_floor\"");
+    if (uncertain && !(p.uncertainty > 0)) throw out_of_range("uncertainty", p.uncertainty, "", "> 0");
     for (const double theta : {p.theta_i, p.theta_r})
         if (!(theta >= 0 && theta <= 90)) throw out_of_range("polar angle", theta, "deg", "0 ... 90 deg");
 }
@@ -130,23 +132,65 @@ double rounded(double value) {
     return spectral::number_in(spectral::brief(value, 3));
 }
 
-/// Of all points, from what the data say of themselves and from rounding.
+/// Where the uncertainties come from, beside rounding; empty where nobody knows.
+std::string uncertainty_source(const CurveSet& set, const ImportRecipe& recipe, double relative,
+                               std::size_t pairs) {
+    const bool own = set.curves.front().points.front().uncertainty > 0;
+    if (own) return "as the file states it, column " + spectral::in_quotes(recipe.values.front().uncertainty);
+    if (recipe.relative_uncertainty > 0)
+        return spectral::brief(relative, 3) + " of the value, as the recipe states";
+    if (relative == 0) return "";
+    return spectral::brief(relative, 3) + " of the value, from " + std::to_string(pairs) +
+           " reciprocal pairs of the data themselves";
+}
+
+/// Of all points, from what the file, the recipe or the data themselves say, and from rounding.
 void add_uncertainty(CurveSet& set, const ImportRecipe& recipe) {
     const Reciprocity pairs = recipe.uncertainty_from_reciprocity ? reciprocity(set) : Reciprocity{};
-    const double relative = pairs.relative_uncertainty(), rounding = recipe.resolution / std::sqrt(12.0);
-    if (relative == 0 && rounding == 0) return;
-    set.uncertainty = "one standard deviation: " + spectral::brief(relative, 3) + " of the value, from " +
-                      std::to_string(pairs.pairs) + " reciprocal pairs of the data themselves";
+    if (recipe.uncertainty_from_reciprocity && pairs.pairs == 0)
+        set.notes.push_back("no uncertainties from reciprocity: no two points swap light and viewer");
+    const double relative = std::max(recipe.relative_uncertainty, pairs.relative_uncertainty());
+    const double rounding = recipe.resolution / std::sqrt(12.0);
+    const std::string source = uncertainty_source(set, recipe, relative, pairs.pairs);
+    if (source.empty() && rounding > 0)
+        set.notes.push_back("values printed in steps of " + spectral::brief(recipe.resolution) +
+                            "; how far they can be trusted beyond that is not known, so no uncertainties");
+    if (source.empty()) return;
+    set.uncertainty = "one standard deviation: " + source;
     if (rounding > 0)
         set.uncertainty += ", and values printed in steps of " + spectral::brief(recipe.resolution);
-    for (Curve& curve : set.curves)
-        for (CurvePoint& p : curve.points) p.uncertainty = rounded(std::hypot(relative * p.value, rounding));
+    const double floor = std::max(rounding, relative > 0 ? set.noise_floor.value_or(0) : 0);
+    for (Curve& curve : set.curves) {
+        for (CurvePoint& p : curve.points)
+            p.uncertainty = rounded(std::hypot(p.uncertainty, relative * p.value, floor));
+    }
+}
+
+/// Standard deviation of noise about 0 that values below 0 show; none if there are none, or if they are too
+/// large for noise.
+std::optional<double> noise_of(const std::vector<ImportedPoint>& points) {
+    constexpr double most_of_largest = 0.05;
+    double largest = 0, squares = 0, lowest = 0;
+    std::size_t count = 0;
+    for (const ImportedPoint& p : points) {
+        largest = std::max(largest, p.point.value);
+        if (!(p.point.value < 0)) continue;
+        lowest = std::min(lowest, p.point.value);
+        squares += p.point.value * p.point.value;
+        ++count;
+    }
+    if (count == 0 || -lowest > most_of_largest * largest) return std::nullopt;
+    return std::sqrt(squares / static_cast<double>(count));
 }
 
 /// The points that the recipe keeps; bad ones are errors only where it would keep them.
 std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, const ImportRecipe& recipe,
-                                    const fs::path& path, std::vector<std::string>& notes) {
+                                    const fs::path& path, CurveSet& head) {
     Filter filter{recipe.selection};
+    const bool stated = head.noise_floor.has_value();
+    if (!stated && !recipe.selection.positive_only) head.noise_floor = noise_of(points);
+    const bool uncertain = !recipe.values.empty() && !recipe.values.front().uncertainty.empty();
+    std::size_t negative = 0;
     std::vector<ImportedPoint> kept;
     std::map<std::array<double, 6>, std::size_t> lines;
     for (const ImportedPoint& p : points) {
@@ -155,7 +199,7 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
                 static_cast<void>(filter.keeps(p.point));
                 return;
             }
-            check_value(p.point);
+            check_value(p.point, head.noise_floor.has_value(), uncertain);
             if (!filter.keeps(p.point)) return;
             const CurvePoint& q = p.point;
             const double turn = std::abs(std::remainder(q.phi_r - q.phi_i, 360));
@@ -171,12 +215,19 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
                 throw Error{"the same directions as on line " + std::to_string(first->second) +
                             ": must stand once"};
             kept.push_back(p);
+            negative += p.point.value < 0 ? 1U : 0U;
         });
     }
     if (kept.empty())
         throw Error{path.string() + ": the recipe keeps none of its " + std::to_string(points.size()) +
                     " values: must keep one"};
-    for (std::string& note : filter.notes()) notes.push_back(std::move(note));
+    if (negative == 0 && !stated) head.noise_floor.reset();
+    if (head.noise_floor)
+        head.notes.push_back(std::to_string(negative) +
+                             " values below 0 kept as noise about 0 of standard deviation " +
+                             spectral::brief(*head.noise_floor, 3) +
+                             (stated ? ", as the recipe states" : ", their own root mean square"));
+    for (std::string& note : filter.notes()) head.notes.push_back(std::move(note));
     return kept;
 }
 
@@ -191,9 +242,12 @@ CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const
         set.uncertainty = "one standard deviation: the reading of a pixel along the axis of values";
         return checked(std::move(set), path.string());
     }
-    set.curves = grouped(selected(points_in(path, recipe), recipe, path, set.notes), recipe.sweep);
-    set = checked(std::move(set), path.string());
+    if (recipe.emissivity) set.notes.push_back("values are 1 less the emissivities of the file");
+    if (!recipe.row_column.empty())
+        set.notes.push_back("rows whose " + recipe.row_column + " is " + recipe.row_text);
+    set.curves = grouped(selected(points_in(path, recipe), recipe, path, set), recipe.sweep);
     add_uncertainty(set, recipe);
+    set = checked(std::move(set), path.string());
     const std::size_t before = set.point_count();
     for (Curve& curve : set.curves) curve = thinned(curve, recipe.selection);
     if (set.point_count() < before)

@@ -31,6 +31,8 @@ enum class ImportFormat { csv, fred, astm, digitised };
 struct ValueColumn {
     std::string column;          ///< of the CSV file, or the channel of the ASTM file; empty for the others
     std::optional<Band> band{};  ///< none where the file says it
+    /// Column of one standard deviation of each value, in its unit (csv); empty: there is none.
+    std::string uncertainty{};
 };
 
 /// Which points are kept. What is left out is counted in a note.
@@ -38,7 +40,7 @@ struct Selection {
     double least_theta = 0, largest_theta = 90;  ///< of both polar angles [deg]
     double least_apart = 0;        ///< of light and viewer, whose heads else hide each other [deg]
     double least_from_mirror = 0;  ///< of viewer and mirror direction, where spikes are not resolved [deg]
-    bool positive_only = false;    ///< leaves values <= 0 out instead of refusing the file
+    bool positive_only = false;    ///< leaves values <= 0 out, which biases what is noise about 0
     bool in_plane_only = false;
     std::vector<double> only_theta_i{};  ///< these alone [deg]; empty: all
     int every =
@@ -57,9 +59,13 @@ struct ImportRecipe {
     /// counts [deg], where the light stands at 0: 180 or 0.
     double mirror_sign = 1, mirror_azimuth = 180;
     Selection selection{};
+    bool emissivity = false;  ///< values are emissivities: 1 less them is what the set holds
+    /// csv: only the rows whose column "row_column" holds this text; empty: all.
+    std::string row_column{}, row_text{};
     /// The smallest step of the printed values, step / sqrt 12 of which is the standard deviation of
-    /// rounding.
+    /// rounding. It adds to other uncertainties; alone it says nothing of the noise, and none are written.
     double resolution = 0;
+    double relative_uncertainty = 0;  ///< of every value, one standard deviation, where the user knows it
     /// Whether pairs that swap light and viewer tell how far the values can be trusted.
     bool uncertainty_from_reciprocity = false;
 };
@@ -69,7 +75,8 @@ struct ImportRecipe {
 [[nodiscard]] ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface = "");
 
 /// Reads a file as the recipe says. hts::Error "path:line: …" for what is no number, missing columns, angles
-/// outside 0 … 90 deg, negative values that the recipe does not leave out, and directions that stand twice.
+/// outside 0 … 90 deg, directions that stand twice, and negative values too large for noise: noise about 0 is
+/// kept, and its standard deviation becomes CurveSet::noise_floor where the recipe states none.
 ///   how   the command, for CurveSet::how
 [[nodiscard]] CurveSet imported_curves(const std::filesystem::path& path, const ImportRecipe& recipe,
                                        const std::string& how);

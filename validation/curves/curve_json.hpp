@@ -17,7 +17,9 @@ namespace hts::validation {
 
 /// What they say.
 ///   surface   in place of the key "surface"; empty: the key must be there
-[[nodiscard]] CurveSet head_from(const spectral::JsonValue& file, const std::string& surface = "");
+///   emissivity   what the quantity is: imports make it one less, hemispherical_reflectance
+[[nodiscard]] CurveSet head_from(const spectral::JsonValue& file, const std::string& surface = "",
+                                 bool emissivity = false);
 
 /// The key "wavelength_um" or "band_um".
 [[nodiscard]] Band band_from(const spectral::JsonValue& object);

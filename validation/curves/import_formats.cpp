@@ -71,19 +71,21 @@ class CsvDirections {
   public:
     CsvDirections(const CsvTable& table, const ImportRecipe& recipe) : recipe_{recipe} {
         const bool full = recipe.angle_columns.contains("phi_r");
-        for (const char* angle : {"theta_i", "theta_r"})
-            columns_.emplace_back(table, column_of(recipe, angle));
+        columns_.emplace_back(table, column_of(recipe, "theta_i"));
+        if (recipe.head.quantity == Quantity::hemispherical_reflectance) return;
+        columns_.emplace_back(table, column_of(recipe, "theta_r"));
         if (full)
             for (const char* angle : {"phi_i", "phi_r"})
                 columns_.emplace_back(table, column_of(recipe, angle));
     }
     [[nodiscard]] CurvePoint operator()(std::size_t row, double value) const {
-        const double theta_i = columns_[0](row), theta_r = columns_[1](row);
+        const double theta_i = columns_[0](row), theta_r = columns_.size() > 1 ? columns_[1](row) : 0;
         if (columns_.size() == 4)
             return flattened(
                 full_point(recipe_, {theta_i, columns_[2](row), theta_r, columns_[3](row)}, value),
                 recipe_.sweep);
         const bool incident = recipe_.sweep == Sweep::incident;
+        if (columns_.size() == 1) return in_plane_point(Sweep::incident, 0, theta_i, value, 0);
         const double swept = recipe_.mirror_sign * (incident ? theta_i : theta_r);
         return in_plane_point(recipe_.sweep, incident ? theta_r : theta_i, swept, value, 0);
     }
@@ -137,12 +139,19 @@ std::vector<AstmChannel> astm_channels(const tables::AstmFile& file, const Impor
 std::vector<ImportedPoint> read_csv_points(const fs::path& path, const ImportRecipe& recipe) {
     const CsvTable table = CsvTable::read(path);
     const CsvDirections directions{table, recipe};
+    std::optional<std::size_t> chosen;
+    if (!recipe.row_column.empty()) chosen = table.column(recipe.row_column);
     std::vector<ImportedPoint> points;
     for (const ValueColumn& value : recipe.values) {
         const std::size_t column = table.column(value.column);
+        std::optional<std::size_t> own;
+        if (!value.uncertainty.empty()) own = table.column(value.uncertainty);
         for (std::size_t row = 0; row < table.row_count(); ++row) {
-            points.push_back(
-                {value.band.value(), directions(row, table.number(row, column)), table.line(row)});
+            if (chosen && table.text(row, *chosen) != recipe.row_text) continue;
+            const double number = table.number(row, column);
+            points.push_back({value.band.value(), directions(row, recipe.emissivity ? 1 - number : number),
+                              table.line(row)});
+            if (own) points.back().point.uncertainty = table.number(row, *own);
         }
     }
     return points;

@@ -1,5 +1,6 @@
 // The recipe of an import: what the imported file itself does not say.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -68,7 +69,7 @@ Selection selection_from(const JsonValue& keep) {
     return result;
 }
 
-std::map<std::string, std::string> columns_from(const JsonValue& columns) {
+std::map<std::string, std::string> columns_from(const JsonValue& columns, bool hemispherical) {
     columns.require_keys_among({"theta_i", "phi_i", "theta_r", "phi_r"});
     std::map<std::string, std::string> result;
     for (const char* angle : {"theta_i", "phi_i", "theta_r", "phi_r"})
@@ -76,17 +77,25 @@ std::map<std::string, std::string> columns_from(const JsonValue& columns) {
     if (result.contains("phi_i") != result.contains("phi_r"))
         throw columns.error(
             "one azimuth alone: must be both phi_i and phi_r, or none for the plane of incidence");
-    for (const char* angle : {"theta_i", "theta_r"})
-        if (!result.contains(angle)) throw columns[angle].error("missing");
+    for (const char* angle : {"theta_i", "theta_r"}) {
+        const bool view = hemispherical && std::string_view{angle} != "theta_i";
+        if (view == result.contains(angle))
+            throw view ? columns[angle].error("must not be there: the light leaves into all directions")
+                       : columns[angle].error("missing");
+    }
     return result;
 }
 
 std::vector<ValueColumn> values_from(const JsonValue& list, ImportFormat format) {
     std::vector<ValueColumn> result;
     for (const JsonValue& item : list.items()) {
-        item.require_keys_among({"column", "wavelength_um", "band_um"});
+        item.require_keys_among({"column", "uncertainty_column", "wavelength_um", "band_um"});
         const bool named = format == ImportFormat::csv || format == ImportFormat::astm;
         ValueColumn value{named ? item["column"].text() : "", {}};
+        if (const auto own = item.find("uncertainty_column")) {
+            if (format != ImportFormat::csv) throw own->error("must come with format \"csv\"");
+            value.uncertainty = own->text();
+        }
         const bool lit = item.find("wavelength_um") || item.find("band_um");
         if (lit || format != ImportFormat::astm) value.band = band_from(item);
         result.push_back(std::move(value));
@@ -95,27 +104,55 @@ std::vector<ValueColumn> values_from(const JsonValue& list, ImportFormat format)
     return result;
 }
 
+/// Uncertainties of the values come from one source.
+void require_one_uncertainty(const JsonValue& file, const ImportRecipe& recipe) {
+    const auto own = [](const ValueColumn& value) { return !value.uncertainty.empty(); };
+    const auto columns = std::ranges::count_if(recipe.values, own);
+    if (columns > 0 && columns < std::ranges::ssize(recipe.values))
+        throw file["values"].error("\"uncertainty_column\" of some: must be of all or of none");
+    const bool relative = recipe.relative_uncertainty > 0;
+    if (recipe.uncertainty_from_reciprocity && (columns > 0 || relative))
+        throw file["uncertainty_from_reciprocity"].error(
+            "true: must not stand beside uncertainties that are known");
+    if (columns > 0 && relative)
+        throw file["relative_uncertainty"].error("must not stand beside \"uncertainty_column\"");
+}
+
 }  // namespace
 
 ImportRecipe read_recipe(const std::filesystem::path& path, const std::string& surface) {
     const JsonValue file = JsonValue::read(path);
     auto keys = head_keys();
-    keys.insert(keys.end(), {"format", "sweep", "columns", "values", "mirror_sign", "mirror_azimuth_deg",
-                             "keep", "resolution", "uncertainty_from_reciprocity"});
+    keys.insert(keys.end(),
+                {"format", "sweep", "columns", "values", "mirror_sign", "mirror_azimuth_deg", "keep", "rows",
+                 "resolution", "relative_uncertainty", "uncertainty_from_reciprocity"});
     file.require_keys_among(keys);
     ImportRecipe recipe;
     recipe.format = named(file["format"], formats);
-    recipe.head = head_from(file, surface);
+    recipe.emissivity = file["quantity"].text() == "emissivity";
+    recipe.head = head_from(file, surface, recipe.emissivity);
     const bool digitised = recipe.format == ImportFormat::digitised;
-    if (!digitised) recipe.sweep = named(file["sweep"], sweeps);
-    if (recipe.format == ImportFormat::csv) recipe.angle_columns = columns_from(file["columns"]);
+    const bool hemispherical = recipe.head.quantity == Quantity::hemispherical_reflectance;
+    if (hemispherical && recipe.format != ImportFormat::csv)
+        throw file["quantity"].error("must come with format \"csv\"");
+    recipe.sweep = Sweep::incident;
+    if (!digitised && !hemispherical) recipe.sweep = named(file["sweep"], sweeps);
+    if (recipe.format == ImportFormat::csv)
+        recipe.angle_columns = columns_from(file["columns"], hemispherical);
+    if (const auto rows = file.find("rows")) {
+        rows->require_keys_among({"column", "text"});
+        recipe.row_column = (*rows)["column"].text();
+        recipe.row_text = (*rows)["text"].text();
+    }
     if (!digitised && (recipe.format != ImportFormat::astm || file.find("values")))
         recipe.values = values_from(file["values"], recipe.format);
     recipe.mirror_sign = one_of(file, "mirror_sign", 1, -1);
     recipe.mirror_azimuth = one_of(file, "mirror_azimuth_deg", 180, 0);
     if (const auto keep = file.find("keep")) recipe.selection = selection_from(*keep);
     recipe.resolution = number_or(file, "resolution", 0, 0, 1e6);
+    recipe.relative_uncertainty = number_or(file, "relative_uncertainty", 0, 0, 10);
     recipe.uncertainty_from_reciprocity = flag(file, "uncertainty_from_reciprocity");
+    require_one_uncertainty(file, recipe);
     return recipe;
 }
 

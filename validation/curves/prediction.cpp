@@ -67,6 +67,35 @@ std::vector<ConeNode> cone_nodes(const Direction& axis, double half_angle, int r
     return nodes;
 }
 
+/// All directions above the horizon, in rings about the mirror direction of `in`, where lobes are: the rings are
+/// the closer the nearer to it, and each is cut at the horizon.
+std::vector<ConeNode> hemisphere_nodes(const Direction& in) {
+    const GaussLegendre across_rings = gauss_legendre(24), along_ring = gauss_legendre(10);
+    const Direction axis = in.mirror();
+    const auto [u, v] = across(axis);
+    const double c = axis.cos_theta(), s = axis.sin_theta();
+    const double farthest = pi / 2 + std::atan2(s, c);
+    std::vector<ConeNode> nodes;
+    for (std::size_t k = 0; k < across_rings.nodes.size(); ++k) {
+        const double part = across_rings.nodes[k], apart = farthest * part * part;
+        const double ring = across_rings.weights[k] * 2 * farthest * part * std::sin(apart);
+        // z = cos(apart) c - sin(apart) s cos(turn) > 0
+        const double height = std::cos(apart) * c, dip = std::sin(apart) * s;
+        const double first = height >= dip ? 0 : height <= -dip ? pi : std::acos(height / dip);
+        for (std::size_t j = 0; j < along_ring.nodes.size(); ++j) {
+            const double turn = first + (pi - first) * along_ring.nodes[j];
+            for (const double side : {-1.0, 1.0}) {
+                const Vector3 at = std::cos(apart) * axis.vector() +
+                                   std::sin(apart) * (std::cos(turn) * u + side * std::sin(turn) * v);
+                if (!(at.z > 0)) continue;
+                nodes.push_back(
+                    {Direction::from_unit_vector(at), ring * along_ring.weights[j] * (pi - first) * at.z});
+            }
+        }
+    }
+    return nodes;
+}
+
 double total(const std::vector<ConeNode>& nodes) {
     double sum = 0;
     for (const ConeNode& node : nodes) sum += node.weight;
@@ -124,6 +153,8 @@ double quantity_factor(Quantity quantity, const Direction& out) {
             return 1;
         case Quantity::brdf_cosine:
             return out.cos_theta();
+        case Quantity::hemispherical_reflectance:
+            return 1;
         case Quantity::reflectance_factor:
             break;
     }
@@ -162,32 +193,45 @@ double common_solid_angle(double a, double b, double apart) noexcept {
 /// Fills a Prediction, row by row.
 class Prediction::Builder {
   public:
-    Builder(Prediction& result, const CurveSet& set, AveragingNodes nodes)
-        : result_{result}, set_{set}, nodes_{nodes} {}
+    Builder(Prediction& result, AveragingNodes nodes) : result_{result}, nodes_{nodes} {}
 
-    void add_all() {
-        std::vector<std::pair<Band, Direction>> lights;
-        for (const Curve& curve : set_.curves) {
-            for (const CurvePoint& point : curve.points) {
-                const DirectionPair pair = point.pair();
-                lights.emplace_back(curve.band, pair.in);
-                add(curve.band, pair);
+    void add_all(std::span<const CurveSet> sets) {
+        std::vector<Lights> lights;
+        for (const CurveSet& set : sets) {
+            lights.push_back({set, result_.rows_.size(), {}});
+            for (const Curve& curve : set.curves) {
+                for (const CurvePoint& point : curve.points) {
+                    const DirectionPair pair = point.pair();
+                    lights.back().of_points.emplace_back(curve.band, pair.in);
+                    if (set.quantity == Quantity::hemispherical_reflectance)
+                        add_hemisphere(curve.band, pair.in);
+                    else
+                        add(set, curve.band, pair);
+                }
             }
         }
         result_.point_count_ = result_.rows_.size();
-        if (set_.scale == Scale::specular) add_mirrors(lights);
+        for (const Lights& of_set : lights)
+            if (of_set.set.scale == Scale::specular) add_mirrors(of_set);
     }
 
   private:
-    void add_mirrors(const std::vector<std::pair<Band, Direction>>& lights) {
+    /// Where the light of each point of a set stands, and the row of the first.
+    struct Lights {
+        const CurveSet& set;
+        std::size_t first_row;
+        std::vector<std::pair<Band, Direction>> of_points;
+    };
+
+    void add_mirrors(const Lights& lights) {
         std::map<std::tuple<double, double, double, double>, std::size_t> known;
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            const auto& [band, in] = lights[i];
+        for (std::size_t i = 0; i < lights.of_points.size(); ++i) {
+            const auto& [band, in] = lights.of_points[i];
             const Vector3 v = in.vector();
             const auto [at, fresh] =
                 known.emplace(std::tuple{band.first, band.last, v.x, v.y}, result_.rows_.size());
-            if (fresh) add(band, {in, in.mirror()});
-            result_.rows_[i].mirror = at->second;
+            if (fresh) add(lights.set, band, {in, in.mirror()});
+            result_.rows_[lights.first_row + i].mirror = at->second;
         }
     }
 
@@ -200,21 +244,33 @@ class Prediction::Builder {
         return at->second;
     }
 
-    void add(const Band& band, const DirectionPair& pair) {
+    Row begun(std::size_t at, double factor) const {
+        const Job& job = result_.jobs_[at];
+        return {at,     job.pairs.size(),    0, 0, job.wavelengths.size(), job.incidences.size(), 0,
+                factor, result_.rows_.size()};
+    }
+
+    void add_hemisphere(const Band& band, const Direction& in) {
         const std::size_t at = job(band);
         Job& job = result_.jobs_[at];
-        const Cone source{pair.in, set_.source_solid_angle, nodes_.rings};
-        const Cone detector{pair.out, set_.detector_solid_angle, nodes_.rings};
+        Row row = begun(at, 1);
+        for (const ConeNode& out : hemisphere_nodes(in)) {
+            job.pairs.push_back({in, out.direction});
+            result_.pair_weights_[at].push_back(out.weight);
+        }
+        row.last_pair = job.pairs.size();
+        row.specular_weight = 1;
+        job.incidences.push_back(in);
+        result_.rows_.push_back(row);
+    }
+
+    void add(const CurveSet& set, const Band& band, const DirectionPair& pair) {
+        const std::size_t at = job(band);
+        Job& job = result_.jobs_[at];
+        const Cone source{pair.in, set.source_solid_angle, nodes_.rings};
+        const Cone detector{pair.out, set.detector_solid_angle, nodes_.rings};
         const double norm = total(source.nodes) * total(detector.nodes);
-        Row row{at,
-                job.pairs.size(),
-                0,
-                0,
-                job.wavelengths.size(),
-                job.incidences.size(),
-                0,
-                quantity_factor(set_.quantity, pair.out),
-                result_.rows_.size()};
+        Row row = begun(at, quantity_factor(set.quantity, pair.out));
         for (const ConeNode& in : source.nodes) {
             for (const ConeNode& out : detector.nodes) {
                 job.pairs.push_back({in.direction, out.direction});
@@ -229,18 +285,18 @@ class Prediction::Builder {
     }
 
     Prediction& result_;
-    const CurveSet& set_;
     AveragingNodes nodes_;
     std::map<std::pair<double, double>, std::size_t> jobs_;
 };
 
-Prediction::Prediction(const CurveSet& set, AveragingNodes nodes) {
+Prediction::Prediction(const CurveSet& set, AveragingNodes nodes) : Prediction{std::span{&set, 1}, nodes} {}
+
+Prediction::Prediction(std::span<const CurveSet> sets, AveragingNodes nodes) {
     require_nodes(nodes);
-    Builder{*this, set, nodes}.add_all();
+    Builder{*this, nodes}.add_all(sets);
 }
 
-Prediction::Prediction(const spectral::WavelengthGrid& wavelengths,
-                       std::span<const PairAtWavelength> points)
+Prediction::Prediction(const spectral::WavelengthGrid& wavelengths, std::span<const PairAtWavelength> points)
     : jobs_{{wavelengths, std::vector<double>(wavelengths.size(), 1), {}, {}}},
       pair_weights_(1),
       point_count_{points.size()} {
@@ -324,9 +380,9 @@ std::vector<double> Prediction::values(const spectral::Material& material,
     std::vector<Answer> answers;
     answers.reserve(jobs_.size());
     for (const Job& job : jobs_) {
-        const auto model = material.at(
-            job.wavelengths,
-            {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
+        const auto model =
+            material.at(job.wavelengths,
+                        {.tolerance = Tolerance{hts::accuracy::finest_lane_tolerance}, .outside = policy});
         answers.push_back(answer(job, model.evaluator()));
     }
     return values(answers);

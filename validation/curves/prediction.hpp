@@ -12,6 +12,9 @@
 /// taken as a single direction; where neither is stated, the specular term, which has no finite value then,
 /// is left out.
 ///
+/// A hemispherical reflectance is the sum of the specular term and the BRDF times cos theta_r over all directions
+/// of view, from a single direction of light.
+///
 /// Everything geometric is prepared once:
 ///
 ///     const Prediction prediction{set};
@@ -38,6 +41,8 @@ inline constexpr double specular_average = 5e-3;
 /// Of the band 2 ... 5.7 um with 8 wavelengths, relative to the largest value of a curve, sigma_0 0.1 ... 2
 /// um.
 inline constexpr double band_average = 4e-6;
+/// Of hemispherical reflectances, relative, for sigma_0/tau from 0.03 on and incidence up to 80 deg.
+inline constexpr double hemisphere_average = 1e-2;
 /// Of `common_solid_angle`, relative, for half angles from 0.01 and parts from 1 % of the overlapping range
 /// on.
 inline constexpr double common_solid_angle = 5e-9;
@@ -76,6 +81,8 @@ class Prediction {
 
     /// hts::Error for numbers of nodes outside 1 … 64 wavelengths and 0 … 8 rings.
     explicit Prediction(const CurveSet& set, AveragingNodes nodes = {});
+    /// The same of several sets of one surface, the points of all in their order.
+    explicit Prediction(std::span<const CurveSet> sets, AveragingNodes nodes = {});
     /// Of an instrument that sees the BRDF itself at single pairs; neighbours of the same pair share its
     /// evaluation.
     Prediction(const spectral::WavelengthGrid& wavelengths, std::span<const PairAtWavelength> points);

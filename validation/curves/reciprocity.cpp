@@ -40,7 +40,7 @@ Reciprocity reciprocity(const CurveSet& set) {
     std::map<Geometry, const CurvePoint*> seen;
     Reciprocity result;
     std::vector<double> logs;
-    if (set.scale == Scale::specular) return result;
+    if (set.scale == Scale::specular || set.quantity == Quantity::hemispherical_reflectance) return result;
     for (const Curve& curve : set.curves) {
         for (const CurvePoint& p : curve.points) {
             if (!(p.value > 0)) continue;

@@ -8,9 +8,11 @@
 
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/statistics.hpp"
+#include "spectral/text/text.hpp"
+#include "validation/fit/fit_estimate.hpp"
 #include "validation/fit/fit_problem.hpp"
-#include "validation/fit/fit_uncertainty.hpp"
 
 namespace hts::validation {
 namespace {
@@ -67,7 +69,6 @@ FitRequest with_a_lobe_less(FitRequest request) {
     std::erase_if(request.starts, [&](const auto& entry) { return of_one_lobe(entry.first); });
     std::erase_if(request.freed, of_one_lobe);
     --request.lobes;
-    request.progress = {};
     return request;
 }
 
@@ -97,23 +98,36 @@ std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const 
     return result;
 }
 
+constexpr Stopping first_stage{100, 1e-6};
+constexpr double worth_finishing = 1.05;
+
+/// Follows all starts a little and the best to their end.
 ///   made   the fit with a lobe less, where there is one
 std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data,
                             const Fit* made) {
     auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));
     for (auto& start : nested_starts(problem, request, data, made)) starts.push_back(std::move(start));
-    const Residuals residuals = [&](std::span<const double> x, bool with_jacobian) {
-        return problem.projected_residuals(x, with_jacobian);
-    };
-    const std::vector<Bounds> bounds{
-        problem.bounds().begin(),
-        problem.bounds().begin() + static_cast<std::ptrdiff_t>(problem.searched_count())};
+    const Residuals residuals = problem.residuals_to_search();
+    const auto bounds = problem.searched_bounds();
     std::vector<Minimum> result(starts.size());
-    std::size_t done = 0;
+    const spectral::Job job{"following starts", 2};
+    const auto follow = [&](std::size_t i, const Stopping& stopping) {
+        Minimum next = local_minimum(residuals, starts[i], bounds, stopping);
+        next.iterations += result[i].iterations;
+        result[i] = std::move(next);
+        starts[i] = result[i].x;
+    };
     spectral::parallel_for(starts.size(), [&](std::size_t i) {
-        result[i] = local_minimum(residuals, starts[i], bounds, request.most_iterations);
-#pragma omp critical(hts_fit_progress)
-        if (request.progress) request.progress(++done, starts.size());
+        follow(i, {std::min(first_stage.most_iterations, request.most_iterations), first_stage.least_gain});
+    });
+    job.done();
+    const double enough = worth_finishing * best_of(result).cost;
+    std::vector<std::size_t> promising;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        if (result[i].cost <= enough) promising.push_back(i);
+    }
+    spectral::parallel_for(promising.size(), [&](std::size_t i) {
+        follow(promising[i], {request.most_iterations, 1e-12});
     });
     return result;
 }
@@ -128,8 +142,8 @@ FitStatistics statistics(const FitData& data, const std::vector<double>& predict
         differences.push_back(difference);
         with_cosine.push_back(difference * data.cosines[i]);
         if (!data.uncertainties.empty()) normalised.push_back(difference / data.uncertainties[i]);
-        if (predicted[i] > 0 && data.values[i] > 0)
-            logs.push_back(std::abs(std::log(predicted[i] / data.values[i])));
+        if (const auto log = log_ratio(predicted[i], data.values[i], data.noise_floor))
+            logs.push_back(std::abs(*log));
     }
     const auto n = static_cast<double>(predicted.size()), k = static_cast<double>(free);
     FitStatistics result{};
@@ -147,13 +161,6 @@ FitStatistics statistics(const FitData& data, const std::vector<double>& predict
     return result;
 }
 
-bool at_bound(double coordinate, const Bounds& bounds) {
-    const auto near = [&](double bound) {
-        return std::abs(coordinate - bound) <= 1e-9 * std::max(1.0, std::abs(bound));
-    };
-    return near(bounds.lowest) || near(bounds.highest);
-}
-
 std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector<double>& values) {
     std::vector<FittedParameter> result;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -168,43 +175,90 @@ std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector
     return result;
 }
 
-/// Places in the list, as its numbers rise.
-std::vector<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
-    std::vector<std::size_t> result(numbers.size());
-    std::iota(result.begin(), result.end(), std::size_t{0});
-    std::ranges::sort(result, {}, [&](std::size_t i) { return numbers[i]; });
-    return result;
-}
+// ---- all of it
 
-/// Standard errors, correlation and statements, from the derivatives at the minimum.
-void add_uncertainty(Fit& fit, const FitProblem& problem, const std::vector<double>& coordinates) {
-    const Columns all = problem.residuals(coordinates, true).jacobian;
-    std::vector<FreeParameter> parameters;
-    std::vector<std::size_t> places;
-    Columns columns;
-    for (const std::size_t k : in_order(problem.free())) {
-        FittedParameter& parameter = fit.parameters[problem.free()[k]];
-        if (at_bound(coordinates[k], problem.bounds()[k])) {
-            parameter.outcome = Outcome::at_bound;
-            continue;
-        }
-        places.push_back(problem.free()[k]);
-        parameters.push_back(
-            {parameter.name, problem.places()[places.back()].parameter.range, parameter.value});
-        columns.push_back(all[k]);
+void add_uncertainty(Fit& fit, const Estimate& found, const FitProblem& problem,
+                     const std::vector<double>& coordinates) {
+    for (std::size_t k = 0; k < problem.free().size(); ++k) {
+        if (at_bound(coordinates[k], problem.bounds()[k]))
+            fit.parameters[problem.free()[k]].outcome = Outcome::at_bound;
     }
-    const double freedom = static_cast<double>(fit.predicted.size() - parameters.size());
-    const Uncertainty found = uncertainty(parameters, columns, fit.statistics.cost / freedom);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        fit.parameters[places[k]].standard_error = found.standard_errors[k];
-        fit.correlated.push_back(parameters[k].name);
-    }
-    fit.correlation = found.correlation;
-    fit.statements = found.statements;
     for (const FittedParameter& parameter : fit.parameters) {
         if (parameter.outcome == Outcome::at_bound)
             fit.statements.push_back(parameter.name + ": ended at its bound");
     }
+    for (std::size_t k = 0; k < found.places.size(); ++k) {
+        fit.parameters[found.places[k]].standard_error = found.uncertainty.standard_errors[k];
+        fit.correlated.push_back(found.parameters[k].name);
+    }
+    fit.correlation = found.uncertainty.correlation;
+    fit.statistics.gain_error = std::sqrt(found.noise.gain_variance);
+}
+
+/// sigma0/tau with its error, from one or both of them.
+Ratio slope_of(const Fit& fit, const Estimate& found) {
+    const FittedParameter &sigma0 = fit.parameter("sigma0"), &tau = fit.parameter("tau");
+    const auto place = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::ranges::find(fit.correlated, name) - fit.correlated.begin());
+    };
+    const std::size_t i = place("sigma0"), j = place("tau"), count = fit.correlated.size();
+    double relative = 0;
+    if (i < count && j < count)
+        relative = found.uncertainty.of_ratios[i][j];
+    else
+        relative = sigma0.standard_error / sigma0.value + tau.standard_error / tau.value;
+    return {sigma0.value / tau.value, sigma0.value / tau.value * relative};
+}
+
+/// Says that sigma0 and tau are open, where they are.
+void add_slope(Fit& fit, const Estimate& found, const std::optional<RoughLimit>& rough, double cost) {
+    fit.slope = slope_of(fit, found);
+    if (rough) fit.rough = RoughSurface{rough->slope, 2 * rough->cost};
+    const std::string apart = "sigma0 and tau apart: only sigma0/tau = ";
+    const auto said = std::ranges::find_if(found.uncertainty.statements,
+                                           [&](const std::string& text) { return text.starts_with(apart); });
+    // a model that misses the data tells no surfaces apart that it misses by about as much
+    constexpr double about = 2;
+    fit.slope_alone = said != found.uncertainty.statements.end() ||
+                      (rough && within_noise(*rough, cost, found.scatter.residuals)) ||
+                      (rough && !fit.errors_hold && rough->cost <= about * cost);
+    if (!fit.slope_alone) return;
+    if (rough) {
+        const double off = fit.slope->value - rough->slope.value;
+        fit.slope->standard_error =
+            std::hypot(std::isfinite(fit.slope->standard_error) ? fit.slope->standard_error : 0, off);
+        if (fit.parameter("sigma0").outcome == Outcome::at_bound) fit.slope = rough->slope;
+    }
+    for (FittedParameter& parameter : fit.parameters) {
+        if (parameter.outcome == Outcome::fitted && (parameter.name == "sigma0" || parameter.name == "tau"))
+            parameter.standard_error = std::numeric_limits<double>::infinity();
+    }
+    fit.statements.push_back(apart + spectral::brief(fit.slope->value, 3) + " +- " +
+                             spectral::brief(fit.slope->standard_error, 3));
+    std::ranges::copy_if(found.uncertainty.statements, std::back_inserter(fit.statements),
+                         [&](const std::string& text) { return !text.starts_with(apart); });
+}
+
+/// What reduced chi squared says of the model and so of the errors, gains of the curves allowed for.
+void add_validity(Fit& fit, const Estimate& found) {
+    constexpr double most = 2;
+    double squares = 0;
+    for (const double r : found.scatter.residuals) squares += r * r;
+    const double share = squares > 0 ? found.noise.variance * found.noise.freedom / squares : 1;
+    const auto& reduced = fit.statistics.reduced_chi_squared;
+    fit.errors_hold = !reduced || *reduced * share <= most;
+}
+
+void say_validity(Fit& fit) {
+    if (const double gain = fit.statistics.gain_error; gain > 0)
+        fit.statements.push_back("the curves are off by factors of their own, " +
+                                 spectral::brief(100 * gain, 2) +
+                                 " % (one standard deviation): the standard errors allow for it");
+    if (!fit.errors_hold)
+        fit.statements.push_back("reduced chi squared " +
+                                 spectral::brief(*fit.statistics.reduced_chi_squared, 3) +
+                                 ": the model misses the data by more than their uncertainties, so that the "
+                                 "standard errors are not valid");
 }
 
 }  // namespace
@@ -254,29 +308,44 @@ spectral::Material fitted_material(const Fit& fit) {
 Fit fitted(const FitRequest& request, const FitData& data, const Fit* with_a_lobe_less) {
     const FitData good = checked(data);
     const FitProblem problem{request, good};
-    const auto followed = minima(problem, request, good, with_a_lobe_less);
+    auto followed = minima(problem, request, good, with_a_lobe_less);
+    std::optional<RoughLimit> rough;
+    if (const auto places = rough_places(problem)) {
+        const auto from = problem.values(problem.completed(best_of(followed).x));
+        rough = rough_limit(problem, *places, request, good, from);
+        if (rough->cost < best_of(followed).cost)
+            followed.push_back(local_minimum(problem.residuals_to_search(), problem.searched(rough->values),
+                                             problem.searched_bounds(), {request.most_iterations, 1e-12}));
+    }
     const Minimum& best = best_of(followed);
     const auto coordinates = problem.completed(best.x);
     const auto values = problem.values(coordinates);
 
-    Fit fit{request.model,
-            data.name,
-            request,
-            listed(problem, values),
-            {},
-            {},
-            problem.predicted(values),
-            {},
-            {},
-            0,
-            {},
-            {}};
+    Fit fit{.model = request.model,
+            .data = data.name,
+            .request = request,
+            .parameters = listed(problem, values),
+            .correlated = {},
+            .correlation = {},
+            .predicted = problem.predicted(values),
+            .statistics = {},
+            .starts = {},
+            .starts_at_best = 0,
+            .statements = {},
+            .material = {}};
     fit.statistics = statistics(good, fit.predicted, problem.free().size(), 2 * best.cost);
     for (const Minimum& minimum : followed) {
         fit.starts.push_back({2 * minimum.cost, minimum.iterations, minimum.converged});
         if (minimum.cost <= best.cost * (1 + 1e-4) + 1e-300) ++fit.starts_at_best;
     }
-    add_uncertainty(fit, problem, coordinates);
+    const Estimate found = estimate(problem, good, coordinates);
+    add_uncertainty(fit, found, problem, coordinates);
+    add_validity(fit, found);
+    if (std::ranges::find(problem.model().parameters(), "sigma0", &FitParameter::name) !=
+        problem.model().parameters().end())
+        add_slope(fit, found, rough, best.cost);
+    if (!fit.slope_alone) std::ranges::copy(found.uncertainty.statements, std::back_inserter(fit.statements));
+    say_validity(fit);
     fit.material = problem.model().material_text(std::span{values}.first(values.size() - 1),
                                                  data.name + ", fitted " + request.model);
     return fit;

@@ -14,12 +14,18 @@
 /// projection), so that the search is over shapes alone. Starts run on all cores; the result has the same
 /// bits for any number.
 ///
-/// Uncertainties are those of linearised least squares, s^2 (J'J)^-1 with s^2 the variance of the residuals:
-/// they take the residuals for independent noise. Where the model is wrong in some systematic way, they are
-/// too small.
+/// The starts are followed until a step gains less than a millionth; those within 5 % of the lowest sum are
+/// finished. Where both sigma0 and tau are sought, the limit of a very rough surface, where only their ratio
+/// matters, is one more start.
+///
+/// Uncertainties are those of linearised least squares. Residuals are taken for noise of each datum and an error
+/// of gain that the data of a curve share, both as large as the residuals say (fit_uncertainty.hpp). Where
+/// the very rough surface comes as close as such noise allows, sigma0 and tau are open however sharp the
+/// minimum. Where the model is wrong in some systematic way along the curves, the errors are too small; a
+/// reduced chi squared above 2, gains allowed for, tells, and a statement says that they do not hold. sigma0 and
+/// tau are open then wherever the very rough surface's sum is at most twice the lowest.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -61,10 +67,9 @@ struct FitRequest {
     Residual residual = Residual::logarithmic;
     Loss loss = Loss::squares;
     double loss_scale = 1;
+    bool conserve_energy = false;  ///< holds what the material reflects of the light at 0, 45 and 75 deg at 1
     std::size_t followed_starts = 8;  ///< how many of the most promising starts are followed
     int most_iterations = 100;
-    /// Is told how many of how many starts are done; from any thread, one at a time.
-    std::function<void(std::size_t done, std::size_t all)> progress{};
 };
 
 /// What became of a parameter.
@@ -82,12 +87,15 @@ struct FittedParameter {
 /// How far model and data are apart. Means over all data.
 struct FitStatistics {
     std::size_t data, free_parameters;
-    double rms_log;         ///< root mean square of ln(model/measured), over positive values
-    double median_abs_log;  ///< median of |ln(model/measured)|, over positive values
+    double rms_log;         ///< root mean square of `log_ratio`, over data that have one
+    double median_abs_log;  ///< median of its magnitude
     double rms;             ///< root mean square difference, unit of the data
     double l2;              ///< the same times cos theta_i [Kurt10, after Ngan et al. 2005]
     std::optional<double> reduced_chi_squared;  ///< where uncertainties are known
-    double cost;                                ///< sum of rho over all data
+    /// Standard deviation of the curves' errors of gain that the residuals show, relative; 0 where they show
+    /// none.
+    double gain_error;
+    double cost;  ///< sum of rho over all data
     /// n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of
     /// one residual and loss to the same data.
     double aic;
@@ -101,6 +109,17 @@ struct FitStart {
     bool converged;
 };
 
+/// A number determined by two others.
+struct Ratio {
+    double value, standard_error;
+};
+
+/// The best fit whose sigma0 is so large that the mirror term is gone and sigma0/tau alone matters.
+struct RoughSurface {
+    Ratio slope;
+    double cost;  ///< as FitStatistics::cost
+};
+
 struct Fit {
     std::string model, data;
     FitRequest request;
@@ -110,6 +129,10 @@ struct Fit {
     std::vector<std::vector<double>> correlation;
     std::vector<double> predicted;  ///< a value per datum
     FitStatistics statistics;
+    std::optional<Ratio> slope{};         ///< sigma0/tau, of a model that has both
+    std::optional<RoughSurface> rough{};  ///< where sigma0 and tau are both sought
+    bool slope_alone = false;             ///< sigma0 and tau are not told apart, only `slope`
+    bool errors_hold = true;              ///< false where reduced chi squared says that the model is wrong
     std::vector<FitStart> starts;
     std::size_t starts_at_best;           ///< whose cost came within 1e-4 of the lowest
     std::vector<std::string> statements;  ///< what the data cannot tell, in words

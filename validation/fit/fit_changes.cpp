@@ -1,5 +1,9 @@
 #include "validation/fit/fit_changes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace hts::validation {
 namespace {
 
@@ -11,10 +15,6 @@ Prediction::Answer nothing(const Prediction::Job& job) {
             std::vector<double>(job.incidences.size() * count)};
 }
 
-void add(std::vector<double>& sum, double factor, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * values[i];
-}
-
 Prediction::Answer slope(const Prediction::Answer& above, const Prediction::Answer& below, double step) {
     const auto over = [&](const std::vector<double>& a, const std::vector<double>& b) {
         std::vector<double> result(a.size());
@@ -24,26 +24,47 @@ Prediction::Answer slope(const Prediction::Answer& above, const Prediction::Answ
     return {over(above.brdf, below.brdf), over(above.specular_reflectance, below.specular_reflectance)};
 }
 
-Changes exact_changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                      std::span<const Move> moves) {
-    std::vector<Answers> by_parameter(model.parameters().size());
+CurveSet hemispheres(const FitData& data) {
+    const auto um = data.wavelengths.micrometres();
+    CurveSet watched;
+    watched.quantity = Quantity::hemispherical_reflectance;
+    std::map<std::size_t, std::vector<double>> channels;
+    for (std::size_t i = 0; i < um.size(); ++i) channels[data.channels[i]].push_back(um[i]);
+    for (const auto& [channel, of_channel] : channels) {
+        const double middle = of_channel[of_channel.size() / 2];
+        Curve curve{{middle, middle}, Sweep::incident, {}};
+        for (const double theta : {0.0, 45.0, 75.0})
+            curve.points.push_back(in_plane_point(Sweep::incident, 0, theta, 0, 0));
+        watched.curves.push_back(std::move(curve));
+    }
+    return watched;
+}
+
+/// What the root of the sum of squares changes by when all values double.
+double size_of(const FitData& data, const std::vector<double>& weights) {
+    double squares = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) squares += std::pow(weights[i] * data.values[i], 2);
+    return std::sqrt(squares);
+}
+
+}  // namespace
+
+Columns averages(const FitModel& model, const Prediction& instrument,
+                 const std::vector<std::vector<double>>& values) {
+    std::vector<FitTrial> trials;
+    for (const auto& each : values) trials.push_back({each});
+    std::vector<Answers> answers(trials.size());
     for (const Prediction::Job& job : instrument.jobs()) {
-        Answers columns = model.gradient(values, job);
-        for (std::size_t i = 0; i < columns.size(); ++i) by_parameter[i].push_back(std::move(columns[i]));
+        auto of_job = model.answers(trials, job);
+        for (std::size_t i = 0; i < of_job.size(); ++i) answers[i].push_back(std::move(of_job[i]));
     }
-    Changes result{averages(model, instrument, {values}).front(), {}};
-    for (const Move& move : moves) {
-        std::vector<double> column(result.averages.size());
-        for (std::size_t i = 0; i < by_parameter.size(); ++i) {
-            if (move.above[i] != move.below[i]) add(column, move.rate, instrument.average(by_parameter[i]));
-        }
-        result.by.push_back(std::move(column));
-    }
+    Columns result;
+    for (const Answers& each : answers) result.push_back(instrument.average(each));
     return result;
 }
 
-Changes differences(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                    std::span<const Move> moves) {
+Changes changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
+                std::span<const Move> moves) {
     Answers all;
     std::vector<Answers> by_move(moves.size());
     for (const Prediction::Job& job : instrument.jobs()) {
@@ -70,26 +91,32 @@ Changes differences(const FitModel& model, const Prediction& instrument, const s
     return result;
 }
 
-}  // namespace
+EnergyWatch::EnergyWatch(const FitData& data, const std::vector<double>& weights)
+    : hemispheres_{hemispheres(data)}, weight_{20 * size_of(data, weights)}, absolute_{data.absolute} {}
 
-Columns averages(const FitModel& model, const Prediction& instrument,
-                 const std::vector<std::vector<double>>& values) {
-    std::vector<FitTrial> trials;
-    for (const auto& each : values) trials.push_back({each});
-    std::vector<Answers> answers(trials.size());
-    for (const Prediction::Job& job : instrument.jobs()) {
-        auto of_job = model.answers(trials, job);
-        for (std::size_t i = 0; i < of_job.size(); ++i) answers[i].push_back(std::move(of_job[i]));
+void EnergyWatch::add(Linearised& result, const FitModel& model, const std::vector<double>& values,
+                      std::span<const Move> moves, std::span<const std::size_t> free) const {
+    const std::vector<double> of_model{values.begin(), values.end() - 1};
+    const bool with_columns = !result.jacobian.empty();
+    const auto [reflectances, columns] = with_columns
+                                             ? changes(model, hemispheres_, of_model, moves)
+                                             : Changes{averages(model, hemispheres_, {of_model}).front(), {}};
+    // a surface brighter than its material reflects its multiple, where the data are absolute
+    const double scale = absolute_ ? std::max(1.0, values.back()) : 1;
+    const std::size_t count = reflectances.size();
+    const auto exceeds = [&, &all = reflectances](std::size_t r) { return scale * all[r] > 1; };
+    for (std::size_t r = 0; r < count; ++r)
+        result.residuals.push_back(exceeds(r) ? weight_ * (scale * reflectances[r] - 1) : 0);
+    if (!with_columns) return;
+    auto column = columns.begin();
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const bool of_scale = free[k] >= of_model.size();
+        std::vector<double> change(count);
+        if (!of_scale) change = *column++;
+        if (of_scale && scale > 1) change = reflectances;
+        for (std::size_t r = 0; r < count; ++r)
+            result.jacobian[k].push_back(exceeds(r) ? weight_ * scale * change[r] : 0);
     }
-    Columns result;
-    for (const Answers& each : answers) result.push_back(instrument.average(each));
-    return result;
-}
-
-Changes changes(const FitModel& model, const Prediction& instrument, const std::vector<double>& values,
-                std::span<const Move> moves) {
-    return model.has_gradient() ? exact_changes(model, instrument, values, moves)
-                                : differences(model, instrument, values, moves);
 }
 
 }  // namespace hts::validation

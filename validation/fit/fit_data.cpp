@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <tuple>
 
 #include "hts/error.hpp"
 
@@ -18,14 +20,17 @@ void require(bool good, const std::string& name, std::size_t datum, const std::s
 FitData checked(FitData data) {
     const std::size_t count = data.values.size();
     if (count == 0) throw Error{data.name + ": no samples: must be at least one"};
-    if (data.cosines.size() != count || (!data.uncertainties.empty() && data.uncertainties.size() != count) ||
+    if (data.cosines.size() != count || data.curves.size() != count ||
+        (!data.without_scale.empty() && data.without_scale.size() != count) ||
+        (!data.uncertainties.empty() && data.uncertainties.size() != count) ||
         data.channels.size() != data.wavelengths.size()) {
-        throw Error{data.name +
-                    ": values, uncertainties, cosines and channels must be as many as they belong to"};
+        throw Error{
+            data.name +
+            ": values, uncertainties, cosines, curves and channels must be as many as they belong to"};
     }
     for (std::size_t i = 0; i < count; ++i) {
         const double value = data.values[i];
-        require(std::isfinite(value) && value >= 0, data.name, i,
+        require(std::isfinite(value) && (value >= 0 || data.noise_floor > 0), data.name, i,
                 "value " + std::to_string(value) + ": must be a finite number >= 0");
         if (data.uncertainties.empty()) continue;
         const double uncertainty = data.uncertainties[i];
@@ -38,19 +43,23 @@ FitData checked(FitData data) {
 
 FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths,
                  const std::vector<FitSample>& samples) {
-    FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}};
+    FitData data{std::move(name), std::move(wavelengths), {}, {}, {}, {}, {}};
     data.channels.resize(data.wavelengths.size());
     std::iota(data.channels.begin(), data.channels.end(), std::size_t{0});
     const bool uncertain =
         std::ranges::any_of(samples, [](const FitSample& s) { return s.uncertainty != 0; });
     std::vector<PairAtWavelength> points;
+    std::map<std::tuple<std::size_t, double, double>, std::size_t> curves;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         require(samples[i].wavelength < data.wavelengths.size(), data.name, i,
                 "wavelength " + std::to_string(samples[i].wavelength) + ": must be one of the grid's " +
                     std::to_string(data.wavelengths.size()));
         points.push_back({samples[i].pair, samples[i].wavelength});
         data.values.push_back(samples[i].value);
-        data.cosines.push_back(samples[i].pair.in.cos_theta());
+        const Direction& in = samples[i].pair.in;
+        data.cosines.push_back(in.cos_theta());
+        const std::tuple light{samples[i].wavelength, in.vector().x, in.vector().y};
+        data.curves.push_back(curves.emplace(light, curves.size()).first->second);
         if (uncertain) data.uncertainties.push_back(samples[i].uncertainty);
     }
     data.instrument = std::make_shared<const Prediction>(data.wavelengths, points);

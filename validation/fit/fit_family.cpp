@@ -14,7 +14,6 @@
 #include "hts/microfacet/walter.hpp"
 #include "hts/microfacet/ward.hpp"
 #include "spectral/models/he_torrance_material.hpp"
-#include "validation/fit/fit_gradient.hpp"
 
 namespace hts::validation {
 namespace {
@@ -174,13 +173,15 @@ const std::vector<FitFamily>& fit_families() {
          rough_surface(Surface{0, 1}),
          true,
          false,
-         he_torrance_gradient},
+         true},
         {"he_unified",
          "he_unified",
          {},
          {rms_roughness, correlation_length, albedo, index_n, index_k},
          {},
          rough_surface({Surface{0, 1}, UnifiedChoices{}}),
+         true,
+         false,
          true},
         facets("beckmann", width("alpha"), [](double width) { return FacetDistribution::beckmann(width); }),
         facets("ggx", width("alpha"), FacetDistribution::ggx),

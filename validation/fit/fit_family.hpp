@@ -56,9 +56,6 @@ struct FitFamily {
     /// What the models of several numbers answer, all of a pair (an incidence) together: they share what the
     /// numbers have in common. hts::Error where a number is not allowed.
     using Answer = std::function<Prediction::Answer(std::span<const ModelNumbers>, const Prediction::Job&)>;
-    /// Derivatives of the answers of one model at a job's wavelengths, by each number of its own.
-    using Gradient =
-        std::function<std::vector<Prediction::Answer>(std::span<const ModelNumbers>, const Prediction::Job&)>;
 
     std::string name;   ///< "he", "beckmann", "kurt"
     std::string model;  ///< of the material file: "walter" for "beckmann"
@@ -67,9 +64,9 @@ struct FitFamily {
     std::vector<ParameterRange> parameters;
     std::vector<ParameterRange> lobe;  ///< of each lobe, for models with a list of lobes
     Answer answer;
-    bool has_index = false;  ///< parameters n and k stand for the key "index", unless that is given
-    bool costly = false;     ///< each trial takes long: left out where all models are compared
-    Gradient gradient{};     ///< none: differences serve; with it `answer` is asked for one model at a time
+    bool has_index = false;   ///< parameters n and k stand for the key "index", unless that is given
+    bool costly = false;      ///< each trial takes long: left out where all models are compared
+    bool one_by_one = false;  ///< `answer` is asked for one trial at a time: trials have nothing in common
 };
 
 /// All that can be fitted: he, beckmann, ggx, kurt, ward, …

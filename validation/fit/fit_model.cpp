@@ -159,7 +159,7 @@ std::vector<Prediction::Answer> FitModel::answers(std::span<const FitTrial> tria
                                                   const Prediction::Job& job) const {
     std::vector<Prediction::Answer> result;
     if (trials.size() == 1) return {family_.answer(numbers(trials[0], job.wavelengths), job)};
-    if (has_gradient()) {
+    if (family_.one_by_one) {
         for (const FitTrial& trial : trials)
             result.push_back(family_.answer(numbers(trial, job.wavelengths), job));
         return result;
@@ -186,25 +186,6 @@ bool FitModel::concerns(const FitParameter& parameter, const Prediction::Job& jo
     return !parameter.channel || std::ranges::any_of(job.wavelengths.micrometres(), [&](double um) {
         return layout_.channels[layout_place(um)] == *parameter.channel;
     });
-}
-
-std::vector<Prediction::Answer> FitModel::gradient(std::span<const double> values,
-                                                   const Prediction::Job& job) const {
-    const auto by_number = family_.gradient(numbers({{values.begin(), values.end()}}, job.wavelengths), job);
-    std::vector<Prediction::Answer> result;
-    for (const FitParameter& parameter : parameters_) {
-        result.push_back(by_number[parameter.number]);
-        if (!parameter.channel) continue;
-        const std::size_t count = job.wavelengths.size();
-        for (std::size_t w = 0; w < count; ++w) {
-            const std::size_t at = layout_place(job.wavelengths.micrometres()[w]);
-            if (layout_.channels[at] == *parameter.channel) continue;
-            auto& [brdf, specular] = result.back();
-            for (std::size_t i = w; i < brdf.size(); i += count) brdf[i] = 0;
-            for (std::size_t i = w; i < specular.size(); i += count) specular[i] = 0;
-        }
-    }
-    return result;
 }
 
 std::string FitModel::material_text(std::span<const double> values, const std::string& name) const {

@@ -69,11 +69,6 @@ class FitModel {
                                                           const Prediction::Job& job) const;
     /// Whether a parameter matters at any wavelength of a job.
     [[nodiscard]] bool concerns(const FitParameter& parameter, const Prediction::Job& job) const;
-    /// Whether `gradient` knows.
-    [[nodiscard]] bool has_gradient() const noexcept { return static_cast<bool>(family_.gradient); }
-    /// Derivatives of the answers to a job, by each parameter.
-    [[nodiscard]] std::vector<Prediction::Answer> gradient(std::span<const double> values,
-                                                           const Prediction::Job& job) const;
     /// The material file with these values.
     [[nodiscard]] std::string material_text(std::span<const double> values, const std::string& name) const;
 

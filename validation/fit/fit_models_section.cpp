@@ -31,7 +31,10 @@ SetResult result_of(const std::string& set, Effort effort) {
     const bool quick = effort == Effort::quick;
     const CurveSet curves = built_in_curves(set);
     ComparisonRequest request{.residual = Residual::cosine,
-                              .selection = {80, quick ? std::size_t{40} : 0, {quick ? 3 : 4, quick ? 0 : 1}},
+                              .selection = {80,
+                                            quick ? std::size_t{40} : 0,
+                                            {quick ? 3 : 4, quick ? 0 : 1},
+                                            spectral::OutsideRange::hold},
                               .index = known_index(set),
                               .followed_starts = quick ? std::size_t{1} : 8};
     SetResult result{set, fits_of(compared_models(), curves, request), {}};

@@ -67,7 +67,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
       data_{data},
       model_{request.model, layout(request, data)},
       separable_{data.instrument->is_affine() && request.residual != Residual::logarithmic &&
-                 request.loss == Loss::squares} {
+                 request.loss == Loss::squares && !request.conserve_energy} {
     if (!(request.loss_scale > 0))
         throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
@@ -88,6 +88,7 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
                     std::to_string(free_.size()) + " free parameters: must be more"};
     }
     for (std::size_t i = 0; i < data_.values.size(); ++i) weights_.push_back(weight(i));
+    if (request.conserve_energy) watch_.emplace(data_, weights_);
 }
 
 std::vector<std::size_t> FitProblem::named(const std::string& name) const {
@@ -151,8 +152,10 @@ double FitProblem::weight(std::size_t datum) const {
         case Residual::logarithmic:
         case Residual::relative:
             if (data_.values[datum] > 0) break;
-            throw Error{data_.name + ": value " + std::to_string(datum + 1) + " is 0: must be > 0 for " +
-                        name(request_.residual) + " residuals"};
+            if (data_.noise_floor > 0 && request_.residual == Residual::logarithmic) return 1;
+            throw Error{data_.name + ": value " + std::to_string(datum + 1) + " is " +
+                        shortest(data_.values[datum]) + ": must be > 0 for " + name(request_.residual) +
+                        " residuals"};
         case Residual::weighted:
             if (!data_.uncertainties.empty()) return 1 / data_.uncertainties[datum];
             throw Error{data_.name + ": no uncertainties: must be there for weighted residuals"};
@@ -240,7 +243,7 @@ Columns FitProblem::predictions(const std::vector<std::vector<double>>& values) 
     for (const auto& column : averages(model_, *data_.instrument, of_model)) {
         const double scale = values[result.size()].back();
         result.push_back(data_.instrument->seen(column));
-        for (double& value : result.back()) value *= scale;
+        for (std::size_t i = 0; i < result.back().size(); ++i) result.back()[i] *= scale_of(i, scale);
     }
     return result;
 }
@@ -263,9 +266,11 @@ std::vector<double> FitProblem::best_linear(std::vector<double> values,
     const auto at_zero = std::move(columns.front());
     columns.erase(columns.begin());
     std::vector<double> target(at_zero.size());
-    for (std::size_t j = 0; j < target.size(); ++j) target[j] = weights_[j] * (data_.values[j] - at_zero[j]);
+    for (std::size_t j = 0; j < target.size(); ++j)
+        target[j] = importance(j) * weights_[j] * (data_.values[j] - at_zero[j]);
     for (auto& column : columns) {
-        for (std::size_t j = 0; j < column.size(); ++j) column[j] = weights_[j] * (column[j] - at_zero[j]);
+        for (std::size_t j = 0; j < column.size(); ++j)
+            column[j] = importance(j) * weights_[j] * (column[j] - at_zero[j]);
     }
     const auto solution = bounded_linear_solution(columns, target, bounds);
     for (std::size_t k = 0; k < linear.size(); ++k) values[linear[k]] = solution[k];
@@ -283,20 +288,24 @@ std::vector<double> FitProblem::completed(std::span<const double> searched) cons
 }
 
 double FitProblem::residual(double predicted, std::size_t datum) const {
-    const double plain = request_.residual == Residual::logarithmic
-                             ? std::log(std::max(predicted * weights_[datum], least_ratio))
-                             : weights_[datum] * (predicted - data_.values[datum]);
-    return robust(plain, request_.loss, request_.loss_scale);
+    const double value = data_.values[datum], floor = data_.noise_floor;
+    double plain = weights_[datum] * (predicted - value);
+    if (request_.residual == Residual::logarithmic) {
+        plain = floor > 0 ? *log_ratio(predicted, value, floor)
+                          : std::log(std::max(predicted * weights_[datum], least_ratio));
+    }
+    return importance(datum) * robust(plain, request_.loss, request_.loss_scale);
 }
 
 double FitProblem::residual_slope(double predicted, std::size_t datum) const {
     double plain = weights_[datum] * (predicted - data_.values[datum]), slope = weights_[datum];
     if (request_.residual == Residual::logarithmic) {
-        const double ratio = predicted * weights_[datum];
-        plain = std::log(std::max(ratio, least_ratio));
-        slope = ratio > least_ratio ? 1 / predicted : 0;
+        const double ratio = predicted * weights_[datum], floor = data_.noise_floor;
+        plain = floor > 0 ? *log_ratio(predicted, data_.values[datum], floor)
+                          : std::log(std::max(ratio, least_ratio));
+        slope = floor > 0 ? 1 / std::hypot(predicted, 2 * floor) : ratio > least_ratio ? 1 / predicted : 0;
     }
-    return slope * robust_slope(plain, request_.loss, request_.loss_scale);
+    return importance(datum) * slope * robust_slope(plain, request_.loss, request_.loss_scale);
 }
 
 Move FitProblem::move(std::span<const double> coordinates, std::size_t k) const {
@@ -320,8 +329,7 @@ Move FitProblem::move(std::span<const double> coordinates, std::size_t k) const 
         result.pop_back();
         return result;
     };
-    const double rate = range.motion == Motion::factors ? value_at(range, x) : 1;
-    return {free_[k], rate, values_at(above), values_at(below), above - below};
+    return {free_[k], values_at(above), values_at(below), above - below};
 }
 
 std::vector<Move> FitProblem::moves(std::span<const double> coordinates) const {
@@ -342,17 +350,36 @@ Linearised FitProblem::residuals(std::span<const double> coordinates, bool with_
     const auto seen = instrument.seen(averages);
     const double scale = values.back();
     Linearised result;
-    for (std::size_t r = 0; r < seen.size(); ++r) result.residuals.push_back(residual(scale * seen[r], r));
+    for (std::size_t r = 0; r < seen.size(); ++r)
+        result.residuals.push_back(residual(scale_of(r, scale) * seen[r], r));
+    if (!with_jacobian && watch_) watch_->add(result, model_, values, {}, free_);
     if (!with_jacobian) return result;
     auto column = columns.begin();
     for (const std::size_t i : free_) {
         // the scale, which comes last, multiplies what is seen
-        auto change = i < of_model.size() ? instrument.change(averages, *column++) : seen;
-        for (std::size_t r = 0; r < change.size(); ++r)
-            change[r] *= scale * residual_slope(scale * seen[r], r);
+        const bool of_scale = i >= of_model.size();
+        auto change = of_scale ? seen : instrument.change(averages, *column++);
+        for (std::size_t r = 0; r < change.size(); ++r) {
+            const double factor = scale_of(r, scale);
+            if (of_scale && !has_scale(r)) change[r] = 0;
+            change[r] *= factor * residual_slope(factor * seen[r], r);
+        }
         result.jacobian.push_back(std::move(change));
     }
+    if (watch_) watch_->add(result, model_, values, moves(coordinates), free_);
     return result;
+}
+
+std::vector<double> FitProblem::change_with_gain(std::span<const double> coordinates) const {
+    auto result = predicted(values(coordinates));
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] *= residual_slope(result[i], i);
+    return result;
+}
+
+Residuals FitProblem::residuals_to_search() const {
+    return [this](std::span<const double> x, bool with_jacobian) {
+        return projected_residuals(x, with_jacobian);
+    };
 }
 
 Linearised FitProblem::projected_residuals(std::span<const double> searched, bool with_jacobian) const {

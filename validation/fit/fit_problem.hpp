@@ -1,6 +1,7 @@
 /// A model, its parameters' roles and data, as a least-squares problem. Private to the fits.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,11 +46,20 @@ class FitProblem {
     [[nodiscard]] std::vector<double> searched(std::span<const double> values) const;
     /// The coordinates of all free parameters with the best values for those that are separated.
     [[nodiscard]] std::vector<double> completed(std::span<const double> searched) const;
+    /// Bounds of what is searched, and what is searched over: `projected_residuals`.
+    [[nodiscard]] std::vector<Bounds> searched_bounds() const {
+        return {bounds_.begin(), bounds_.begin() + static_cast<std::ptrdiff_t>(searched_)};
+    }
+    [[nodiscard]] Residuals residuals_to_search() const;
     /// Residuals as the solver sees them, of what is searched with the best of what is separated. The
     /// derivatives leave out what the separated ones can make up for, as they stand [Kaufman 1975].
     [[nodiscard]] Linearised projected_residuals(std::span<const double> searched, bool with_jacobian) const;
-    /// The same at any coordinates of all free parameters.
+    /// The same at any coordinates of all free parameters. After those of the data come what conserved energy
+    /// is exceeded by, where that was asked for.
     [[nodiscard]] Linearised residuals(std::span<const double> coordinates, bool with_jacobian) const;
+
+    /// Derivatives of the residuals by the logarithm of a factor on what is predicted: what a wrong gain does.
+    [[nodiscard]] std::vector<double> change_with_gain(std::span<const double> coordinates) const;
 
     /// Values of all parameters.
     [[nodiscard]] std::vector<double> values(std::span<const double> coordinates) const;
@@ -61,6 +71,16 @@ class FitProblem {
     [[nodiscard]] std::vector<std::size_t> named(const std::string& name) const;
     [[nodiscard]] double start_unit(std::size_t place, const std::vector<double>& values) const;
     [[nodiscard]] double weight(std::size_t datum) const;
+    /// Whether the factor "scale" applies to a datum, and what it is then.
+    [[nodiscard]] bool has_scale(std::size_t datum) const {
+        return data_.without_scale.empty() || !data_.without_scale[datum];
+    }
+    [[nodiscard]] double importance(std::size_t datum) const {
+        return data_.importance.empty() ? 1 : data_.importance[datum];
+    }
+    [[nodiscard]] double scale_of(std::size_t datum, double scale) const {
+        return has_scale(datum) ? scale : 1;
+    }
     [[nodiscard]] Columns predictions(const std::vector<std::vector<double>>& values) const;
     [[nodiscard]] std::vector<Move> moves(std::span<const double> coordinates) const;
     [[nodiscard]] Move move(std::span<const double> coordinates, std::size_t k) const;
@@ -79,6 +99,7 @@ class FitProblem {
     std::vector<std::size_t> free_;
     std::size_t searched_ = 0;
     std::vector<Bounds> bounds_;
+    std::optional<EnergyWatch> watch_;
     std::vector<double> weights_;  // of a difference, for linear least squares
     bool separable_;
 };

@@ -9,6 +9,7 @@
 #include "validation/curves/comparison_section.hpp"
 #include "validation/fit/fit_cases.hpp"
 #include "validation/fit/fit_curves.hpp"
+#include "validation/fit/fit_findings.hpp"
 #include "validation/report/prose.hpp"
 
 namespace hts::validation {
@@ -44,7 +45,8 @@ CaseResult result_of(const FitCase& asked, Effort effort) {
     CurveSet set = built_in_curves(asked.set);
     FitSelection selection = asked.selection;
     if (effort == Effort::quick) selection.most_points = asked.quick_points;
-    Fit fit = fitted(asked.request, fit_data(set, selection));
+    selection.outside = spectral::OutsideRange::hold;
+    Fit fit = fitted(asked.request, set, selection);
     return {asked, std::move(set), std::move(fit)};
 }
 
@@ -52,7 +54,7 @@ CaseResult result_of(const FitCase& asked, Effort effort) {
 
 std::vector<std::string> parameter_row(const CaseResult& result) {
     const Fit& fit = result.fit;
-    const auto slope = ratio(fit, "sigma0", "tau");
+    const Ratio slope = *fit.slope;
     const auto& roughness = result.set.roughness;
     return {result.asked.label,
             cell(fit, "sigma0"),
@@ -111,21 +113,6 @@ Section section_of(const CaseResult& result) {
 }
 
 }  // namespace
-
-Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower) {
-    const FittedParameter &a = fit.parameter(upper), &b = fit.parameter(lower);
-    const auto place = [&](const std::string& name) {
-        return static_cast<std::size_t>(std::ranges::find(fit.correlated, name) - fit.correlated.begin());
-    };
-    const std::size_t i = place(upper), j = place(lower);
-    const double sa = a.standard_error / a.value, sb = b.standard_error / b.value;
-    if (!std::isfinite(sa) || !std::isfinite(sb))
-        return {a.value / b.value, std::numeric_limits<double>::infinity()};
-    const bool both = i < fit.correlated.size() && j < fit.correlated.size();
-    const double r = both ? fit.correlation[i][j] : 0;
-    return {a.value / b.value,
-            a.value / b.value * std::sqrt(std::max(0.0, sa * sa + sb * sb - 2 * r * sa * sb))};
-}
 
 std::vector<Section> fits_sections(Effort effort) {
     std::vector<CaseResult> results;

@@ -16,12 +16,4 @@ namespace hts::validation {
 /// Every model fitted to every set: L2 errors like Table 3 of [Kurt10], and information criteria.
 [[nodiscard]] Section models_section(Effort effort);
 
-/// A number determined by two others.
-struct Ratio {
-    double value, standard_error;
-};
-
-/// Of two parameters that move by factors, with the correlation between them taken into account.
-[[nodiscard]] Ratio ratio(const Fit& fit, const std::string& upper, const std::string& lower);
-
 }  // namespace hts::validation

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hts/error.hpp"
+#include "spectral/jobs/progress.hpp"
 
 namespace hts::validation {
 namespace {
@@ -40,9 +41,11 @@ ModelChoice choice_of(const Fit& fit) {
 
 std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet& set,
                          const ComparisonRequest& request) {
-    const FitData with_bands = fit_data(set, request.selection);
-    const FitData plain = fit_data(set, without_bands(request.selection));
+    const FitSelection selection = for_residual(request.selection, request.residual, set);
+    const FitData with_bands = fit_data(set, selection);
+    const FitData plain = fit_data(set, without_bands(selection));
     std::vector<Fit> result;
+    const spectral::Job job{"fitting all models", models.size()};
     for (const ModelChoice& choice : models) {
         const bool spectral = has_index(choice.model);
         FitRequest fit{.model = choice.model,
@@ -54,6 +57,7 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
         const auto fewer = std::ranges::find(result, ModelChoice{choice.model, choice.lobes - 1}, choice_of);
         result.push_back(
             fitted(fit, spectral ? with_bands : plain, fewer == result.end() ? nullptr : &*fewer));
+        job.done();
     }
     return result;
 }

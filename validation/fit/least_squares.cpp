@@ -128,11 +128,11 @@ double half_sum_of_squares(const std::vector<double>& values) {
     return sum / 2;
 }
 
-ceres::Solver::Options solver_options(int most_iterations) {
+ceres::Solver::Options solver_options(const Stopping& stopping) {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = most_iterations;
-    options.function_tolerance = 1e-12;
+    options.max_num_iterations = stopping.most_iterations;
+    options.function_tolerance = stopping.least_gain;
     options.parameter_tolerance = 1e-10;
     options.gradient_tolerance = 1e-14;
     options.num_threads = 1;
@@ -169,7 +169,7 @@ Columns beside(const Columns& columns, const Columns& others) {
 }
 
 Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
-                      const std::vector<Bounds>& bounds, int most_iterations) {
+                      const std::vector<Bounds>& bounds, const Stopping& stopping) {
     const auto first = residuals(start, false).residuals;
     if (start.empty()) return {{}, half_sum_of_squares(first), 0, true};
     ceres::Problem problem;
@@ -179,7 +179,7 @@ Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
         problem.SetParameterUpperBound(start.data(), static_cast<int>(j), bounds[j].highest);
     }
     ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(most_iterations), &problem, &summary);
+    ceres::Solve(solver_options(stopping), &problem, &summary);
     return {start, half_sum_of_squares(residuals(start, false).residuals),
             static_cast<int>(summary.iterations.size()) - 1, summary.termination_type == ceres::CONVERGENCE};
 }

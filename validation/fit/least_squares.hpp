@@ -38,9 +38,15 @@ struct Minimum {
     bool converged;
 };
 
+/// When a search ends.
+struct Stopping {
+    int most_iterations;
+    double least_gain;  ///< of a step, relative to the sum of squares
+};
+
 /// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start
 /// within them. The same bits for the same start.
 [[nodiscard]] Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
-                                    const std::vector<Bounds>& bounds, int most_iterations);
+                                    const std::vector<Bounds>& bounds, const Stopping& stopping);
 
 }  // namespace hts::validation

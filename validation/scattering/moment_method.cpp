@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/statistics.hpp"
 #include "validation/scattering/profile_study.hpp"
 

@@ -10,7 +10,7 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/mpi.hpp"
 #include "cli/verbs/table/table.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/sharing/table_parts.hpp"

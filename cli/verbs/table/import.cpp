@@ -33,16 +33,17 @@ std::string import_help() {
     for (const tables::BrdfFormat& format : tables::readable_formats())
         text.append("  ").append(format.name).append(": ").append(format.what).append("\n");
     return text + R"(
-Says what the file holds, which directions and which share of the hemisphere were measured,
-and how much of the light from 0, 30 and 60 degrees it reflects at each wavelength [um]; nan
-where less than 98 % of the hemisphere was, unless --outside says what stands there. Scans of
-the plane of incidence alone are spread about the mirror direction: views beside the plane
-see what stands in it at the same angle from the mirror direction. --output writes a material file with the model "measured", which
-eval, polar, sample and the others take.
+Says what the file holds, which directions and which share of the hemisphere
+were measured, and how much of the light from 0, 30 and 60 degrees it reflects
+at each wavelength [um]; nan where less than 98 % of the hemisphere was, unless
+--outside says what stands there. Scans of the plane of incidence alone are
+spread about the mirror direction: views beside the plane see what stands in it
+at the same angle from the mirror direction. --output writes a material file
+with the model "measured", which eval, polar, sample and the others take.
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
-  hts table import scan.csv --wavelengths 0.633 --output scan.json)";
+  hts table import scan.csv --output scan.json)";
 }
 
 std::optional<spectral::WavelengthGrid> wavelengths_of(const ImportOptions& options) {
@@ -123,7 +124,7 @@ void run(const ImportOptions& options) {
                            .named(options.source, "measured", options.source)
                            .at(file.brdf.wavelengths(), {.outside = options.outside.policy});
     if (!options.output.empty())
-        write_file(options.output, read_back(options.output, material_text(options, file)));
+        write_file(options.output, verified(options.output, material_text(options, file)));
     if (!options.csv.empty()) {
         const auto grid = tables::csv_grid(file.brdf.properties().isotropic);
         write_file(options.csv, tables::scatter_csv(known, grid));

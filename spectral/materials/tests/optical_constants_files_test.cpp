@@ -114,7 +114,8 @@ TEST_CASE("CSV materials that cannot be are refused with path and line") {
         {"wavelength_um,wavelength_nm,n\n1,1000,2\n",
          "m.csv: columns \"wavelength_um\" and \"wavelength_nm\": must be one of the two"},
         {"wavelength_um,n,K\n1,2,3\n",
-         "m.csv:1: column \"K\": not known; must be one of wavelength_um, wavelength_nm, n, k"},
+         "m.csv:1: column \"K\": not known; must be one of wavelength_um, wavelength_nm, n, k; did you mean "
+         "\"k\"?"},
         {"wavelength_um,n,k\n0.5,1.5,abc\n", "m.csv:2: column \"k\": \"abc\" is not a number"},
         {"wavelength_um,n,k\n0.5,1.5\n", "m.csv:2: 2 fields: must be 3 as in the header"},
         {"wavelength_um,n,k\n0.5,1.5,0\n0.6,1.5,-1\n",
@@ -139,7 +140,7 @@ TEST_CASE("JSON materials are read, and refused with path and key") {
         {"[]", "m.json: must be an object, not an array"},
         {"{}", "m.json: key \"table\": missing"},
         {R"({"table": [[0.6, 1.6, 0.3]], "nome": 1})",
-         "m.json: key \"nome\": not known; must be one of table, name, source"},
+         "m.json: key \"nome\": not known; must be one of table, name, source; did you mean \"name\"?"},
         {R"({"table": [[0.6, 1.6, 0.3]], "name": 1})",
          "m.json: key \"name\": must be a string, not a number"},
         {R"({"table": [[0.6, 1.6]]})", "m.json: key \"table\": row 1: must be 3 numbers, [um, n, k]"},

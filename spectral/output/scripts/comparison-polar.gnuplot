@@ -6,7 +6,7 @@
 #                                  linear, labels
 colours = '#0072b2 #d55e00 #009e73 #cc79a7 #e69f00'
 L(v) = decades == 0 ? v / largest : v > 0 ? 1 + log10(v / largest) / decades : 0
-R(v) = L(v) < 0 ? 0 : L(v) > 1.08 ? 1.08 : L(v)
+R(v) = L(v) < 0 ? 0 : L(v) > 1 ? 1 : L(v)
 set label surface at screen 0.03,0.965 left noenhanced font ',15' tc rgb '#111111'
 set label model at screen 0.03,0.92 left noenhanced font ',11' tc rgb '#111111'
 set label legend at screen 0.03,0.025 left noenhanced font ',11' tc rgb '#111111'

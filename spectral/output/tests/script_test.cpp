@@ -25,10 +25,11 @@ TEST_CASE("a script has its variables, arrays and data in front of the file") {
     script.set("title", "a 'b'").set("count", 3).set("share", 0.25);
     script.set("name", std::vector<std::string>{"x", "y"}).set("angle", std::vector{0.5, 30.0});
     const std::string text = script.data("points", {first, second}).with("style");
-    CHECK(text == "title = 'a ''b'''\ncount = 3\nshare = 0.25\n"
-                  "array name[2] = ['x','y']\narray angle[2] = [0.5,30]\n"
-                  "$points << EOD\n1,0.1\n\n2,nan\n\n\n3,4\nEOD\n" +
-                      std::string{script_file("style")});
+    CHECK(text ==
+          "title = 'a ''b'''\ncount = 3\nshare = 0.25\n"
+          "array name[2] = ['x','y']\narray angle[2] = [0.5,30]\n"
+          "$points << EOD\n1,0.1\n\n2,nan\n\n\n3,4\nEOD\n" +
+              std::string{script_file("style")});
     CHECK(Script{}.data("d", second).with("style").starts_with("$d << EOD\n3,4\nEOD\n"));
     CHECK_THROWS_WITH(script_file("none"), "no embedded file none");
 }

@@ -111,6 +111,90 @@ TEST_CASE("uncertainties come from reciprocal pairs and from printed digits") {
     CHECK(set.uncertainty.find("1 reciprocal pairs") != std::string::npos);
 }
 
+TEST_CASE("uncertainties of one's own come from a column or a share, and rounding alone makes none") {
+    const std::string rows = "ti_deg,ts_deg,f,sd\n30,50,1,0.03\n30,20,0.5,0.02\n";
+    const std::string with_column =
+        with(csv_recipe(), R"("column": "f")", R"("column": "f", "uncertainty_column": "sd")");
+    const CurveSet own = imported(with_column, "a.csv", rows);
+    CHECK(own.curves[0].points[0].uncertainty == 0.02);
+    CHECK(own.curves[0].points[1].uncertainty == 0.03);
+    CHECK(own.uncertainty == "one standard deviation: as the file states it, column \"sd\"");
+    const CurveSet share =
+        imported(csv_recipe(R"("relative_uncertainty": 0.04, "resolution": 0.01, )"), "a.csv", rows);
+    CHECK(share.curves[0].points[1].uncertainty ==
+          Approx(std::hypot(0.04, 0.01 / std::sqrt(12.0))).epsilon(5e-3));
+    CHECK(share.uncertainty.find("0.04 of the value, as the recipe states") != std::string::npos);
+
+    const CurveSet rounded = imported(csv_recipe(R"("resolution": 1e-6, )"), "a.csv", rows);
+    CHECK(rounded.uncertainty.empty());
+    CHECK(rounded.notes ==
+          std::vector<std::string>{"values printed in steps of 1e-06; how far they can be trusted "
+                                   "beyond that is not known, so no uncertainties"});
+    const CurveSet lonely = imported(csv_recipe(R"("uncertainty_from_reciprocity": true, )"), "a.csv", rows);
+    CHECK(lonely.uncertainty.empty());
+    CHECK(lonely.notes ==
+          std::vector<std::string>{"no uncertainties from reciprocity: no two points swap light and viewer"});
+
+    refuses(with_column, "a.csv", with(rows, "0.02", "0"), ":3: uncertainty 0: must be > 0");
+    refuses(with(with_column, R"("columns")", R"("relative_uncertainty": 0.1, "columns")"), "a.csv", rows,
+            "key \"relative_uncertainty\": must not stand beside \"uncertainty_column\"");
+    refuses(with(with_column, R"("columns")", R"("uncertainty_from_reciprocity": true, "columns")"), "a.csv",
+            rows, "must not stand beside uncertainties that are known");
+    refuses(with(with_column, R"({"column")", R"({"column": "f", "wavelength_um": 0.6}, {"column")"), "a.csv",
+            rows, "must be of all or of none");
+}
+
+TEST_CASE("noise about 0 is kept, and what is too large for noise is not") {
+    const std::string rows =
+        "ti_deg,ts_deg,f\n30,30,2\n30,60,0.003\n30,65,-0.004\n30,70,0.001\n30,75,-0.003\n30,80,0\n";
+    const CurveSet set = imported(csv_recipe(), "a.csv", rows);
+    CHECK(set.point_count() == 6);
+    CHECK(set.noise_floor.value() == Approx(0.005 / std::sqrt(2.0)));
+    CHECK(set.notes.front().find("2 values below 0 kept as noise about 0 of standard deviation 0.00354") ==
+          0);
+    const TemporaryFolder folder;
+    const CurveSet again = read_curves(folder.write("again.json", curves_text(set)));
+    CHECK(again.noise_floor == set.noise_floor);
+    CHECK(again.curves[0].points[4].value == set.curves[0].points[4].value);
+
+    CHECK(imported(csv_recipe(R"("noise_floor": 0.01, )"), "a.csv", rows).noise_floor == 0.01);
+    CHECK_FALSE(imported(csv_recipe(), "a.csv", csv).noise_floor);
+    refuses(csv_recipe(), "a.csv", with(rows, "-0.003", "-0.3"),
+            ":4: value -0.004: must be >= 0; or as noise");
+    CHECK_THROWS_WITH(
+        read_curves(folder.write("bad.json", with(curves_text(set), "noise_floor\": ", "noise_floor\": -"))),
+        Catch::Contains("noise_floor"));
+    // what half of such values are worth: the mean of both signs is 0, that of the positive half is not
+    CHECK(log_ratio(1e-3, -1e-3, 0.01).value() == Approx(0.1).epsilon(1e-3));
+    CHECK(log_ratio(2, 1, 1e-6).value() == Approx(std::log(2)).epsilon(1e-9));
+    CHECK_FALSE(log_ratio(1, -1e-3, 0));
+}
+
+TEST_CASE("an emissivity becomes a hemispherical reflectance, of the rows that a recipe asks for") {
+    const std::string rows =
+        "surface,theta_deg,emissivity,sd\nbrass,15,0.06,0.02\nslate,15,0.8,0.03\nslate,30,0.75,0.03\n";
+    const std::string recipe = R"({"format": "csv", "kind": "measured", "surface": "slate", "by": "somebody",
+        "source": "a notebook", "licence": "CC0-1.0", "quantity": "emissivity", "scale": "absolute",
+        "columns": {"theta_i": "theta_deg"}, "rows": {"column": "surface", "text": "slate"},
+        "values": [{"column": "emissivity", "uncertainty_column": "sd", "band_um": [2, 5.7]}]})";
+    const CurveSet set = imported(recipe, "e.csv", rows);
+    CHECK(set.quantity == Quantity::hemispherical_reflectance);
+    REQUIRE(set.point_count() == 2);
+    CHECK(set.curves[0].points[1].theta_i == 30);
+    CHECK(set.curves[0].points[1].value == 0.25);
+    CHECK(set.curves[0].points[1].uncertainty == 0.03);
+    const TemporaryFolder folder;
+    CHECK(read_curves(folder.write("e.json", curves_text(set))).curves[0].points[0].value ==
+          set.curves[0].points[0].value);
+    refuses(with(recipe, R"("theta_i": "theta_deg")", R"("theta_i": "theta_deg", "theta_r": "theta_deg")"),
+            "e.csv", rows, "the light leaves into all directions");
+    refuses(with(recipe, R"("text": "slate")", R"("text": "chalk")"), "e.csv", rows,
+            "keeps none of its 0 values");
+    CHECK_THROWS_WITH(read_curves(folder.write(
+                          "bad.json", with(curves_text(set), R"("theta_r_deg": 0)", R"("theta_r_deg": 5)"))),
+                      Catch::Contains("hemispherical_reflectance: must be absolute, in curves with"));
+}
+
 TEST_CASE("bad CSV files and recipes are refused") {
     refuses(csv_recipe(), "a.csv", with(csv, "1.5", "abc"), ":4: column \"f\": \"abc\" is not a number");
     refuses(csv_recipe(), "a.csv", with(csv, "1.5", "nan"), ":4: column \"f\"");
@@ -179,7 +263,7 @@ TEST_CASE("a FRED table is imported exactly") {
 
 TEST_CASE("bad FRED tables are refused") {
     refuses(fred_recipe, "a.txt", with(fred, "bsdf_data", "mesh"), "a.txt:1: must be \"type bsdf_data\"");
-    refuses(fred_recipe, "a.txt", with(fred, "angles=deg", "angles=rad"),
+    refuses(fred_recipe, "a.txt", with(fred, "angles=deg", "angles=turns"),
             "a.txt:2: must be \"format angles=deg bsdf=value scale=1\"");
     refuses(fred_recipe, "a.txt", with(fred, "10\t0\n", ""), "a.txt:3: values before the light's direction");
     refuses(fred_recipe, "a.txt", with(fred, "40 180 0.25", "40 180 0.25 7"),

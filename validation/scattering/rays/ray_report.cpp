@@ -6,7 +6,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "validation/report/prose.hpp"
 #include "validation/scattering/rays/facet_tracing.hpp"
 

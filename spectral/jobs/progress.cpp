@@ -1,4 +1,4 @@
-#include "spectral/progress.hpp"
+#include "spectral/jobs/progress.hpp"
 
 #include <omp.h>
 
