@@ -7,27 +7,20 @@
 
 #include "hts/error.hpp"
 #include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/roughness.hpp"
+#include "hts/sampling/scattering_lobe.hpp"
 
 namespace hts {
 namespace {
 
 using evaluation_detail::Forms;
 using evaluation_detail::Prepared;
+using evaluation_detail::require_size;
 
 constexpr std::size_t padding = 8;  // the longest vector
 
 double square(double x) {
     return x * x;
-}
-
-/// Lengths and indices whose products stay far from the ends of a double's range, in any order.
-bool is_ordinary(const Surface& surface, const std::vector<SpectralSample>& samples) {
-    const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
-    return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
-           std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
-               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
-                      s.index.k() <= 1e6;
-           });
 }
 
 Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples) {
@@ -70,7 +63,8 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
                                        Tolerance tolerance, DiffuseLobe lobe)
     : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
     if (lobe == DiffuseLobe::none) return;
-    if (tolerance.relative_error() < accuracy::finest_lane_tolerance || !is_ordinary(surface_, samples_))
+    if (tolerance.relative_error() < accuracy::finest_lane_tolerance ||
+        !evaluation_detail::is_ordinary(surface_, samples_))
         return;
     const Forms forms = evaluation_detail::forms(tolerance, lobe);
     if (forms.brdf_one == nullptr) return;
@@ -99,12 +93,6 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
 }
 
-void HeTorranceSpectrum::require_size(const char* call, std::size_t size, std::size_t wanted) const {
-    if (size == wanted) return;
-    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
-                (wanted == samples_.size() ? "" : "pairs x ") + "samples = " + std::to_string(wanted)};
-}
-
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
@@ -113,7 +101,7 @@ void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> resul
 
 void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
-    require_size("brdf", result.size(), pairs.size() * count);
+    require_size("brdf", result.size(), count, pairs.size());
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
     if (lanes_take_all) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -132,6 +120,40 @@ void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> r
     require_size("mueller", result.size(), samples_.size());
     if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
     exact_mueller(pair, result);
+}
+
+void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
+    require_size("specular_mueller", result.size(), samples_.size());
+    const View seen = view(surface_, in);
+    std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
+        return hts::specular_mueller(surface_, seen, sample.wavelength, sample.index);
+    });
+}
+
+ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
+    const SpectralSample& sample = samples_.front();
+    const HeTorranceSpectrum lobe{
+        surface_, {{sample.wavelength, sample.index, 0}}, Tolerance{accuracy::finest_lane_tolerance}};
+    return {.wave_number = sample.wavelength.wave_number(),
+            .correlation_length = surface_.correlation_length(),
+            .diffuse_albedo = sample.uniform_diffuse * std::numbers::pi,
+            .brdf =
+                [lobe](const DirectionPair& pair) {
+                    double value = 0;
+                    lobe.brdf(pair, {&value, 1});
+                    return value;
+                },
+            .mirror =
+                [lobe](const Direction& in) {
+                    double value = 0;
+                    lobe.exact_specular_reflectance(in, {&value, 1});
+                    return value;
+                },
+            .effective_roughness =
+                [surface = surface_](const Direction& in) {
+                    return surface.rms_roughness() *
+                           effective_roughness_ratio(2 * visibility(surface, in).obstruction);
+                }};
 }
 
 void HeTorranceSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {

@@ -16,6 +16,8 @@
 
 namespace hts {
 
+struct ScatteringLobe;
+
 namespace accuracy {
 /// The coarser tolerances; finer ones give accuracy::brdf.
 inline constexpr double finest_lane_tolerance = 1e-6;
@@ -75,9 +77,14 @@ class HeTorranceSpectrum {
     ///   result   samples().size() matrices
     ///   error    of each element relative to element 00, as of brdf
     void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
+    /// Mueller matrix of the specular term [1], one per sample.
+    ///   result   samples().size() matrices
+    void specular_mueller(const Direction& in, std::span<Mueller> result) const;
+
+    /// What a sampler of the first sample is fitted to.
+    [[nodiscard]] ScatteringLobe scattering_lobe() const;
 
   private:
-    void require_size(const char* call, std::size_t size, std::size_t wanted) const;
     struct Lanes;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;

@@ -24,15 +24,16 @@ Slant slant(double c) {
 }
 
 Visibility of_a_mirror(double cos_theta) {
-    return {0, 1, cos_theta > 0 ? 1 / cos_theta : 0};
+    return {0, 1, cos_theta > 0 ? 1 / cos_theta : 0, 0};
 }
 
 Visibility visibility(const Direction& direction, double width_sine, const Slant& s) {
     const double cosine = direction.cos_theta();
     const double obstruction =
         cosine > 0 ? direction.sin_theta() / cosine * s.complement : std::numeric_limits<double>::infinity();
-    const double quotient = (2 - s.complement) / 2 / (cosine + width_sine * s.ierfc / 2);
-    return {obstruction, cosine * quotient, quotient};
+    const double masked = width_sine * s.ierfc / 2;
+    const double quotient = (2 - s.complement) / 2 / (cosine + masked);
+    return {obstruction, cosine * quotient, quotient, masked};
 }
 
 VisibilityGradient unhindered(const Direction& direction, const Visibility& value) {

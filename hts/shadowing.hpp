@@ -11,8 +11,9 @@
 namespace hts {
 
 namespace accuracy {
-inline constexpr double shadowing = 1.5e-15;           ///< of S_1 and S_1 / cos theta, relative
-inline constexpr double obstruction = 3e-15;           ///< of K, relative to max(K, 1)
+inline constexpr double shadowing = 1.5e-15;  ///< of S_1 and S_1 / cos theta, relative
+inline constexpr double obstruction = 3e-15;  ///< of K, relative to max(K, 1)
+inline constexpr double masked = 1e-15;       ///< of cos theta Lambda, relative to cos theta plus itself
 inline constexpr double obstruction_gradient = 1e-13;  ///< of derivatives of ln K, relative, where K > 1e-290
 inline constexpr double shadowing_gradient = 5e-15;    ///< of those of ln S_1, beside 1 plus the derivative
 }  // namespace accuracy
@@ -22,6 +23,7 @@ struct Visibility {
     double obstruction;  ///< K = tan theta erfc(c) [He91 (82)]: 0 at the normal, infinite at the horizon
     double shadowing;    ///< S_1, 1 at the normal, 0 at the horizon unless the surface is a mirror
     double shadowing_over_cosine;  ///< S_1 / cos theta [1], finite at the horizon: sqrt(pi) tau / (2 sigma_0)
+    double masked;  ///< cos theta Lambda [1], (sigma_0/tau) sin theta ierfc(c): finite at the horizon
 };
 
 /// Visibility along a direction.

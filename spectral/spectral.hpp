@@ -8,6 +8,7 @@
 #include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/energy/compensation.hpp"
 #include "spectral/energy/energy.hpp"
+#include "spectral/energy/rough_surface.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/materials/dispersion.hpp"
 #include "spectral/materials/optical_constants.hpp"

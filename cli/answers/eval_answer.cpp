@@ -14,9 +14,9 @@ void add(std::vector<std::string>& names, std::initializer_list<const char*> mor
 }
 
 void append_detail(TableWriter::Row& row, const Evaluation& value) {
-    const DirectionalDiffuse& term = value.detail.value();
-    row.number(term.phase_variance).number(term.lobe_argument).number(value.effective_roughness);
-    row.number(value.shadowing).number(term.amplitudes.unpolarised_reflectance()).word(name(term.method));
+    const spectral::LobeDetail& term = value.detail.value();
+    row.number(term.phase_variance).number(term.lobe_argument).number(term.effective_roughness);
+    row.number(term.shadowing).number(term.fresnel).word(name(term.method));
 }
 
 }  // namespace

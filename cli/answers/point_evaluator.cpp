@@ -6,7 +6,6 @@
 
 #include "cli/io/usage.hpp"
 #include "hts/error.hpp"
-#include "hts/terms.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/models/reflected_terms.hpp"
@@ -57,15 +56,10 @@ spectral::Material told_by_rows() {
     return spectral::he_torrance_material("", Surface{0, 1}, spectral::OpticalConstants::constant({1, 0}));
 }
 
-/// Of a rough surface: what its lobe is made of, by the exact formulas.
 void add_detail(const spectral::Reflectance& of, const DirectionPair& pair, std::span<Evaluation> result) {
-    const PairFactors factors{*of.properties().surface, pair.in, pair.out};
-    const auto samples = of.samples();
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        result[i].detail = directional_diffuse(factors, samples[i].wavelength, samples[i].index);
-        result[i].effective_roughness = factors.effective_roughness();
-        result[i].shadowing = factors.shadowing();
-    }
+    std::vector<spectral::LobeDetail> details(result.size());
+    of.evaluator().detail(pair, details);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i].detail = details[i];
 }
 
 }  // namespace

@@ -20,15 +20,13 @@ using spectral::CsvRow;
 
 /// The three terms at one pair and wavelength.
 struct Evaluation {
-    double wavelength;                           ///< [um]
-    double directional_diffuse = 0;              ///< [1/sr]
-    double uniform_diffuse = 0;                  ///< [1/sr]
-    double specular_reflectance = 0;             ///< [1]
-    Mueller mueller{};                           ///< of the directional-diffuse term [1/sr]
-    double btdf = 0;                             ///< where the view is behind the surface [1/sr]
-    std::optional<DirectionalDiffuse> detail{};  ///< what the lobe of a rough surface was made of
-    double effective_roughness = 0;              ///< [um], with detail
-    double shadowing = 0;                        ///< S, with detail
+    double wavelength;                             ///< [um]
+    double directional_diffuse = 0;                ///< [1/sr]
+    double uniform_diffuse = 0;                    ///< [1/sr]
+    double specular_reflectance = 0;               ///< [1]
+    Mueller mueller{};                             ///< of the directional-diffuse term [1/sr]
+    double btdf = 0;                               ///< where the view is behind the surface [1/sr]
+    std::optional<spectral::LobeDetail> detail{};  ///< what the lobe of a rough surface was made of
 };
 
 /// The columns of a pair of directions.

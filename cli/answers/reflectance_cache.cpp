@@ -14,7 +14,7 @@ spectral::Reflectance ReflectanceCache::at(
     return made_.emplace(micrometres, made).first->second;
 }
 
-std::vector<spectral::EnergyCompensation> CompensationCache::at(const Surface& surface,
+std::vector<spectral::EnergyCompensation> CompensationCache::at(const spectral::RoughSurface& surface,
                                                                 const spectral::WavelengthGrid& wavelengths) {
     std::vector<spectral::EnergyCompensation> all;
     all.reserve(wavelengths.size());
@@ -22,7 +22,7 @@ std::vector<spectral::EnergyCompensation> CompensationCache::at(const Surface& s
     return all;
 }
 
-const spectral::EnergyCompensation& CompensationCache::at(const Surface& surface,
+const spectral::EnergyCompensation& CompensationCache::at(const spectral::RoughSurface& surface,
                                                           const Wavelength& wavelength) {
     std::unique_lock lock{mutex_};
     Entry& entry =

@@ -28,11 +28,11 @@ class ReflectanceCache {
     std::map<double, spectral::Reflectance> made_;
 };
 
-/// The energy compensation of surfaces and wavelengths, each solved once.
+/// The energy compensation of surfaces of one material and wavelengths, each solved once.
 class CompensationCache {
   public:
     /// One per wavelength.
-    [[nodiscard]] std::vector<spectral::EnergyCompensation> at(const Surface& surface,
+    [[nodiscard]] std::vector<spectral::EnergyCompensation> at(const spectral::RoughSurface& surface,
                                                                const spectral::WavelengthGrid& wavelengths);
 
   private:
@@ -40,7 +40,7 @@ class CompensationCache {
         std::once_flag once;
         std::optional<spectral::EnergyCompensation> solved;
     };
-    [[nodiscard]] const spectral::EnergyCompensation& at(const Surface& surface,
+    [[nodiscard]] const spectral::EnergyCompensation& at(const spectral::RoughSurface& surface,
                                                          const Wavelength& wavelength);
 
     std::mutex mutex_;

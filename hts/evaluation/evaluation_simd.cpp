@@ -2,7 +2,10 @@
 #include "hts/evaluation/evaluation_simd.hpp"
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
+
+#include "hts/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hts/evaluation/evaluation_simd.cpp"
@@ -295,6 +298,21 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hts::evaluation_detail {
+
+bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
+    const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
+    return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
+           std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
+               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
+                      s.index.k() <= 1e6;
+           });
+}
+
+void require_size(const char* call, std::size_t size, std::size_t samples, std::size_t pairs) {
+    if (size == pairs * samples) return;
+    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
+                (pairs == 1 ? "" : "pairs x ") + "samples = " + std::to_string(pairs * samples)};
+}
 
 HWY_EXPORT(form_table);
 

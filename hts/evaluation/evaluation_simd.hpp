@@ -50,6 +50,12 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
+/// Lengths and indices whose products stay far from the ends of a double's range, in any order.
+[[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
+
+/// hts::Error unless a result has a value for each sample, and for each pair of many.
+void require_size(const char* call, std::size_t size, std::size_t samples, std::size_t pairs = 1);
+
 /// False, and the result untouched, where the pair is not ordinary.
 using BrdfOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, double* result);
 using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, Mueller* result);

@@ -38,6 +38,7 @@ struct Seen {
     V obstruction;  // K
     V lit;          // 1 - erfc(c)/2
     V reach;        // cos theta + (sigma_0/tau) sin theta ierfc(c)
+    V masked;       // cos theta Lambda, (sigma_0/tau) sin theta ierfc(c)
 };
 
 /// hts::visibility in lanes.
@@ -58,7 +59,7 @@ HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
     const V ierfc = gaussian * o.neg_mul_add(c, erfcx, o.real(std::numbers::inv_sqrtpi));
     const V half = o.real(0.5);
     return {sine / cosine * complement, o.neg_mul_add(half, complement, o.real(1)),
-            o.mul_add(half * width_sine, ierfc, cosine)};
+            o.mul_add(half * width_sine, ierfc, cosine), half * width_sine * ierfc};
 }
 
 /// The coordinate v of `lambert_coefficients` for the obstruction of a pair: x = K^2 / 8 pi.

@@ -57,14 +57,15 @@ double entropy_excess(double y) {
     return y * y * sum;
 }
 
-/// The sums of terms, of terms times m, and of terms over m.
+/// The sums of terms, of terms times m, of terms over m, and of terms times 1 - 1/m.
 struct Totals {
-    double phi = 0, psi = 0, chi = 0;
+    double phi = 0, psi = 0, chi = 0, rest = 0;
 
     void add(double term, double m) {
         phi += term;
         psi += term * m;
         chi += term / m;
+        rest += term * ((m - 1) / m);
     }
 };
 
@@ -88,7 +89,8 @@ PhiSum plain_sum(double g, double t, const Peak& peak) {
     }
     const double largest =
         centre * std::log(g) - boost::math::lgamma(centre + 1) - std::log(centre) - t / centre - g;
-    return {largest + std::log(total.phi), total.psi / total.phi - g, total.chi / total.phi, PhiMethod::sum};
+    return {largest + std::log(total.phi), total.psi / total.phi - g, total.chi / total.phi,
+            total.rest / total.phi, PhiMethod::sum};
 }
 
 /// The sum over every integer equals, to exp(-2 pi^2 s^2), the integral over m, and that equals, to
@@ -119,7 +121,8 @@ PhiSum trapezoidal_rule(double g, const Peak& peak) {
     const double log = exponent_at(peak, g) - correction_at_peak + std::log(total * stride / peak.m) -
                        std::log(peak.m) / 2 - half_log_two_pi;
     const double peak_excess = w < 1 ? g * std::expm1(w) : peak.m - g;
-    return {log, peak_excess + peak.m * (total_y / total), total_inverse / total / peak.m,
+    const double inverse_mean = total_inverse / total / peak.m;
+    return {log, peak_excess + peak.m * (total_y / total), inverse_mean, 1 - inverse_mean,
             PhiMethod::trapezoid};
 }
 

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "hts/roughness.hpp"
 #include "hts/sampling/simd.hpp"
 
 namespace hts::sampling_detail {
@@ -34,13 +33,12 @@ double cosine_of(std::size_t index) {
 
 /// The widths that follow Phi: those of the mean m of its Poisson sum. At grazing light cos theta_i understates v_z over
 /// the lobe, whose extent in v_xy is 2/(k tau) at least.
-Mixture scales(const Surface& surface, const View& in, double wave_number) {
-    const double k_tau = wave_number * surface.correlation_length();
-    const double c = in.direction.cos_theta();
-    const double s = in.direction.sin_theta();
+Mixture scales(const ScatteringLobe& lobe, const Direction& in) {
+    const double k_tau = lobe.wave_number * lobe.correlation_length;
+    const double c = in.cos_theta();
+    const double s = in.sin_theta();
     const double vertical = 2 * std::min(1.0, std::sqrt(c * c + std::min(1.0, s / k_tau)));
-    const double sigma = surface.rms_roughness() * effective_roughness_ratio(2 * in.visibility.obstruction);
-    const double g = square(wave_number * sigma * vertical);
+    const double g = square(lobe.wave_number * lobe.effective_roughness(in) * vertical);
     const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
     Mixture m;
     m.alpha = std::clamp(2 / (k_tau * vertical) * std::sqrt(mean), 1e-12, 8.0);
@@ -105,8 +103,7 @@ struct Trials {
 };
 
 /// The same number of draws from each component.
-///   lobe   the directional-diffuse term alone
-Trials tried(const HeTorranceSpectrum& lobe, const Direction& in, const Mixture& scales) {
+Trials tried(const ScatteringLobe& lobe, const Direction& in, const Mixture& scales) {
     const Light light{in.cos_theta(), in.sin_theta()};
     const std::array<Mixture, components> each = alone(scales);
     Trials result{{}, 0};
@@ -121,8 +118,7 @@ Trials tried(const HeTorranceSpectrum& lobe, const Direction& in, const Mixture&
             trial.densities[k] = forms().density(each[k], light, out);
         const double mean =
             std::accumulate(trial.densities.begin(), trial.densities.end(), 0.0) / std::size_t{components};
-        lobe.brdf({in, Direction::from_vector(out)}, {&trial.reflected, 1});
-        trial.reflected *= out.z / mean;
+        trial.reflected = lobe.brdf({in, Direction::from_vector(out)}) * (out.z / mean);
         if (!(trial.reflected > 0 && std::isfinite(trial.reflected))) continue;
         for (double& density : trial.densities) density /= mean;
         result.each.push_back(trial);
@@ -163,21 +159,17 @@ void set_shares(Mixture& mixture, const std::array<double, parts>& shares) {
 }
 
 /// The mixture at one angle; all shares 0 where nothing is reflected.
-///   lobe     the directional-diffuse term alone
 ///   of_lobe  shares of its components, in place of those of an angle near by
-Mixture fitted(const HeTorranceSpectrum& lobe, double uniform_diffuse_albedo, double cosine_in,
-               Components& of_lobe) {
-    const SpectralSample& sample = lobe.samples().front();
+Mixture fitted(const ScatteringLobe& lobe, double cosine_in, Components& of_lobe) {
     const Direction in = Direction::from_vector({std::sqrt((1 - cosine_in) * (1 + cosine_in)), 0, cosine_in});
-    const View seen = view(lobe.surface(), in);
-    Mixture mixture = scales(lobe.surface(), seen, sample.wavelength.wave_number());
+    Mixture mixture = scales(lobe, in);
     const Trials results = tried(lobe, in, mixture);
-    const double mirror = specular_reflectance(lobe.surface(), seen, sample.wavelength, sample.index).value();
-    const double total = mirror + results.albedo + uniform_diffuse_albedo;
+    const double mirror = lobe.mirror(in);
+    const double total = mirror + results.albedo + lobe.diffuse_albedo;
     std::array<double, parts> shares{};
     if (total > 0) {
         shares[specular] = mirror / total;
-        shares[uniform_diffuse] = uniform_diffuse_albedo / total;
+        shares[uniform_diffuse] = lobe.diffuse_albedo / total;
     }
     if (results.albedo > 0) {
         of_lobe = shares_of_least_variance(results, of_lobe);
@@ -189,14 +181,11 @@ Mixture fitted(const HeTorranceSpectrum& lobe, double uniform_diffuse_albedo, do
 
 }  // namespace
 
-std::vector<Mixture> fitted_mixtures(const Surface& surface, const SpectralSample& sample) {
-    const SpectralSample without_uniform{sample.wavelength, sample.index, 0};
-    const HeTorranceSpectrum lobe{surface, {without_uniform}, Tolerance{accuracy::finest_lane_tolerance}};
+std::vector<Mixture> fitted_mixtures(const ScatteringLobe& lobe) {
     std::vector<Mixture> result;
     result.reserve(mixture_count);
     Components shares{};
-    for (std::size_t i = 0; i < mixture_count; ++i)
-        result.push_back(fitted(lobe, sample.uniform_diffuse * std::numbers::pi, cosine_of(i), shares));
+    for (std::size_t i = 0; i < mixture_count; ++i) result.push_back(fitted(lobe, cosine_of(i), shares));
     return result;
 }
 

@@ -1,4 +1,4 @@
-// What a direction is drawn from: the shares and scales of he_torrance.hpp's mixture at one angle of incidence.
+// What a direction is drawn from: the shares and scales of lobe_sampler.hpp's mixture at one angle of incidence.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 #include <numbers>
 #include <vector>
 
-#include "hts/he_torrance_spectrum.hpp"
+#include "hts/sampling/scattering_lobe.hpp"
 
 namespace hts::sampling_detail {
 
-/// The densities of he_torrance.hpp, each facet lobe once per width, then the other lobes.
+/// The densities of lobe_sampler.hpp, each facet lobe once per width, then the other lobes.
 enum Part : std::size_t {
     lowered_half,
     lowered_1,
@@ -68,6 +68,6 @@ inline constexpr std::size_t mixture_count = 66;
 }
 
 /// Those of one surface at one wavelength.
-[[nodiscard]] std::vector<Mixture> fitted_mixtures(const Surface& surface, const SpectralSample& sample);
+[[nodiscard]] std::vector<Mixture> fitted_mixtures(const ScatteringLobe& lobe);
 
 }  // namespace hts::sampling_detail

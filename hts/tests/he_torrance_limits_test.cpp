@@ -7,6 +7,7 @@
 
 #include "comparison.hpp"
 #include "hts/he_torrance.hpp"
+#include "hts/unified/he_unified.hpp"
 
 using hts::Direction;
 using hts::HeTorrance;
@@ -68,7 +69,8 @@ TEST_CASE("a draw's density is that of its direction") {
     worst.check();
 }
 
-TEST_CASE("every draw is finite, whatever the surface and the direction") {
+TEMPLATE_TEST_CASE("every draw is finite, whatever the surface and the direction", "", HeTorrance,
+                   hts::HeUnified) {
     Random random{32};
     const auto length = [&random] {
         return random.uniform(0, 3) < 1 ? random.one_of({1e-24, 1e-3, 1, 1e24})
@@ -81,7 +83,7 @@ TEST_CASE("every draw is finite, whatever the surface and the direction") {
                                                         : length();
         const double tau = ordinary ? random.logarithmic(1e-2, 100) : length();
         const SpectralSample sample = metal(ordinary ? 0.5 : length(), random.one_of({0, 0.1, 0.3}));
-        const HeTorrance sampler{{sigma, tau}, sample, Tolerance{1e-6}};
+        const TestType sampler{{sigma, tau}, sample, Tolerance{1e-6}};
         for (int i = 0; i < 2000; ++i) {
             const Direction in = direction(random);
             const auto drawn = sampler.sample(in, uniforms(random));

@@ -7,15 +7,19 @@
 #include <iostream>
 #include <numbers>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "chi_squared.hpp"
 #include "comparison.hpp"
+#include "hts/unified/he_unified.hpp"
 
 using hts::Direction;
 using hts::HeTorrance;
+using hts::HeUnified;
 using hts::Lobe;
 using hts::SpectralSample;
 using hts::Surface;
@@ -43,7 +47,10 @@ struct Case {
     [[nodiscard]] SpectralSample sample() const {
         return {Wavelength::from_micrometres(0.5), index, hts::uniform_diffuse(albedo)};
     }
-    [[nodiscard]] HeTorrance sampler() const { return {surface(), sample(), Tolerance{1e-6}}; }
+    template <class Model>
+    [[nodiscard]] Model sampler() const {
+        return {surface(), sample(), Tolerance{1e-6}};
+    }
     [[nodiscard]] Direction in() const { return Direction::from_degrees(theta, 20); }
     [[nodiscard]] std::string text() const {
         std::ostringstream text;
@@ -81,16 +88,18 @@ std::size_t draws() {
 
 /// Reflectance of the directional-diffuse term by adaptive quadrature of the exact BRDF, finer about the mirror
 /// direction.
+template <class Model>
 double reflectance_by_quadrature(const Case& c) {
     const Surface surface = c.surface();
     const Direction in = Direction::from_degrees(c.theta, 0);
-    const hts::View seen = view(surface, in);
-    const SpectralSample sample = c.sample();
+    const SpectralSample sample{c.sample().wavelength, c.index, 0};
+    const std::decay_t<decltype(std::declval<Model>().spectrum())> exact{
+        surface, {sample}, Tolerance{hts::accuracy::finest_tolerance}};
     const auto reflected = [&](double theta, double from_mirror) {
         const Direction out = Direction::from_angles(theta, pi + from_mirror);
-        return directional_diffuse({surface, seen, view(surface, out)}, sample.wavelength, sample.index)
-                   .brdf *
-               std::cos(theta);
+        double value = 0;
+        exact.brdf({in, out}, {&value, 1});
+        return value * std::cos(theta);
     };
     const double width = std::min(0.5, surface.slope_width() + 0.2 * c.slope / c.roughness_over_wavelength);
     const double mirror = std::acos(in.cos_theta());
@@ -125,14 +134,15 @@ Angles angles(const Direction& in, const Direction& out) {
 
 }  // namespace
 
-TEST_CASE("draws fall as their density says, and density, specular and none make 1") {
+TEMPLATE_TEST_CASE("draws fall as their density says, and density, specular and none make 1", "", HeTorrance,
+                   HeUnified) {
     const double significance = 0.01;
     std::size_t tests = 0;
     double least = 1;
     WorstCase sums{"density, specular and none, from 1, in standard errors", 4.5};
     for (std::size_t k = 0; k < cases().size(); k += stride()) {
         const Case& c = cases()[k];
-        const HeTorrance sampler = c.sampler();
+        const auto sampler = c.sampler<TestType>();
         const Direction in = c.in();
         Random random{1000 + k};
         const auto draw = [&]() -> Draw {
@@ -158,7 +168,8 @@ TEST_CASE("draws fall as their density says, and density, specular and none make
     sums.check();
 }
 
-TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
+TEMPLATE_TEST_CASE("the mean weight is the reflectance, and weights stay near it", "", HeTorrance,
+                   HeUnified) {
     WorstCase means{"mean weight from the reflectance, in standard errors", 4};
     WorstCase to_45{"relative deviation of weights to 45 deg, sigma0/tau <= 0.25", 0.3};
     WorstCase at_60{"the same at 60 deg", 1};
@@ -170,7 +181,7 @@ TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
     for (std::size_t k = 0; k < cases().size(); k += stride()) {
         const Case& c = cases()[k];
         const auto where = [&] { return c.text(); };
-        const HeTorrance sampler = c.sampler();
+        const auto sampler = c.sampler<TestType>();
         const Direction in = c.in();
         Random random{5000 + k};
         Tally all;
@@ -181,9 +192,8 @@ TEST_CASE("the mean weight is the reflectance, and weights stay near it") {
             if (drawn.lobe != Lobe::specular) lobe.add(drawn.weight);
             if (drawn.lobe == Lobe::none) ++lobe.none;
         }
-        const double specular =
-            specular_reflectance(c.surface(), view(c.surface(), in), c.sample().wavelength, c.index).value();
-        const double reflectance = specular + reflectance_by_quadrature(c) + c.albedo;
+        const double specular = sampler.specular_reflectance(in).value();
+        const double reflectance = specular + reflectance_by_quadrature<TestType>(c) + c.albedo;
         const double error = all.deviation() / std::sqrt(static_cast<double>(draws())) + 1e-5 * reflectance;
         means.note(std::abs(all.mean() - reflectance) / error, where);
         if (lobe.count < draws() / 100) continue;

@@ -19,6 +19,7 @@ TEST_CASE("shadowing and obstruction agree with 50 digits") {
     WorstCase shadowing{"S_1", hts::accuracy::shadowing};
     WorstCase quotient{"S_1 / cos theta", hts::accuracy::shadowing};
     WorstCase obstruction{"K, absolute below 1", hts::accuracy::obstruction};
+    WorstCase masked{"cos theta Lambda, beside cos theta and itself", hts::accuracy::masked};
     for (std::size_t row = 0; row < table.size(); ++row) {
         const Surface surface{table(row, "sigma_over_tau"), 1};
         const auto computed = visibility(surface, Direction::from_degrees(table(row, "theta_deg"), 0));
@@ -27,10 +28,14 @@ TEST_CASE("shadowing and obstruction agree with 50 digits") {
         quotient.note(relative_error(computed.shadowing_over_cosine, table(row, "S1_over_cos")), where);
         const double expected = table(row, "K");
         obstruction.note(std::abs(computed.obstruction - expected) / std::fmax(1, expected), where);
+        const double cosine = Direction::from_degrees(table(row, "theta_deg"), 0).cos_theta();
+        const double hidden = cosine * table(row, "Lambda");
+        masked.note(std::abs(computed.masked - hidden) / (cosine + hidden), where);
     }
     shadowing.check();
     quotient.check();
     obstruction.check();
+    masked.check();
 }
 
 TEST_CASE("derivatives of shadowing and obstruction agree with differences at 80 digits") {

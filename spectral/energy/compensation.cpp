@@ -25,11 +25,12 @@ Direction direction_of_node(std::size_t node) {
 /// The equation for s at the nodes: s_i (mirror_i s_i + sum_j lobe_ij s_j) = 1.
 class ScalingEquation {
   public:
-    ScalingEquation(const Surface& surface, const Wavelength& wavelength) {
+    ScalingEquation(const RoughSurface& surface, const Wavelength& wavelength) {
+        const ReflectedLight reflected = reflected_light(surface, PerfectMirror{}, wavelength);
         for (std::size_t i = 0; i < node_count; ++i) {
-            const View in = view(surface, direction_of_node(i));
-            mirror_[i] = coherent_fraction(surface, in, wavelength);
-            visit_lobe(surface, in, wavelength, [&](const Direction& out, double share) {
+            const Direction in = direction_of_node(i);
+            mirror_[i] = reflected.mirror(in);
+            visit_lobe(surface, in, wavelength, reflected.lobe(in), [&](const Direction& out, double share) {
                 const CompensationPlace at{out};
                 for (std::size_t j = 0; j < at.weights.size(); ++j)
                     lobe_[i][at.nodes[j]] += share * at.weights[j];
@@ -81,10 +82,10 @@ CompensationPlace::CompensationPlace(const Direction& direction) noexcept {
     weights = {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};  // Lagrange's, on -1, 0, 1, 2
 }
 
-EnergyCompensation::EnergyCompensation(const Surface& surface, const Wavelength& wavelength)
+EnergyCompensation::EnergyCompensation(const RoughSurface& surface, const Wavelength& wavelength)
     : factors_{ScalingEquation{surface, wavelength}.solution()} {}
 
-std::vector<EnergyCompensation> EnergyCompensation::of(const Surface& surface,
+std::vector<EnergyCompensation> EnergyCompensation::of(const RoughSurface& surface,
                                                        const WavelengthGrid& wavelengths) {
     std::vector<EnergyCompensation> result(wavelengths.size(), EnergyCompensation{std::vector<double>{}});
     parallel_for(result.size(), [&](std::size_t i) {
@@ -109,22 +110,18 @@ std::vector<EnergyCompensation> EnergyCompensation::interpolated(const std::vect
 }
 
 HemisphericalReflectance directional_hemispherical_reflectance(const EnergyCompensation& compensation,
-                                                               const Surface& surface, const Facets& facets,
+                                                               const RoughSurface& surface,
+                                                               const Facets& facets,
                                                                const Wavelength& wavelength,
                                                                const Direction& in) noexcept {
     constexpr double tolerance =
         accuracy::compensated_energy / 1000;  // a finer one would follow the spline's joints
-    const View seen = view(surface, in);
+    const ReflectedLight reflected = reflected_light(surface, facets, wavelength);
     const double s = compensation.factor(in);
     const double lobe = lobe_integral(
-        surface, seen, wavelength,
-        [&](const PairFactors& pair, const Direction& out) {
-            return facet_reflectance(facets, pair.cos_theta_d()) * compensation.factor(out);
-        },
-        Tolerance{tolerance});
-    const double mirror =
-        facet_reflectance(facets, in.cos_theta()) * coherent_fraction(surface, seen, wavelength);
-    return {s * s * mirror, s * lobe, 0};
+        surface, in, wavelength, reflected.lobe(in),
+        [&](const Direction& out) { return compensation.factor(out); }, Tolerance{tolerance});
+    return {s * s * reflected.mirror(in), s * lobe, 0};
 }
 
 }  // namespace hts::spectral

@@ -1,4 +1,4 @@
-/// Optional energy compensation: a He-Torrance surface whose facets lose nothing then reflects everything.
+/// Optional energy compensation: a rough surface whose facets lose nothing then reflects everything.
 ///
 /// NOT part of the published model, and off unless asked for. The model's lobes together reflect between 0.006 and
 /// 1.05 of the light where |F|^2 = 1 (`hts furnace`), since what is shadowed or meets a second facet is lost. Here the
@@ -16,6 +16,8 @@
 ///   * The light stays in the shape of the lobe; multiple scattering would spread it.
 ///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the specular term: grazing incidence gives a mirror.
 ///   * The uniform-diffuse term stays as it is, so rho_dh <= 1 needs the same care with a(lambda).
+///   * Of he_unified, whose mirror is not shadowed and whose lobe already returns what is reflected more than once, little is
+///     left to do for real materials; of a perfect conductor it repairs p at the horizon.
 ///   * s grows towards the horizon. Beyond 89.9 degrees it is kept, and energy is lost again.
 ///
 /// Material::at evaluates f' where its options say so; Mueller matrices are scaled like their element 00.
@@ -58,9 +60,9 @@ class EnergyCompensation {
   public:
     /// Solves for s.
     ///   cost   some 50 ms; 1 kB
-    EnergyCompensation(const Surface& surface, const Wavelength& wavelength);
+    EnergyCompensation(const RoughSurface& surface, const Wavelength& wavelength);
     /// The same for every wavelength of a grid, on all cores.
-    [[nodiscard]] static std::vector<EnergyCompensation> of(const Surface& surface,
+    [[nodiscard]] static std::vector<EnergyCompensation> of(const RoughSurface& surface,
                                                             const WavelengthGrid& wavelengths);
     /// From one grid to another, as planned spectra are interpolated: the cubic in 1/lambda^2.
     ///   all   one per wavelength of `from`, of one surface
@@ -94,7 +96,7 @@ class EnergyCompensation {
 /// rho_dh with compensation, of a surface without uniform diffuse term.
 ///   error   of the specular and directional-diffuse terms as without; the factors are those of `compensation`
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(
-    const EnergyCompensation& compensation, const Surface& surface, const Facets& facets,
+    const EnergyCompensation& compensation, const RoughSurface& surface, const Facets& facets,
     const Wavelength& wavelength, const Direction& in) noexcept;
 
 }  // namespace hts::spectral

@@ -17,19 +17,16 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-double specular_part(const Surface& surface, const Facets& facets, const Wavelength& wavelength,
-                     const View& in) {
-    return facet_reflectance(facets, in.direction.cos_theta()) * coherent_fraction(surface, in, wavelength);
+double specular_part(const RoughSurface& surface, const Facets& facets, const Wavelength& wavelength,
+                     const Direction& in) {
+    return reflected_light(surface, facets, wavelength).mirror(in);
 }
 
-double directional_diffuse_part(const Surface& surface, const Facets& facets, const Wavelength& wavelength,
-                                const View& in) {
+double directional_diffuse_part(const RoughSurface& surface, const Facets& facets,
+                                const Wavelength& wavelength, const Direction& in) {
     return lobe_integral(
-        surface, in, wavelength,
-        [&](const PairFactors& pair, const Direction&) {
-            return facet_reflectance(facets, pair.cos_theta_d());
-        },
-        Tolerance{accuracy::hemispherical_reflectance});
+        surface, in, wavelength, reflected_light(surface, facets, wavelength).lobe(in),
+        [](const Direction&) { return 1.0; }, Tolerance{accuracy::hemispherical_reflectance});
 }
 
 /// Where in from ... to a function is largest: the best of equally spaced points, refined between its neighbours.
@@ -58,47 +55,34 @@ Maximum maximum(double from, double to, int intervals, Function&& f) {
 
 }  // namespace
 
-double facet_reflectance(const Facets& facets, double cos_theta) noexcept {
-    const auto* const index = std::get_if<RefractiveIndex>(&facets);
-    return index == nullptr ? 1 : fresnel(cos_theta, *index).unpolarised_reflectance();
-}
-
-HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface, const Facets& facets,
+HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
+                                                               const Facets& facets,
                                                                const Wavelength& wavelength,
                                                                const Direction& in) noexcept {
-    const View seen = view(surface, in);
-    return {specular_part(surface, facets, wavelength, seen),
-            directional_diffuse_part(surface, facets, wavelength, seen), 0};
+    return {specular_part(surface, facets, wavelength, in),
+            directional_diffuse_part(surface, facets, wavelength, in), 0};
 }
 
-HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,
+HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
                                                                const RefractiveIndex& index,
                                                                const Wavelength& wavelength,
                                                                const Direction& in,
                                                                const Stokes& light) noexcept {
-    const View seen = view(surface, in);
-    const double s = (1 + light[1] / light.intensity()) / 2, p = 1 - s;  // shares of the light
-    const FresnelAmplitudes mirror = fresnel(in.cos_theta(), index);
-    const double specular =
-        coherent_fraction(surface, seen, wavelength) * (s * std::norm(mirror.s) + p * std::norm(mirror.p));
+    const double s = (1 + light[1] / light.intensity()) / 2;
+    const ReflectedLight reflected = reflected_light(surface, index, wavelength, {s, 1 - s});
     const double diffuse = lobe_integral(
-        surface, seen, wavelength,
-        [&](const PairFactors& pair, const Direction& out) {
-            const JonesMatrix facet = facet_jones(in, out, fresnel(pair.cos_theta_d(), index));
-            return s * (std::norm(facet.ss) + std::norm(facet.ps)) +
-                   p * (std::norm(facet.sp) + std::norm(facet.pp));
-        },
+        surface, in, wavelength, reflected.lobe(in), [](const Direction&) { return 1.0; },
         Tolerance{accuracy::hemispherical_reflectance});
-    return {specular, diffuse, 0};
+    return {reflected.mirror(in), diffuse, 0};
 }
 
-HemisphericalReflectance bihemispherical_reflectance(const Surface& surface, const Facets& facets,
+HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface, const Facets& facets,
                                                      const Wavelength& wavelength) {
     const auto mean = [&](auto&& part) {
         constexpr unsigned levels = 8;
         return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
             [&](double cosine) {
-                const View in = view(surface, Direction::from_angles(std::acos(cosine), 0));
+                const Direction in = Direction::from_angles(std::acos(cosine), 0);
                 return 2 * cosine * part(surface, facets, wavelength, in);
             },
             0.0, 1.0, levels, accuracy::bihemispherical_reflectance);
@@ -106,7 +90,7 @@ HemisphericalReflectance bihemispherical_reflectance(const Surface& surface, con
     return {mean(specular_part), mean(directional_diffuse_part), 0};
 }
 
-DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& facets,
+DiffuseAlbedoLimit largest_diffuse_albedo(const RoughSurface& surface, const Facets& facets,
                                           const Wavelength& wavelength, double steepest_theta) {
     if (!(steepest_theta >= 0 && steepest_theta <= right_angle)) {
         throw out_of_range("steepest angle of incidence", steepest_theta, "rad", "from 0 to pi/2 rad");
@@ -121,7 +105,7 @@ DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& 
     return {std::max(0.0, 1 - most.value), most.value, most.place};
 }
 
-double diffuse_albedo_from(double measured, const Surface& surface, const Facets& facets,
+double diffuse_albedo_from(double measured, const RoughSurface& surface, const Facets& facets,
                            const Wavelength& wavelength, const Direction& in) {
     const double lobes = directional_hemispherical_reflectance(surface, facets, wavelength, in).total();
     if (!(measured >= lobes && measured <= 1)) {

@@ -10,11 +10,9 @@
 /// Unpolarised light, wavelengths in vacuum, reflectances dimensionless.
 #pragma once
 
-#include <variant>
-
 #include "hts/polarisation.hpp"
-#include "hts/surface.hpp"
 #include "hts/terms.hpp"
+#include "spectral/energy/rough_surface.hpp"
 
 namespace hts::spectral {
 
@@ -23,15 +21,6 @@ inline constexpr double hemispherical_reflectance = 4e-8;    ///< of the directi
 inline constexpr double totally_reflecting_facets = 4e-6;    ///< the same for a real index below 1
 inline constexpr double bihemispherical_reflectance = 1e-5;  ///< of each term, absolute
 }  // namespace accuracy
-
-/// Facets that reflect everything, |F|^2 = 1 at every angle: what is missing from 1 is then the model's own loss.
-struct PerfectMirror {};
-/// What a facet of the surface reflects.
-using Facets = std::variant<PerfectMirror, RefractiveIndex>;
-
-/// |F|^2 of a facet for unpolarised light.
-///   cos_theta   cosine of the angle of incidence on the facet   [1]   0 ... 1
-[[nodiscard]] double facet_reflectance(const Facets& facets, double cos_theta) noexcept;
 
 /// Shares of the incident light that the three terms reflect.
 struct HemisphericalReflectance {
@@ -45,14 +34,14 @@ struct HemisphericalReflectance {
 ///           or totally_reflecting_facets where the reflectance of facets has a kink, at the critical angle
 ///   range   0 ... about 1.05; 0 at the horizon, but 1 there for a mirror (sigma_0 = 0)
 ///   cost    1 to 30 ms, the more the nearer to the horizon
-[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,
+[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
                                                                              const Facets& facets,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in) noexcept;
 
 /// The same of light in a state of polarisation. By the mirror symmetry of the surface only its s and p parts count.
 ///   light   of positive intensity
-[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const Surface& surface,
+[[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
                                                                              const RefractiveIndex& index,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in,
@@ -61,7 +50,7 @@ struct HemisphericalReflectance {
 /// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta), of a surface
 /// without uniform diffuse term.
 ///   error   accuracy::bihemispherical_reflectance      cost   some 30 of the above
-[[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const Surface& surface,
+[[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface,
                                                                    const Facets& facets,
                                                                    const Wavelength& wavelength);
 
@@ -76,14 +65,14 @@ struct DiffuseAlbedoLimit {
 /// there.
 ///   steepest_theta   [rad]  0 ... pi/2, else hts::Error
 ///   error            1e-6 absolute where rho_dh has one maximum between neighbours 3 degrees apart
-[[nodiscard]] DiffuseAlbedoLimit largest_diffuse_albedo(const Surface& surface, const Facets& facets,
+[[nodiscard]] DiffuseAlbedoLimit largest_diffuse_albedo(const RoughSurface& surface, const Facets& facets,
                                                         const Wavelength& wavelength, double steepest_theta);
 
 /// The diffuse albedo with which rho_dh at an angle is a measured one, as [He91, section 4.5] finds 0.15 for a
 /// plastic from 0.195 at the normal: a = measured - specular - directional diffuse.
 ///   measured   what an integrating sphere sees, mirror direction included; at least what the two terms reflect
 ///              and at most 1, else hts::Error
-[[nodiscard]] double diffuse_albedo_from(double measured, const Surface& surface, const Facets& facets,
+[[nodiscard]] double diffuse_albedo_from(double measured, const RoughSurface& surface, const Facets& facets,
                                          const Wavelength& wavelength, const Direction& in);
 
 }  // namespace hts::spectral

@@ -28,18 +28,19 @@ struct Ray {
 /// The disc about the mirror direction of one incident direction, in the coordinates of the header.
 class MirrorDisc {
   public:
-    MirrorDisc(const Surface& surface, const View& in, const Wavelength& wavelength)
-        : surface_{surface},
-          in_{in},
-          wavelength_{wavelength},
-          sine_{in.direction.sin_theta()},
-          cosine_{in.direction.cos_theta()},
+    MirrorDisc(const Surface& surface, const Direction& in, const Wavelength& wavelength,
+               const ReflectedLight::Lobe& lobe)
+        : in_{in},
+          lobe_{lobe},
+          smooth_{surface.rms_roughness() == 0},
+          sine_{in.sin_theta()},
+          cosine_{in.cos_theta()},
           half_turn_range_{std::asinh(std::numbers::pi / 2 / cosine_)},
           scale_{wavelength.wave_number() * surface.correlation_length() / 2},
           width_{std::sqrt(1 + phase_variance(surface.rms_roughness(), 2 * cosine_, wavelength)) / scale_} {}
 
     /// Whether there is a lobe at all.
-    [[nodiscard]] bool empty() const { return surface_.rms_roughness() == 0 || cosine_ == 0; }
+    [[nodiscard]] bool empty() const { return smooth_ || cosine_ == 0; }
 
     ///   side   +1: the half towards the light, -1: the half towards the nearer horizon      x   0 ... 1
     [[nodiscard]] Ray ray(int side, double x) const {
@@ -57,7 +58,7 @@ class MirrorDisc {
                 2 * half_turn_range_ * std::hypot(cosine_, turn)};
     }
 
-    /// visit(pair, out, lobe times Jacobian) at a point of a ray, y 0 ... 1.
+    /// visit(out, lobe times Jacobian) at a point of a ray, y 0 ... 1.
     template <class Visit>
     [[nodiscard]] auto at(const Ray& ray, double y, Visit&& visit) const {
         const double rest = 1 - y;
@@ -67,23 +68,21 @@ class MirrorDisc {
             2 * width_ * std::cosh((ray.range + u) / 2) * std::sinh(ray.range * rest * rest / 2);
         const Direction out = in_frame_of_light({-sine_ - distance * ray.cosine, distance * ray.sine,
                                                  std::sqrt(to_horizon * (distance + ray.beyond))});
-        const PairFactors pair{surface_, in_, view(surface_, out)};
         // t from the distance itself: the difference of two directions keeps too little of a narrow lobe
-        const double t = square(scale_ * distance);
-        const double lobe = pair.lobe(phi(pair.phase_variance(wavelength_), t).value, wavelength_);
-        return visit(pair, out, lobe * distance * std::hypot(width_, distance) * 2 * ray.range * rest);
+        return visit(out, lobe_(out, square(scale_ * distance)) * distance * std::hypot(width_, distance) *
+                              2 * ray.range * rest);
     }
 
   private:
     /// A vector whose x axis has the azimuth of the light.
     [[nodiscard]] Direction in_frame_of_light(Vector3 v) const {
-        const double c = in_.direction.cos_phi(), s = in_.direction.sin_phi();
+        const double c = in_.cos_phi(), s = in_.sin_phi();
         return Direction::from_vector({c * v.x - s * v.y, s * v.x + c * v.y, v.z});
     }
 
-    const Surface& surface_;
-    const View& in_;
-    const Wavelength& wavelength_;
+    const Direction& in_;
+    const ReflectedLight::Lobe& lobe_;
+    bool smooth_;
     double sine_, cosine_;
     double half_turn_range_;  // x = 1
     double scale_;            // sqrt(t) over distance
@@ -103,17 +102,15 @@ void for_gauss_nodes(double from, double to, Function&& f) {
 
 }  // namespace
 
-double lobe_integral(const Surface& surface, const View& in, const Wavelength& wavelength,
-                     const LobeWeight& weight, Tolerance tolerance) {
+double lobe_integral(const Surface& surface, const Direction& in, const Wavelength& wavelength,
+                     const ReflectedLight::Lobe& lobe, const LobeWeight& weight, Tolerance tolerance) {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
     constexpr unsigned levels = 8;
     // Gauss's rule against Kronrod's: on smooth panels an estimate that is far too large
     const double estimate = 25 * tolerance.relative_error();
-    const MirrorDisc disc{surface, in, wavelength};
+    const MirrorDisc disc{surface, in, wavelength, lobe};
     if (disc.empty()) return 0;
-    const auto weighted = [&](const PairFactors& pair, const Direction& out, double share) {
-        return share * weight(pair, out);
-    };
+    const auto weighted = [&](const Direction& out, double share) { return share * weight(out); };
     const auto along_ray = [&](int side, double x) {
         const Ray ray = disc.ray(side, x);
         const auto value = [&](double y) { return disc.at(ray, y, weighted); };
@@ -125,17 +122,18 @@ double lobe_integral(const Surface& surface, const View& in, const Wavelength& w
     return half(1) + half(-1);
 }
 
-void visit_lobe(const Surface& surface, const View& in, const Wavelength& wavelength,
+void visit_lobe(const Surface& surface, const Direction& in, const Wavelength& wavelength,
+                const ReflectedLight::Lobe& lobe,
                 const std::function<void(const Direction& out, double share)>& visit) {
     constexpr unsigned points = 16;
-    const MirrorDisc disc{surface, in, wavelength};
+    const MirrorDisc disc{surface, in, wavelength, lobe};
     if (disc.empty()) return;
     for (const int side : {1, -1}) {
         for_gauss_nodes<points>(0, 1, [&](double x, double x_weight) {
             const Ray ray = disc.ray(side, x);
             for (const int third : {0, 1, 2}) {
                 for_gauss_nodes<points>(third / 3.0, (third + 1) / 3.0, [&](double y, double y_weight) {
-                    disc.at(ray, y, [&](const PairFactors&, const Direction& out, double share) {
+                    disc.at(ray, y, [&](const Direction& out, double share) {
                         visit(out, share * ray.weight * x_weight * y_weight);
                     });
                 });

@@ -12,25 +12,28 @@
 
 #include <functional>
 
-#include "hts/terms.hpp"
+#include "hts/tolerance.hpp"
+#include "spectral/energy/rough_surface.hpp"
 
 namespace hts::spectral {
 
 /// A factor beside the lobe: smooth, positive, at most of order one.
-using LobeWeight = std::function<double(const PairFactors& pair, const Direction& out)>;
+using LobeWeight = std::function<double(const Direction& out)>;
 
-/// Integral of lobe(in, out) weight(out) cos(theta_r) over the hemisphere, the lobe that of |F|^2 = 1, by
-/// adaptive Gauss-Kronrod quadrature.
+/// Integral of lobe(in, out) weight(out) cos(theta_r) over the hemisphere by adaptive Gauss-Kronrod quadrature.
+///   lobe    of the light from `in`
 ///   error   relative, at most the tolerance
 ///   cost    some 4000 to 100 000 lobe values, the more the nearer to the horizon
-[[nodiscard]] double lobe_integral(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                   const LobeWeight& weight, Tolerance tolerance);
+[[nodiscard]] double lobe_integral(const Surface& surface, const Direction& in, const Wavelength& wavelength,
+                                   const ReflectedLight::Lobe& lobe, const LobeWeight& weight,
+                                   Tolerance tolerance);
 
 /// Calls visit(out, share) for every node of a fixed rule over the same coordinates: the sum of share weight(out)
 /// is the integral above.
 ///   error   relative, 1e-4 for weights that are smooth in log(cos theta_r)
 ///   nodes   1536, 0 where there is no lobe
-void visit_lobe(const Surface& surface, const View& in, const Wavelength& wavelength,
+void visit_lobe(const Surface& surface, const Direction& in, const Wavelength& wavelength,
+                const ReflectedLight::Lobe& lobe,
                 const std::function<void(const Direction& out, double share)>& visit);
 
 }  // namespace hts::spectral

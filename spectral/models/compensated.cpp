@@ -105,6 +105,9 @@ class CompensatedEvaluator final : public Evaluator {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = compensation_[i].factor(at) * values[i];
     }
 
+    void detail(const DirectionPair& pair, std::span<LobeDetail> values) const noexcept override {
+        model_.evaluator().detail(pair, values);
+    }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in,
                                                   std::size_t wavelength) const override {
         const SpectralSample& sample = samples()[wavelength];

@@ -51,6 +51,8 @@ void Evaluator::btdf(const DirectionPair& /*pair*/, std::span<double> values) co
     std::ranges::fill(values, 0.0);
 }
 
+void Evaluator::detail(const DirectionPair& /*pair*/, std::span<LobeDetail> /*values*/) const noexcept {}
+
 HemisphericalReflectance Evaluator::albedo(const Direction& in, std::size_t wavelength) const {
     std::vector<double> spectrum(wavelengths_.size());
     const auto at_wavelength = [&](const Direction& out) {

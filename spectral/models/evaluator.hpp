@@ -14,8 +14,8 @@
 #include "hts/he_torrance_spectrum.hpp"
 #include "hts/microfacet/model.hpp"
 #include "hts/polarisation.hpp"
-#include "hts/surface.hpp"
 #include "spectral/energy/energy.hpp"
+#include "spectral/energy/rough_surface.hpp"
 #include "spectral/wavelength_grid.hpp"
 
 namespace hts::spectral {
@@ -31,9 +31,19 @@ struct Properties {
     bool partial = false;        ///< only known at some pairs of directions: see `knows`
     /// What its wavelengths stand for where they are channels of a colour, no spectrum: B, G, R or Z, Y, X or Y.
     std::vector<std::string> channels{};
-    /// Statistics of the heights, where the model is one of a rough surface: then the limits of DiffuseLobe, tolerances, validity,
-    /// energy compensation and `samples` mean something. None for others.
-    std::optional<Surface> surface{};
+    /// Statistics of the heights and the theory, where the model is one of a rough surface: then the limits of DiffuseLobe,
+    /// tolerances, validity, energy compensation, `samples` and `detail` mean something. None for others.
+    std::optional<RoughSurface> surface{};
+};
+
+/// What the lobe of a rough surface is made of at a pair of directions and a wavelength.
+struct LobeDetail {
+    double phase_variance;       ///< g
+    double lobe_argument;        ///< t
+    double effective_roughness;  ///< sigma of g [um]: sigma_0 of he_unified
+    double shadowing;            ///< S, of he_unified G
+    double fresnel;              ///< |F|^2 at theta_d, unpolarised
+    PhiMethod method;            ///< which branch computes Phi as exactly as it can be
 };
 
 /// Where measured data know a reflectance.
@@ -103,6 +113,9 @@ class Evaluator {
     /// Radiance that leaves along pair.out, behind the surface, per irradiance from pair.in [1/sr], see hts::TransmittingModel;
     /// 0 of an opaque surface.
     virtual void btdf(const DirectionPair& pair, std::span<double> values) const noexcept;
+
+    /// What the lobe of a rough surface is made of, by the exact formulas, one per wavelength; untouched by others.
+    virtual void detail(const DirectionPair& pair, std::span<LobeDetail> values) const noexcept;
 
     /// Directional-hemispherical reflectance by term at one of the wavelengths.
     [[nodiscard]] virtual HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength) const;

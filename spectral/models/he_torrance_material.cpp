@@ -1,20 +1,26 @@
 #include "spectral/models/he_torrance_material.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "hts/error.hpp"
 #include "hts/he_torrance.hpp"
+#include "hts/unified/he_unified.hpp"
 #include "spectral/energy/compensation.hpp"
 #include "spectral/materials/optical_constants_json.hpp"
 #include "spectral/models/compensated.hpp"
+#include "spectral/models/spectral_number.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
 namespace {
 
-Properties properties_of(const Surface& surface) {
+constexpr auto published_source = "He, Torrance, Sillion, Greenberg 1991";
+constexpr auto unified_source = "hts, successor of He, Torrance, Sillion, Greenberg 1991";
+
+Properties properties_of(const RoughSurface& surface) {
     return {.polarised = true, .specular_term = true, .isotropic = true, .surface = surface};
 }
 
@@ -25,10 +31,10 @@ WavelengthGrid grid_of(const std::vector<SpectralSample>& samples) {
     return WavelengthGrid::from_micrometres(std::move(micrometres));
 }
 
-class HeTorranceSampler final : public DirectionSampler {
+template <class Spectrum>
+class RoughSurfaceSampler final : public DirectionSampler {
   public:
-    HeTorranceSampler(const Surface& surface, const SpectralSample& sample, Tolerance tolerance)
-        : model_{surface, sample, tolerance} {}
+    explicit RoughSurfaceSampler(Spectrum spectrum) : model_{std::move(spectrum)} {}
 
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept override {
         return model_.pdf(in, out);
@@ -44,20 +50,55 @@ class HeTorranceSampler final : public DirectionSampler {
     }
 
   private:
-    HeTorrance model_;
+    RoughSurfaceModel<Spectrum> model_;
 };
 
-class HeTorranceEvaluator final : public Evaluator {
+void add_detail(const HeTorranceSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
+    const PairFactors factors{of.surface(), pair.in, pair.out};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const SpectralSample& sample = of.samples()[i];
+        const DirectionalDiffuse term = directional_diffuse(factors, sample.wavelength, sample.index);
+        values[i] = {term.phase_variance,
+                     term.lobe_argument,
+                     factors.effective_roughness(),
+                     factors.shadowing(),
+                     term.amplitudes.unpolarised_reflectance(),
+                     term.method};
+    }
+}
+
+void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
+    const UnifiedView in = of.view(pair.in), out = of.view(pair.out);
+    const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const UnifiedLobe lobe = unified_lobe(in, out, of.waves()[i]);
+        values[i] = {lobe.phase_variance,
+                     lobe.lobe_argument,
+                     of.surface().rms_roughness(),
+                     lobe.shadowing,
+                     fresnel(cos_theta_d, of.samples()[i].index).unpolarised_reflectance(),
+                     lobe.kicks.method};
+    }
+}
+
+/// Makes the spectrum of samples.
+template <class Spectrum>
+using Spectra = std::function<Spectrum(std::vector<SpectralSample> samples)>;
+
+template <class Spectrum>
+class RoughSurfaceEvaluator final : public Evaluator {
   public:
-    HeTorranceEvaluator(const std::string& name, const Surface& surface, std::vector<SpectralSample> samples,
-                        Tolerance tolerance, DiffuseLobe lobe)
+    RoughSurfaceEvaluator(const std::string& name, const RoughSurface& surface,
+                          std::vector<SpectralSample> samples, Spectra<Spectrum> spectrum_of)
         : Evaluator{name, grid_of(samples)},
+          surface_{surface},
           samples_{samples},
           uniform_diffuse_{taken_from(samples)},
           has_uniform_{std::ranges::any_of(uniform_diffuse_, [](double value) { return value != 0; })},
-          lobe_{surface, std::move(samples), tolerance, lobe} {}
+          spectrum_of_{std::move(spectrum_of)},
+          lobe_{spectrum_of_(std::move(samples))} {}
 
-    [[nodiscard]] Properties properties() const override { return properties_of(lobe_.surface()); }
+    [[nodiscard]] Properties properties() const override { return properties_of(surface_); }
     [[nodiscard]] std::size_t bytes() const noexcept override {
         return sizeof *this - sizeof lobe_ + lobe_.bytes() +
                samples_.size() * (sizeof(SpectralSample) + 2 * sizeof(double));
@@ -92,30 +133,28 @@ class HeTorranceEvaluator final : public Evaluator {
         lobe_.mueller(pair, values);
     }
     void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept override {
-        const View seen = view(lobe_.surface(), in);
-        std::ranges::transform(samples_, values.begin(), [&](const SpectralSample& sample) {
-            return hts::specular_mueller(lobe_.surface(), seen, sample.wavelength, sample.index);
-        });
+        lobe_.specular_mueller(in, values);
+    }
+    void detail(const DirectionPair& pair, std::span<LobeDetail> values) const noexcept override {
+        add_detail(lobe_, pair, values);
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in,
                                                   std::size_t wavelength) const override {
         const SpectralSample& sample = samples_[wavelength];
-        auto result =
-            directional_hemispherical_reflectance(lobe_.surface(), sample.index, sample.wavelength, in);
+        auto result = directional_hemispherical_reflectance(surface_, sample.index, sample.wavelength, in);
         result.uniform_diffuse = sample.uniform_diffuse * std::numbers::pi;
         return result;
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
                                                   const Stokes& light) const override {
         const SpectralSample& sample = samples_[wavelength];
-        auto result = directional_hemispherical_reflectance(lobe_.surface(), sample.index, sample.wavelength,
-                                                            in, light);
+        auto result =
+            directional_hemispherical_reflectance(surface_, sample.index, sample.wavelength, in, light);
         result.uniform_diffuse = sample.uniform_diffuse * std::numbers::pi;
         return result;
     }
     [[nodiscard]] std::shared_ptr<const DirectionSampler> sampler(std::size_t wavelength) const override {
-        return std::make_shared<const HeTorranceSampler>(lobe_.surface(), samples_[wavelength],
-                                                         lobe_.tolerance());
+        return std::make_shared<const RoughSurfaceSampler<Spectrum>>(spectrum_of_({samples_[wavelength]}));
     }
 
   private:
@@ -130,10 +169,12 @@ class HeTorranceEvaluator final : public Evaluator {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += uniform_diffuse_[i];
     }
 
+    RoughSurface surface_;
     std::vector<SpectralSample> samples_;
     std::vector<double> uniform_diffuse_;
     bool has_uniform_;
-    HeTorranceSpectrum lobe_;
+    Spectra<Spectrum> spectrum_of_;
+    Spectrum lobe_;
 };
 
 /// What a caller knows better goes before the constants, which then need not be known there.
@@ -170,6 +211,21 @@ DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
     return located(albedo->place(), [&] { return DiffuseAlbedo{value}; });
 }
 
+UnifiedChoices::Mirror mirror_from(const std::optional<JsonValue>& mirror) {
+    if (!mirror || mirror->text() == "closed") return UnifiedChoices::Mirror::closed;
+    if (mirror->text() == "second_order") return UnifiedChoices::Mirror::second_order;
+    throw mirror->error(in_quotes(mirror->text()) + " is not known; must be closed or second_order");
+}
+
+const std::vector<std::string> shared_keys{
+    "name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"};
+
+Material material_from(const MaterialFile& file, const RoughSurface& surface) {
+    return he_torrance_material(file.default_name, surface,
+                                optical_constants_from(file.json["index"], file.folder),
+                                albedo_from(file.json.find("diffuse_albedo")));
+}
+
 }  // namespace
 
 DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
@@ -183,14 +239,15 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
     return value_at(value_, range_of(value_).admit(wavelength, policy, "diffuse albedo"));
 }
 
-Material he_torrance_material(const std::string& name, const Surface& surface,
+Material he_torrance_material(const std::string& name, const RoughSurface& surface,
                               const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
     const auto prepare = [surface, constants, albedo](const std::string& of,
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
-        const Surface rough{given.rms_roughness.value_or(surface.rms_roughness()),
-                            given.correlation_length.value_or(surface.correlation_length())};
+        const RoughSurface rough =
+            surface.with({given.rms_roughness.value_or(surface.rms_roughness()),
+                          given.correlation_length.value_or(surface.correlation_length())});
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
@@ -204,24 +261,38 @@ Material he_torrance_material(const std::string& name, const Surface& surface,
         return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
-    return Material{prepare, properties_of(surface), constants.warnings(), constants.name()}.named(
-        name, "he", "He, Torrance, Sillion, Greenberg 1991");
+    const Material material{prepare, properties_of(surface), constants.warnings(), constants.name()};
+    return surface.unified() ? material.named(name, "he_unified", unified_source)
+                             : material.named(name, "he", published_source);
 }
 
-Reflectance he_torrance_reflectance(const std::string& name, const Surface& surface,
+Reflectance he_torrance_reflectance(const std::string& name, const RoughSurface& surface,
                                     std::vector<SpectralSample> samples, Tolerance tolerance,
                                     DiffuseLobe lobe) {
-    return Reflectance{
-        std::make_shared<const HeTorranceEvaluator>(name, surface, std::move(samples), tolerance, lobe)};
+    if (surface.unified()) {
+        return Reflectance{std::make_shared<const RoughSurfaceEvaluator<HeUnifiedSpectrum>>(
+            name, surface, std::move(samples), [=](std::vector<SpectralSample> of) {
+                return HeUnifiedSpectrum{surface, std::move(of), tolerance, lobe, *surface.unified()};
+            })};
+    }
+    return Reflectance{std::make_shared<const RoughSurfaceEvaluator<HeTorranceSpectrum>>(
+        name, surface, std::move(samples), [=](std::vector<SpectralSample> of) {
+            return HeTorranceSpectrum{surface, std::move(of), tolerance, lobe};
+        })};
 }
 
 Material read_he_torrance(const MaterialFile& file) {
-    file.json.require_keys_among(
-        {"name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"});
-    const Surface surface = surface_from(file.json);
-    return he_torrance_material(file.default_name, surface,
-                                optical_constants_from(file.json["index"], file.folder),
-                                albedo_from(file.json.find("diffuse_albedo")));
+    file.json.require_keys_among(shared_keys);
+    return material_from(file, surface_from(file.json));
+}
+
+Material read_he_unified(const MaterialFile& file) {
+    auto keys = shared_keys;
+    keys.insert(keys.end(), {"mirror", "polarisation_mixing"});
+    file.json.require_keys_among(keys);
+    const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
+                                 .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
+    return material_from(file, {surface_from(file.json), choices});
 }
 
 }  // namespace hts::spectral

@@ -1,9 +1,9 @@
-/// Materials of the He-Torrance model: roughness, optical constants and uniform-diffuse albedo.
+/// Materials of the He-Torrance model and of its successor he_unified: roughness, optical constants and uniform-diffuse albedo.
 #pragma once
 
 #include <string>
 
-#include "hts/surface.hpp"
+#include "spectral/energy/rough_surface.hpp"
 #include "spectral/materials/optical_constants.hpp"
 #include "spectral/materials/piecewise_linear.hpp"
 #include "spectral/models/material.hpp"
@@ -26,17 +26,17 @@ class DiffuseAlbedo {
     Dispersion value_;
 };
 
-/// A rough surface of a substance: what a file with "model": "he" says.
+/// A rough surface of a substance: what a file with "model": "he" says, or "he_unified" where the surface is one of that theory.
 ///
 ///     const Material aluminium = he_torrance_material("rough aluminium", {0.28, 1.77}, built_in_optical_constants("Al"));
-[[nodiscard]] Material he_torrance_material(const std::string& name, const Surface& surface,
+[[nodiscard]] Material he_torrance_material(const std::string& name, const RoughSurface& surface,
                                             const OpticalConstants& constants,
                                             const DiffuseAlbedo& albedo = DiffuseAlbedo{0});
 
 /// A rough surface with what it is at each wavelength given.
 ///   samples   one per wavelength, of which the wavelengths are
 ///   lobe      a limit where the surface needs no more
-[[nodiscard]] Reflectance he_torrance_reflectance(const std::string& name, const Surface& surface,
+[[nodiscard]] Reflectance he_torrance_reflectance(const std::string& name, const RoughSurface& surface,
                                                   std::vector<SpectralSample> samples,
                                                   Tolerance tolerance = {},
                                                   DiffuseLobe lobe = DiffuseLobe::full);
@@ -47,5 +47,8 @@ class DiffuseAlbedo {
 /// "index" is a built-in name, {"n": …, "k": …}, {"file": path relative to this file} or {"table": [[um, n, k], …]};
 /// "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out.
 [[nodiscard]] Material read_he_torrance(const MaterialFile& file);
+/// Reads the same keys of "model": "he_unified", and
+///   "mirror": "closed" or "second_order", "polarisation_mixing": true or false       "closed" and false if left out
+[[nodiscard]] Material read_he_unified(const MaterialFile& file);
 
 }  // namespace hts::spectral

@@ -76,6 +76,7 @@ Material read_kurt(const MaterialFile& file) {
 const std::vector<ModelEntry>& built_in_models() {
     static const std::vector<ModelEntry> models{
         {"he", "He, Torrance, Sillion, Greenberg 1991", read_he_torrance},
+        {"he_unified", "hts, successor of He, Torrance, Sillion, Greenberg 1991", read_he_unified},
         {"walter", "Walter, Marschner, Li, Torrance 2007", read_walter},
         {"ashikhmin", "Ashikhmin, Premoze, Shirley 2000", read_ashikhmin},
         {"kurt", "Kurt, Szirmay-Kalos, Krivanek 2010", read_kurt},

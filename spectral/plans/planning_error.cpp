@@ -264,7 +264,7 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
     }
     const auto samples = full_.at_nodes().samples();
     if (samples.empty()) return 0;  // nor has it a specular term
-    const double shadowing = square(view(*full_.at_nodes().properties().surface, in).visibility.shadowing);
+    const double shadowing = mirror_shadowing(*full_.at_nodes().properties().surface, in);
     const auto full = full_.reflectance().specular_reflectance(in);
     const auto value = candidate.reflectance().specular_reflectance(in);
     double worst = 0;

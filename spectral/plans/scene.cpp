@@ -199,6 +199,10 @@ void add_material(Checksum& checksum, const Material& material, const Scene& sce
     if (const auto& surface = material.properties().surface) {
         checksum.add(surface->rms_roughness());
         checksum.add(surface->correlation_length());
+        if (const auto& choices = surface->unified()) {
+            checksum.add(static_cast<double>(choices->mirror));
+            checksum.add(choices->polarisation_mixing ? 1.0 : 0.0);
+        }
     }
     for (const WavelengthGrid& grid : {scene.wavelengths, between(scene.wavelengths)}) {
         const Reflectance reflectance = material.at(grid, {.outside = scene.outside_range});

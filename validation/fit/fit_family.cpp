@@ -61,14 +61,17 @@ const ParameterRange index_k{"k", "k", "1", Motion::steps, 0, 100, {0}, StartUni
 
 // ---- what numbers make
 
-Prediction::Answer he_torrance(Numbers numbers, const Prediction::Job& job) {
-    std::vector<SpectralSample> samples;
-    for (const ModelNumbers& each : numbers)
-        samples.push_back({each.wavelength, each.index, hts::uniform_diffuse(each.own[2])});
-    const auto model =
-        spectral::he_torrance_reflectance("he", {numbers[0].own[0], numbers[0].own[1]}, std::move(samples),
-                                          Tolerance{hts::accuracy::finest_lane_tolerance});
-    return Prediction::answer(job, model.evaluator());
+/// The published model or its successor.
+FitFamily::Answer rough_surface(spectral::RoughSurface theory) {
+    return [theory = std::move(theory)](Numbers numbers, const Prediction::Job& job) {
+        std::vector<SpectralSample> samples;
+        for (const ModelNumbers& each : numbers)
+            samples.push_back({each.wavelength, each.index, hts::uniform_diffuse(each.own[2])});
+        const auto model = spectral::he_torrance_reflectance(
+            "", theory.with({numbers[0].own[0], numbers[0].own[1]}), std::move(samples),
+            Tolerance{hts::accuracy::finest_lane_tolerance});
+        return Prediction::answer(job, model.evaluator());
+    };
 }
 
 /// An order in which models that share their geometry are neighbours.
@@ -167,7 +170,16 @@ const std::vector<FitFamily>& fit_families() {
          {},
          {rms_roughness, correlation_length, albedo, index_n, index_k},
          {},
-         he_torrance,
+         rough_surface(Surface{0, 1}),
+         true,
+         false,
+         true},
+        {"he_unified",
+         "he_unified",
+         {},
+         {rms_roughness, correlation_length, albedo, index_n, index_k},
+         {},
+         rough_surface({Surface{0, 1}, UnifiedChoices{}}),
          true,
          false,
          true},

@@ -52,6 +52,39 @@ bool counts(const Point<Real>& p) {
     return p.g * saddle_exponent(w) - log(p.g) - w - log(1 + 2 * w) / 2 > Real(least_log_phi);
 }
 
+struct Row {
+    int exponent;  // emin - 1: all g below 2^emin
+    bool top;
+    int octaves;
+};
+
+/// An octave in one piece.
+inline Cell octave_of(const Row& row, int octave) {
+    return {row.top, true, row.exponent, std::ldexp(1.0, octave), std::ldexp(2.0, octave), 0, 1};
+}
+
+template <class Spec>
+Row row_of(int exponent) {
+    if (exponent < Spec::emin) return {exponent, false, 3};
+    Row row{exponent, exponent == Spec::emax, 0};
+    // Phi is largest where an octave begins and g is largest (in the top row, at the same v, least)
+    while (counts(point_of<Spec, long double>(octave_of(row, row.octaves), -1, 1))) ++row.octaves;
+    return row;
+}
+
+/// The cells of an octave, cut into 2^log2_x by 2^log2_z.
+inline std::vector<Cell> cut(const Row& row, int octave, const Entry& entry) {
+    const int nx = 1 << entry.log2_x, nz = 1 << entry.log2_z;
+    std::vector<Cell> cells;
+    for (int i = 0; i < nx; ++i) {
+        for (int j = 0; j < nz; ++j) {
+            cells.push_back({row.top, entry.saddle, row.exponent, std::ldexp(1 + double(i) / nx, octave),
+                             std::ldexp(1 + double(i + 1) / nx, octave), double(j) / nz, double(j + 1) / nz});
+        }
+    }
+    return cells;
+}
+
 /// Q
 template <class Real>
 Real correction(bool saddle, const Point<Real>& p) {
@@ -88,15 +121,16 @@ double rounded(const Real& coefficient, int power, int bits) {
 }
 
 /// Coefficients by rows of powers of x, each of powers of z.
-template <class Spec, class Real>
-std::vector<double> fitted(const Cell& cell) {
+///   of   what is fitted, a function of whether the saddle point leads, and of a point
+template <class Spec, class Real, class Function>
+std::vector<double> fitted(const Cell& cell, Function of) {
     constexpr bool single = sizeof(typename Spec::Coefficient) == 4;
     const auto nx = static_cast<std::size_t>(Spec::rows), nz = static_cast<std::size_t>(Spec::lanes);
     std::vector<std::vector<Real>> by_z;  // at each node in x
     for (const Real& x : chebyshev_nodes<Real>(Spec::rows)) {
         std::vector<Real> values;
         for (const Real& z : chebyshev_nodes<Real>(Spec::lanes))
-            values.push_back(correction(cell.saddle, point_of<Spec>(cell, x, z)));
+            values.push_back(of(cell.saddle, point_of<Spec>(cell, x, z)));
         by_z.push_back(interpolant(values));
     }
     std::vector<double> coefficients(nx * nz);
@@ -124,9 +158,9 @@ long double value_of(const std::vector<double>& coefficients, long double x, lon
     return sum;
 }
 
-/// Worst error of ln Phi on a grid over the cell, as far as the cell is used; ends once above `limit`.
-template <class Spec>
-double worst_error(const Cell& cell, const std::vector<double>& coefficients, double limit) {
+/// Worst error, times ln 2, on a grid over the cell, as far as the cell is used; ends once above `limit`.
+template <class Spec, class Function>
+double worst_error(const Cell& cell, const std::vector<double>& coefficients, Function of, double limit) {
     constexpr int n = 7;
     double worst = 0;
     for (int i = 0; i < n && worst <= limit; ++i) {
@@ -136,7 +170,7 @@ double worst_error(const Cell& cell, const std::vector<double>& coefficients, do
             const long double z = j == 0 ? first : j == n - 1 ? 1 : -1 + 2 * (j + 0.61L) / n;
             const auto p = point_of<Spec>(cell, x, z);
             if (!counts(p)) continue;
-            const long double error = value_of<Spec>(coefficients, x / 2, z / 2) - correction(cell.saddle, p);
+            const long double error = value_of<Spec>(coefficients, x / 2, z / 2) - of(cell.saddle, p);
             worst = std::max(worst, static_cast<double>(std::abs(error) * std::log(2.0L)));
         }
     }

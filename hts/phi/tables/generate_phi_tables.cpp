@@ -32,44 +32,13 @@ struct Coefficients {
     double worst_cell = 0, worst_line = 0;
 };
 
-struct Row {
-    int exponent;  // emin - 1: all g below 2^emin
-    bool top;
-    int octaves;
-};
-
-/// An octave in one piece.
-Cell octave_of(const Row& row, int octave) {
-    return {row.top, true, row.exponent, std::ldexp(1.0, octave), std::ldexp(2.0, octave), 0, 1};
-}
-
-template <class Spec>
-Row row_of(int exponent) {
-    if (exponent < Spec::emin) return {exponent, false, 3};
-    Row row{exponent, exponent == Spec::emax, 0};
-    // Phi is largest where an octave begins and g is largest (in the top row, at the same v, least)
-    while (counts(point_of<Spec, long double>(octave_of(row, row.octaves), -1, 1))) ++row.octaves;
-    return row;
-}
-
-/// The cells of an octave, cut into 2^log2_x by 2^log2_z.
-std::vector<Cell> cut(const Row& row, int octave, const Entry& entry) {
-    const int nx = 1 << entry.log2_x, nz = 1 << entry.log2_z;
-    std::vector<Cell> cells;
-    for (int i = 0; i < nx; ++i) {
-        for (int j = 0; j < nz; ++j) {
-            cells.push_back({row.top, entry.saddle, row.exponent, std::ldexp(1 + double(i) / nx, octave),
-                             std::ldexp(1 + double(i + 1) / nx, octave), double(j) / nz, double(j + 1) / nz});
-        }
-    }
-    return cells;
-}
-
 template <class Spec>
 double worst_of(const std::vector<Cell>& cells) {
     double worst = 0;
     for (const Cell& cell : cells) {
-        worst = std::max(worst, worst_error<Spec>(cell, fitted<Spec, long double>(cell), cell_share<Spec>));
+        worst =
+            std::max(worst, worst_error<Spec>(cell, fitted<Spec, long double>(cell, correction<long double>),
+                                              correction<long double>, cell_share<Spec>));
         if (worst > cell_share<Spec>) break;
     }
     return worst;
@@ -107,7 +76,7 @@ void add_octave(Coefficients<Spec>& c, const Row& row, int octave) {
     entry->first = static_cast<int>(c.cells.size()) / (Spec::rows * Spec::lanes);
     slot = packed(*entry);
     for (const Cell& cell : cut(row, octave, *entry)) {
-        const auto coefficients = fitted<Spec, Digits50>(cell);
+        const auto coefficients = fitted<Spec, Digits50>(cell, correction<Digits50>);
         c.cells.insert(c.cells.end(), coefficients.begin(), coefficients.end());
     }
 }

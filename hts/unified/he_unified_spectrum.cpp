@@ -1,0 +1,204 @@
+#include "hts/unified/he_unified_spectrum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include "hts/sampling/scattering_lobe.hpp"
+#include "hts/unified/lanes/unified_simd.hpp"
+#include "hts/unified/unified_mirror.hpp"
+
+namespace hts {
+namespace {
+
+using unified_detail::Forms;
+using unified_detail::Prepared;
+
+constexpr std::size_t padding = 8;  // the longest vector
+
+double square(double x) {
+    return x * x;
+}
+
+/// A sum of Chebyshev polynomials of x in powers of x.
+template <std::size_t size>
+std::array<double, size> in_powers(const std::array<double, size>& chebyshev) {
+    std::array<double, size> sum{}, before{}, now{1};
+    for (std::size_t j = 0; j < size; ++j) {
+        for (std::size_t i = 0; i < size; ++i) sum[i] += chebyshev[j] * now[i];
+        std::array<double, size> next{};
+        for (std::size_t i = 0; i + 1 < size; ++i) next[i + 1] = (j == 0 ? 1 : 2) * now[i];
+        for (std::size_t i = 0; i < size; ++i) next[i] -= before[i];
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
+                 std::span<const SpectralSample> samples, std::span<const UnifiedWave> waves) {
+    const double sigma_squared = square(surface.rms_roughness());
+    const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
+    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared,
+                square(surface.correlation_length()) / 4, 2 * m.slope(), mixed, in_powers(m.coefficients())},
+               std::ranges::all_of(samples,
+                                   [](const SpectralSample& s) {
+                                       return std::hypot(s.index.n(), s.index.k()) >=
+                                              std::sqrt(unified_detail::dense_square);
+                                   }),
+               samples.size(),
+               padded,
+               std::vector<double>(Prepared::columns * padded)};
+    for (std::size_t i = 0; i < padded; ++i) {
+        const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
+        const UnifiedWave& wave = waves[std::min(i, samples.size() - 1)];
+        const double n = s.index.n(), k = s.index.k();
+        const double d_real = (n - 1) * (n + 1) - k * k, d_imaginary = 2 * n * k;
+        const double wave_squared = square(s.wavelength.wave_number());
+        const auto set = [&p, padded, i](Prepared::Column column, double value) {
+            p.data[column * padded + i] = value;
+        };
+        set(Prepared::wave_squared, wave_squared);
+        set(Prepared::inverse_wave_squared, 1 / wave_squared);
+        set(Prepared::d_real, d_real);
+        set(Prepared::d_imaginary, d_imaginary);
+        set(Prepared::weight,
+            square(wave.k_tau) * (square(d_real) + square(d_imaginary)) * (std::numbers::inv_pi / 4));
+        set(Prepared::horizon, 1.25 * wave.k_sigma);
+        set(Prepared::lift, wave.lift);
+        set(Prepared::returned, wave.returned);
+        set(Prepared::uniform, s.uniform_diffuse);
+        // N sqrt(1 - x), x = s^2/e, by the binomial series
+        std::complex<double> term{n, k};
+        for (std::size_t j = 0; j < unified_detail::root_terms; ++j) {
+            set(static_cast<Prepared::Column>(Prepared::root_real + j), term.real());
+            set(static_cast<Prepared::Column>(Prepared::root_imaginary + j), term.imag());
+            const double j_real = static_cast<double>(j);
+            term *= (j_real - 0.5) / (j_real + 1) / (std::complex<double>{n, k} * std::complex<double>{n, k});
+        }
+    }
+    return p;
+}
+
+}  // namespace
+
+struct HeUnifiedSpectrum::Lanes {
+    Forms forms;
+    Prepared prepared;
+};
+
+HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
+                                     Tolerance tolerance, DiffuseLobe lobe, const UnifiedChoices& choices)
+    : surface_{surface},
+      samples_{std::move(samples)},
+      tolerance_{tolerance},
+      lobe_{lobe},
+      choices_{choices},
+      return_factor_{surface.slope_width() / 2},
+      mixed_{choices.polarisation_mixing ? mixed_share(surface) : 0} {
+    waves_.reserve(samples_.size());
+    for (const SpectralSample& sample : samples_) {
+        waves_.emplace_back(surface_, return_factor_, sample.wavelength, sample.index);
+        if (choices_.mirror == UnifiedChoices::Mirror::second_order)
+            mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index);
+    }
+    if (lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
+        !evaluation_detail::is_ordinary(surface_, samples_))
+        return;
+    const Forms forms = unified_detail::forms(tolerance);
+    if (forms.brdf_one == nullptr) return;
+    lanes_ = std::make_shared<const Lanes>(
+        Lanes{forms, prepare(surface_, return_factor_, mixed_, samples_, waves_)});
+}
+
+std::size_t HeUnifiedSpectrum::bytes() const noexcept {
+    std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave));
+    if (lanes_) sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double);
+    for (const SecondOrderMirror& mirror : mirrors_) sum += mirror.bytes();
+    return sum;
+}
+
+void HeUnifiedSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
+    evaluation_detail::require_size("brdf", result.size(), samples_.size());
+    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
+    exact_brdf(pair, result);
+}
+
+void HeUnifiedSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
+    evaluation_detail::require_size("brdf", result.size(), samples_.size(), pairs.size());
+    const std::size_t count = samples_.size();
+    if (lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data())) return;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (lanes_ && evaluation_detail::is_ordinary(pairs[i])) continue;
+        exact_brdf(pairs[i], result.subspan(i * count, count));
+    }
+}
+
+void HeUnifiedSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
+    evaluation_detail::require_size("mueller", result.size(), samples_.size());
+    if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
+    exact_mueller(pair, result);
+}
+
+void HeUnifiedSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
+    const UnifiedView in = view(pair.in), out = view(pair.out);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        result[i] = samples_[i].uniform_diffuse + unified_lobe(in, out, waves_[i], lobe_, tolerance_).brdf();
+}
+
+void HeUnifiedSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
+    const UnifiedView in = view(pair.in), out = view(pair.out);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        result[i] = unified_mueller(unified_lobe(in, out, waves_[i], lobe_, tolerance_).jones, mixed_);
+        const double uniform = samples_[i].uniform_diffuse;
+        if (uniform != 0)
+            result[i] = result[i] + Mueller::depolariser(uniform);  // else zeros keep their signs
+    }
+}
+
+FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sample) const noexcept {
+    return mirrors_.empty() ? unified_mirror(in, waves_[sample]) : mirrors_[sample](in);
+}
+
+void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
+    evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) result[i] = mirror(in, i).unpolarised_reflectance();
+}
+
+void HeUnifiedSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
+    evaluation_detail::require_size("specular_mueller", result.size(), samples_.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const FresnelAmplitudes f = mirror(in, i);
+        result[i] = Mueller::from_jones({f.s, 0.0, 0.0, f.p});
+    }
+}
+
+ScatteringLobe HeUnifiedSpectrum::scattering_lobe() const {
+    const SpectralSample& sample = samples_.front();
+    const HeUnifiedSpectrum one{surface_,
+                                {{sample.wavelength, sample.index, 0}},
+                                Tolerance{accuracy::finest_lane_tolerance},
+                                lobe_,
+                                choices_};
+    return {.wave_number = sample.wavelength.wave_number(),
+            .correlation_length = surface_.correlation_length(),
+            .diffuse_albedo = sample.uniform_diffuse * std::numbers::pi,
+            .brdf =
+                [one](const DirectionPair& pair) {
+                    double value = 0;
+                    one.brdf(pair, {&value, 1});
+                    return value;
+                },
+            .mirror =
+                [one](const Direction& in) {
+                    double value = 0;
+                    one.specular_reflectance(in, {&value, 1});
+                    return value;
+                },
+            .effective_roughness = [sigma = surface_.rms_roughness()](const Direction&) { return sigma; }};
+}
+
+}  // namespace hts

@@ -1,0 +1,80 @@
+/// The three terms of he_unified (unified_terms.hpp) for one surface at several wavelengths, prepared once for many evaluations.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hts/he_torrance_spectrum.hpp"
+#include "hts/unified/second_order_mirror.hpp"
+#include "hts/unified/unified_choices.hpp"
+#include "hts/unified/unified_terms.hpp"
+
+namespace hts {
+
+/// Surface, optical constants at each wavelength, tolerance and choices; the calls are those of HeTorranceSpectrum.
+///
+///     const hts::HeUnifiedSpectrum prepared{surface, samples, hts::Tolerance{1e-6}};
+///     std::vector<double> spectrum(samples.size());
+///     prepared.brdf({in, out}, spectrum);
+///
+/// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and where that takes the
+/// exact path so does this. Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits
+/// alone, in any batch and at any place in it.
+class HeUnifiedSpectrum {
+  public:
+    HeUnifiedSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
+                      DiffuseLobe lobe = DiffuseLobe::full, const UnifiedChoices& choices = {});
+
+    [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
+    [[nodiscard]] std::span<const SpectralSample> samples() const noexcept { return samples_; }
+    [[nodiscard]] Tolerance tolerance() const noexcept { return tolerance_; }
+    [[nodiscard]] DiffuseLobe lobe() const noexcept { return lobe_; }
+    [[nodiscard]] const UnifiedChoices& choices() const noexcept { return choices_; }
+    /// Memory of this object alone.
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+    // Each call throws hts::Error where `result` has another size than it says, and nothing else.
+
+    /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
+    ///   error   relative, at most the tolerance, above 1e-280; accuracy::unified_brdf where that is more
+    void brdf(const DirectionPair& pair, std::span<double> result) const;
+    /// The same for many pairs, all samples of a pair together, on the calling thread.
+    void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
+    /// Reflectance into the mirror direction, the specular delta [1], one value per sample.
+    ///   error   accuracy::unified_mirror
+    void specular_reflectance(const Direction& in, std::span<double> result) const;
+    /// Mueller matrix of both diffuse terms [1/sr], one per sample.
+    ///   error    of each element relative to element 00, as of brdf
+    void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
+    /// Mueller matrix of the specular term [1], one per sample.
+    void specular_mueller(const Direction& in, std::span<Mueller> result) const;
+
+    /// What a direction contributes, for unified_lobe.
+    [[nodiscard]] UnifiedView view(const Direction& direction) const noexcept {
+        return {surface_, return_factor_, direction};
+    }
+    [[nodiscard]] std::span<const UnifiedWave> waves() const noexcept { return waves_; }
+    /// What a sampler of the first sample is fitted to.
+    [[nodiscard]] ScatteringLobe scattering_lobe() const;
+
+  private:
+    struct Lanes;
+    void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
+    void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
+    [[nodiscard]] FresnelAmplitudes mirror(const Direction& in, std::size_t sample) const noexcept;
+
+    Surface surface_;
+    std::vector<SpectralSample> samples_;
+    Tolerance tolerance_;
+    DiffuseLobe lobe_;
+    UnifiedChoices choices_;
+    ReturnFactor return_factor_;
+    double mixed_;
+    std::vector<UnifiedWave> waves_;
+    std::vector<SecondOrderMirror> mirrors_;  // none where the closed form is asked for
+    std::shared_ptr<const Lanes> lanes_;      // null where the exact path takes everything
+};
+
+}  // namespace hts

@@ -1,0 +1,187 @@
+// The lanes against the exact path of unified_terms.hpp, and that every valid input has a finite answer. HTS_EXHAUSTIVE=1 takes
+// 10^7 points, otherwise 10^5.
+#include "hts/unified/he_unified_spectrum.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "comparison.hpp"
+#include "hts/unified/lanes/unified_simd.hpp"
+#include "hts/unified/unified_mirror.hpp"
+
+using hts::Direction;
+using hts::DirectionPair;
+using hts::HeUnifiedSpectrum;
+using hts::Mueller;
+using hts::RefractiveIndex;
+using hts::SpectralSample;
+using hts::Surface;
+using hts::Tolerance;
+using hts::UnifiedChoices;
+using hts::Wavelength;
+using hts::testing::Random;
+using hts::testing::relative_error;
+using hts::testing::WorstCase;
+
+namespace {
+
+std::size_t points() {
+    return hts::testing::exhaustive() ? 10'000'000 : 100'000;
+}
+
+Direction direction(Random& random) {
+    const double phi = random.uniform(-180, 180);
+    const double pick = random.uniform(0, 8);
+    if (pick < 1) return Direction::from_degrees(random.one_of({0, 1e-9, 45, 89.99, 89.9999, 90}), phi);
+    if (pick < 2) return Direction::from_degrees(90 - random.logarithmic(1e-6, 10), phi);
+    return Direction::from_degrees(random.uniform(0, 90), phi);
+}
+
+/// Any two directions, now and then the mirror's, backscatter's, or close to the mirror's.
+DirectionPair pair(Random& random) {
+    const Direction in = direction(random);
+    const double pick = random.uniform(0, 8);
+    if (pick < 1) return {in, in.mirror()};
+    if (pick < 2) return {in, in};
+    if (pick < 3) {
+        const hts::Vector3 near = in.mirror().vector();
+        const double step = random.logarithmic(1e-12, 0.1);
+        return {in, Direction::from_vector({near.x + step, near.y - step / 3, near.z + step / 2})};
+    }
+    return {in, direction(random)};
+}
+
+RefractiveIndex index(Random& random) {
+    const double pick = random.uniform(0, 4);
+    if (pick < 1) return {1 + random.one_of({0, 1e-12, 1e-6, -1e-6}), random.one_of({0, 1e-12, 1e-6})};
+    if (pick < 2) return {random.uniform(0.3, 3), 0};  // below 1: total reflection
+    return {random.logarithmic(0.02, 20), random.logarithmic(1e-3, 50)};
+}
+
+std::vector<SpectralSample> samples(Random& random, std::size_t count, bool metals) {
+    std::vector<SpectralSample> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        const RefractiveIndex of =
+            metals ? RefractiveIndex{random.uniform(0.1, 4), random.uniform(3.4, 12)} : index(random);
+        result.push_back({Wavelength::from_micrometres(random.logarithmic(0.3, 13)), of, 0});
+    }
+    return result;
+}
+
+std::string describe(const DirectionPair& p, const Surface& s, const SpectralSample& sample) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "cos " << p.in.cos_theta() << ", " << p.out.cos_theta() << ", sigma0 " << s.rms_roughness()
+         << ", tau " << s.correlation_length() << ", lambda " << sample.wavelength.micrometres() << ", N "
+         << sample.index.n() << " + " << sample.index.k() << 'i';
+    return text.str();
+}
+
+void compare(double tolerance) {
+    const std::string name = " of he_unified at " + std::to_string(tolerance);
+    WorstCase brdf{"brdf" + name, tolerance};
+    WorstCase matrices{"mueller" + name, tolerance};
+    Random random{20261128};
+    while (brdf.count() < points()) {
+        const double sigma = random.logarithmic(1e-3, 16);
+        const Surface ground{sigma, sigma / random.logarithmic(3e-3, 2)};
+        const std::size_t count = 1 + brdf.count() % 20;
+        const auto spectrum = samples(random, count, random.uniform(0, 2) < 1);
+        const UnifiedChoices choices{.polarisation_mixing = brdf.count() % 2 == 0};
+        const HeUnifiedSpectrum fast{ground, spectrum, Tolerance{tolerance}, hts::DiffuseLobe::full, choices};
+        const HeUnifiedSpectrum slow{ground, spectrum, Tolerance{hts::accuracy::finest_tolerance},
+                                     hts::DiffuseLobe::full, choices};
+        std::vector<DirectionPair> pairs;
+        for (int i = 0; i < 20; ++i) pairs.push_back(pair(random));
+        std::vector<double> f(count), reference(count), batch(count * pairs.size());
+        std::vector<Mueller> m(count), reference_m(count);
+        fast.brdf(pairs, batch);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            fast.brdf(pairs[i], f);
+            slow.brdf(pairs[i], reference);
+            fast.mueller(pairs[i], m);
+            slow.mueller(pairs[i], reference_m);
+            for (std::size_t j = 0; j < count; ++j) {
+                const auto where = [&] { return describe(pairs[i], ground, spectrum[j]); };
+                if (!(std::isfinite(f[j]) && f[j] >= 0)) FAIL(f[j] << " at " << where());
+                if (f[j] != batch[i * count + j]) FAIL("other bits in a batch at " << where());
+                if (reference[j] < 1e-280) continue;
+                brdf.note(relative_error(f[j], reference[j]), where);
+                for (std::size_t e = 0; e < 16; ++e) {
+                    const double error = std::abs(m[j].elements()[e] - reference_m[j].elements()[e]);
+                    matrices.note(error / reference[j], where);
+                }
+            }
+        }
+    }
+    brdf.check();
+    matrices.check();
+}
+
+double length(Random& random) {
+    return random.uniform(0, 4) < 1 ? random.one_of({1e-24, 1e-12, 1e-3, 0.5, 1, 1e6, 1e24})
+                                    : random.logarithmic(1e-24, 1e24);
+}
+
+double part_of_index(Random& random, double lowest) {
+    return random.uniform(0, 4) < 1 ? random.one_of({lowest, 1, 1 + 1e-15, 1e24})
+                                    : random.logarithmic(1e-24, 1e24);
+}
+
+}  // namespace
+
+TEST_CASE("he_unified in lanes at 1e-6 is as exact as asked for") {
+    compare(1e-6);
+}
+
+TEST_CASE("he_unified in lanes at 1e-3 is as exact as asked for") {
+    compare(1e-3);
+}
+
+TEST_CASE("the table of the mean number of kicks joins the sums") {
+    for (const double t : {0.1, 5.0, 40.0, 700.0}) {
+        CHECK(hts::unified_detail::far_mean_kicks(3, t) ==
+              Approx(hts::kicks(3, t).rest / hts::kicks(3, t).beta).epsilon(1e-12));
+    }
+    CHECK(hts::unified_detail::far_mean_kicks(3, 1e9) == 0);
+    CHECK(hts::unified_detail::far_mean_kicks(0, 1) == 0);
+}
+
+TEST_CASE("every valid input of he_unified has a finite answer") {
+    const std::size_t blocks = points() / 1000;
+    std::size_t failures = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : failures)
+    for (std::size_t block = 0; block < blocks; ++block) {
+        Random random{block};
+        for (int i = 0; i < 1000; ++i) {
+            const bool ordinary = random.uniform(0, 2) < 1;
+            const double wavelength = ordinary ? random.logarithmic(0.3, 13) : length(random);
+            const double sigma = ordinary                   ? random.logarithmic(1e-3, 16)
+                                 : random.uniform(0, 8) < 1 ? 0
+                                                            : length(random);
+            const double tau = ordinary ? sigma / random.logarithmic(3e-3, 5) : length(random);
+            const Surface surface{sigma, tau};
+            const RefractiveIndex of{part_of_index(random, 1e-24), part_of_index(random, 0)};
+            const hts::ReturnFactor m{surface.slope_width() / 2};
+            const hts::UnifiedWave wave{surface, m, Wavelength::from_micrometres(wavelength), of};
+            const DirectionPair p = pair(random);
+            const auto lobe = unified_lobe({surface, m, p.in}, {surface, m, p.out}, wave);
+            bool fine = std::isfinite(lobe.brdf()) && lobe.brdf() >= 0;
+            const Mueller matrix = unified_mueller(lobe.jones, mixed_share(surface));
+            for (const double e : matrix.elements()) fine = fine && std::isfinite(e);
+            const double mirror = unified_mirror(p.in, wave).unpolarised_reflectance();
+            fine = fine && mirror >= 0 && mirror <= 1 + 1e-12;
+            if (!fine) {
+#pragma omp critical
+                UNSCOPED_INFO(describe(p, surface, {Wavelength::from_micrometres(wavelength), of, 0})
+                              << ", f " << lobe.brdf() << ", mirror " << mirror);
+                ++failures;
+            }
+        }
+    }
+    CHECK(failures == 0);
+}

@@ -1,0 +1,25 @@
+/// The specular term of he_unified: what roughness leaves of the mirror, for s and for p.
+///
+///   rho_q = |F_q(theta)|^2 exp(-x_q)
+///   x_s = 4 (k sigma_0)^2 c (c^4 + a^4)^(1/4),   a^4 = 0.229 s^2/(k tau)^2
+///   x_p = 4 (k sigma_0)^2 c [(c^4 + a^4)^(1/4) + 0.65 (k tau)^(-3/2) s^4/|c + 1/N|^2]
+///
+/// Closed approximations of second-order perturbation theory: x is g at the normal and on gentle slopes, and goes with c to 0 at
+/// the horizon, where a rough surface becomes a mirror; only a perfect conductor's p dies there, with x ~ 1/c. They are within
+/// 10 % of the second order of x_s for tau >= lambda/2 (conductors) and tau >= lambda (others; 17 % at grazing), and within 18 %
+/// of x_p.
+#pragma once
+
+#include "hts/unified/unified_terms.hpp"
+
+namespace hts {
+
+namespace accuracy {
+inline constexpr double unified_mirror = 2e-12;  ///< of F_q exp(-x_q/2), relative
+}
+
+/// F_q exp(-x_q/2).
+///   error   accuracy::unified_mirror, above 1e-280
+[[nodiscard]] FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) noexcept;
+
+}  // namespace hts

@@ -1,0 +1,92 @@
+#include "spectral/energy/rough_surface.hpp"
+
+#include "hts/terms.hpp"
+#include "hts/unified/he_unified_spectrum.hpp"
+
+namespace hts::spectral {
+namespace {
+
+/// Of light with these shares of s and p.
+double reflected(const JonesMatrix& jones, const Polarisation& light) {
+    return light.s * (std::norm(jones.ss) + std::norm(jones.ps)) +
+           light.p * (std::norm(jones.sp) + std::norm(jones.pp));
+}
+
+ReflectedLight by_published_model(const Surface& surface, const Facets& facets,
+                                  const Wavelength& wavelength) {
+    return {[=](const Direction& in) {
+                return facet_reflectance(facets, in.cos_theta()) *
+                       coherent_fraction(surface, view(surface, in), wavelength);
+            },
+            [=](const Direction& in) -> ReflectedLight::Lobe {
+                return [=, lit = view(surface, in)](const Direction& out, double t) {
+                    const PairFactors pair{surface, lit, view(surface, out)};
+                    return pair.lobe(phi(pair.phase_variance(wavelength), t).value, wavelength) *
+                           facet_reflectance(facets, pair.cos_theta_d());
+                };
+            }};
+}
+
+ReflectedLight by_published_model(const Surface& surface, const RefractiveIndex& index,
+                                  const Wavelength& wavelength, const Polarisation& light) {
+    const ReflectedLight lossless = by_published_model(surface, PerfectMirror{}, wavelength);
+    return {[=](const Direction& in) {
+                const FresnelAmplitudes f = fresnel(in.cos_theta(), index);
+                return lossless.mirror(in) * (light.s * std::norm(f.s) + light.p * std::norm(f.p));
+            },
+            [=](const Direction& in) -> ReflectedLight::Lobe {
+                return [=, lobe = lossless.lobe(in)](const Direction& out, double t) {
+                    const double cos_theta_d = wave_vector_change(in, out).cos_theta_d();
+                    return lobe(out, t) * reflected(facet_jones(in, out, fresnel(cos_theta_d, index)), light);
+                };
+            }};
+}
+
+ReflectedLight by_successor(const RoughSurface& surface, const Facets& facets, const Wavelength& wavelength,
+                            const Polarisation& light) {
+    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    const HeUnifiedSpectrum model{surface,
+                                  {{wavelength, index == nullptr ? perfect_conductor() : *index, 0}},
+                                  Tolerance{hts::accuracy::quick_kicks},
+                                  DiffuseLobe::full,
+                                  *surface.unified()};
+    const double mixed = surface.unified()->polarisation_mixing ? mixed_share(surface) : 0;
+    const Polarisation mixed_light{light.s + mixed * (light.p - light.s),
+                                   light.p + mixed * (light.s - light.p)};
+    return {[=](const Direction& in) {
+                Mueller value;
+                model.specular_mueller(in, {&value, 1});
+                return value(0, 0) + (light.s - light.p) * value(0, 1);
+            },
+            [=](const Direction& in) -> ReflectedLight::Lobe {
+                return [=, lit = model.view(in)](const Direction& out, double t) {
+                    return reflected(unified_lobe(lit, model.view(out), model.waves().front(),
+                                                  DiffuseLobe::full, model.tolerance(), t)
+                                         .jones,
+                                     mixed_light);
+                };
+            }};
+}
+
+}  // namespace
+
+double facet_reflectance(const Facets& facets, double cos_theta) noexcept {
+    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    return index == nullptr ? 1 : fresnel(cos_theta, *index).unpolarised_reflectance();
+}
+
+ReflectedLight reflected_light(const RoughSurface& surface, const Facets& facets,
+                               const Wavelength& wavelength, const Polarisation& light) {
+    if (surface.unified()) return by_successor(surface, facets, wavelength, light);
+    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    if (index == nullptr || light.s == light.p) return by_published_model(surface, facets, wavelength);
+    return by_published_model(surface, *index, wavelength, light);
+}
+
+double mirror_shadowing(const RoughSurface& surface, const Direction& in) noexcept {
+    if (surface.unified()) return 1;
+    const double one_way = visibility(surface, in).shadowing;
+    return one_way * one_way;
+}
+
+}  // namespace hts::spectral
