@@ -22,8 +22,16 @@ void append_detail(TableWriter::Row& row, const Evaluation& value) {
 }  // namespace
 
 std::vector<std::string> mueller_columns() {
-    return {"m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
-            "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
+    std::vector<std::string> names;
+    for (const std::string term : {"m", "specular_m"})
+        for (const char row : {'0', '1', '2', '3'})
+            for (const char column : {'0', '1', '2', '3'}) names.push_back(term + row + column);
+    return names;
+}
+
+void append_mueller(TableWriter::Row& row, const Mueller& diffuse, const Mueller& specular) {
+    for (const Mueller* matrix : {&diffuse, &specular})
+        for (const double element : matrix->elements()) row.number(element);
 }
 
 std::vector<std::string> EvalAnswer::columns() const {
@@ -39,7 +47,10 @@ std::vector<std::string> EvalAnswer::columns() const {
     }
     if (detail) add(names, {"g", "t", "effective_roughness_um", "shadowing", "fresnel", "method"});
     if (incident) {
-        add(names, {"s0", "s1", "s2", "s3", "degree_of_polarisation", "angle_of_polarisation_deg"});
+        for (const std::string term : {"", "specular_"})
+            for (const char* name :
+                 {"s0", "s1", "s2", "s3", "degree_of_polarisation", "angle_of_polarisation_deg"})
+                names.push_back(term + name);
     }
     return names;
 }
@@ -52,18 +63,19 @@ void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
     }
     row.number(value.directional_diffuse).number(value.uniform_diffuse);
     row.number(value.directional_diffuse + value.uniform_diffuse).number(value.specular_reflectance);
-    if (mueller) {
-        for (const double element : value.mueller.elements()) row.number(element);
-    }
+    if (mueller) append_mueller(row, value.mueller, value.specular_mueller);
     if (detail) append_detail(row, value);
     if (incident) append_polarisation(row, value);
 }
 
 void EvalAnswer::append_polarisation(TableWriter::Row& row, const Evaluation& value) const {
-    const Stokes reflected = (value.mueller + Mueller::depolariser(value.uniform_diffuse)) * *incident;
-    for (std::size_t i = 0; i < 4; ++i) row.number(reflected[i]);
-    row.number(reflected.degree_of_polarisation());
-    row.number(reflected.angle_of_polarisation() * 180 / std::numbers::pi);
+    const Mueller diffuse = value.mueller + Mueller::depolariser(value.uniform_diffuse);
+    for (const Mueller* term : {&diffuse, &value.specular_mueller}) {
+        const Stokes reflected = *term * *incident;
+        for (std::size_t i = 0; i < 4; ++i) row.number(reflected[i]);
+        row.number(reflected.degree_of_polarisation());
+        row.number(reflected.angle_of_polarisation() * 180 / std::numbers::pi);
+    }
 }
 
 }  // namespace hts::cli

@@ -10,16 +10,19 @@
 
 namespace hts::cli {
 
-/// "m00" … "m33", row by row.
+/// "m00" … "m33" of the diffuse terms, then "specular_m00" … "specular_m33" of the mirror's, row by row.
 [[nodiscard]] std::vector<std::string> mueller_columns();
+/// The numbers of those columns.
+void append_mueller(TableWriter::Row& row, const Mueller& diffuse, const Mueller& specular);
 
 /// Names and values of the added columns, in the order of the members.
 struct EvalAnswer {
     bool wavelength = false;
     bool mueller = false;
     bool detail = false;
-    bool transmission = false;         ///< btdf instead of the terms of reflection
-    std::optional<Stokes> incident{};  ///< adds the Stokes vector that both diffuse terms reflect
+    bool transmission = false;  ///< btdf instead of the terms of reflection
+    std::optional<Stokes>
+        incident{};  ///< adds the Stokes vectors that the diffuse terms and the mirror reflect
 
     [[nodiscard]] PointEvaluator::Wish wish() const noexcept {
         return {.mueller = mueller || incident, .detail = detail};

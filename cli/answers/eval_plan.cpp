@@ -74,17 +74,18 @@ class PlannedPair {
 
 struct SpectralValue {
     double wavelength, brdf, specular_reflectance;
-    Mueller mueller;
+    Mueller mueller, specular_mueller;
 };
 
 void evaluate_spectrum(const Reflectance& planned, bool polarised, const DirectionPair& pair,
                        std::span<SpectralValue> result) {
     const auto specular = planned.specular_reflectance(pair.in);
     const auto mueller = polarised ? planned.mueller(pair) : std::vector<Mueller>(result.size());
+    const auto mirror = polarised ? planned.specular_mueller(pair.in) : std::vector<Mueller>(result.size());
     const auto brdf = polarised ? std::vector<double>(result.size()) : planned.brdf(pair);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = {planned.wavelengths().micrometres()[i], polarised ? mueller[i](0, 0) : brdf[i],
-                     specular[i].value(), mueller[i]};
+                     specular[i].value(), mueller[i], mirror[i]};
     }
 }
 
@@ -108,8 +109,7 @@ void write_spectra(const Reflectance& planned, const PlannedPair& pair, bool pol
         },
         [&](TableWriter::Row& row, const SpectralValue& value) {
             row.field(shortest(value.wavelength)).number(value.brdf).number(value.specular_reflectance);
-            if (!mueller) return;
-            for (const double element : value.mueller.elements()) row.number(element);
+            if (mueller) append_mueller(row, value.mueller, value.specular_mueller);
         });
 }
 

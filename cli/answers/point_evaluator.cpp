@@ -160,7 +160,11 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
     }
     if (wish.mueller) {
         const auto matrices = of.directional_diffuse_mueller(pair);
-        for (std::size_t i = 0; i < result.size(); ++i) result[i].mueller = matrices[i];
+        const auto mirror = of.specular_mueller(pair.in);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            result[i].mueller = matrices[i];
+            result[i].specular_mueller = mirror[i];
+        }
     }
     if (wish.detail) add_detail(of, pair, result);
     warning.note(of, pair);

@@ -25,6 +25,7 @@ struct Evaluation {
     double uniform_diffuse = 0;                    ///< [1/sr]
     double specular_reflectance = 0;               ///< [1]
     Mueller mueller{};                             ///< of the directional-diffuse term [1/sr]
+    Mueller specular_mueller{};                    ///< of the specular term [1]
     double btdf = 0;                               ///< where the view is behind the surface [1/sr]
     std::optional<spectral::LobeDetail> detail{};  ///< what the lobe of a rough surface was made of
 };

@@ -35,6 +35,29 @@ TEST_CASE("hts table export writes a file, what stands in it, and how well it re
     CHECK(nlohmann::json::parse(place.read("al.pbsdf.json"))["suggested_alpha"] > 0.1);
 }
 
+TEST_CASE("hts table export spreads the specular term where a file can hold it, and refuses where not") {
+    const Workplace place;
+    const std::string fine = HTS_SOURCE_DIR "/cli/data/fine-aluminium.json";
+    const std::string box = " --wavelengths 0.55 --specular box --pairs 1000 --json --output ";
+    const auto refused = place.hts("table export " + fine + " --format csv" + box + "al.csv");
+    CHECK(refused.exit_code == 1);
+    CHECK(refused.errors.find("would reflect ") != std::string::npos);
+    CHECK(refused.errors.find("does not hold a box of 0.001 sr") != std::string::npos);
+    CHECK(place.names().empty());
+    for (const std::string format : {"rgl", "zemax", "klems"}) {
+        const auto result = place.hts("table export " + fine + " --format " + format + box + "al." + format);
+        INFO(format << ": " << result.errors);
+        REQUIRE(result.exit_code == 0);
+        const auto report = nlohmann::json::parse(result.output);
+        // the mirror returns a quarter of the light along the normal
+        CHECK(report["albedo"][0]["original"].get<double>() == Approx(0.9155).margin(0.003));
+        CHECK(report["albedo"][0]["read_back"].get<double>() == Approx(0.9155).margin(0.006));
+        CHECK(nlohmann::json::parse(place.read("al." + format + ".json"))["specular"]["treatment"]
+                  .get<std::string>()
+                  .starts_with("in the file"));
+    }
+}
+
 TEST_CASE("hts table export names what is wrong and leaves nothing behind") {
     const Workplace place;
     const auto wrong = [&](const std::string& arguments, int code, const std::string& message) {

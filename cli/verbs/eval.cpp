@@ -228,7 +228,8 @@ void add_eval(CLI::App& program) {
     options->directions.add_to(*verb);
     options->output.add_to(*verb);
     verb->add_flag("--mueller", options->mueller,
-                   "add the Mueller matrix m00 ... m33 of the directional-diffuse term");
+                   "add the Mueller matrices m00 ... m33 of the directional-diffuse term and\n"
+                   "specular_m00 ... specular_m33 of the specular one");
     verb->add_flag("--detail", options->detail,
                    "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
                    "goes to standard error");
@@ -241,7 +242,9 @@ void add_eval(CLI::App& program) {
     verb->add_option(
         "--polarisation", options->polarisation,
         "incident light: s, p, unpolarised or s0,s1,s2,s3; adds what the diffuse terms reflect:\n"
-        "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p)");
+        "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p),\n"
+        "and the same of the specular term, specular_s0 ...; the terms themselves, which need\n"
+        "no polarisation, stay those of unpolarised light");
     options->tolerance.add_to(*verb);
     verb->add_option("--random-pairs,--pairs,--samples,--count", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"

@@ -1,5 +1,6 @@
 #include "tables/formats/lobe_quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,18 +41,40 @@ double FacetDraws::density(const DirectionPair& pair) const noexcept {
     return std::exp(-squared / alpha_squared_) / (pi * alpha_squared_ * m.z * m.z * m.z * 4 * cosine);
 }
 
-std::vector<WeightedView> lobe_quadrature(const Direction& in, double slope, int count) {
+SpecularCone::SpecularCone(double solid_angle) noexcept
+    : squared_sine_{std::min(5 * solid_angle / (4 * pi), 1.0)} {}
+
+Vector3 SpecularCone::draw(const Direction& in, double u1, double u2) const noexcept {
+    const Direction mirror = in.mirror();
+    const double h = u1 * squared_sine_, radius = 2 * std::sqrt(h * (1 - h));
+    const Vector3 across{-mirror.sin_phi(), mirror.cos_phi(), 0};
+    return (1 - 2 * h) * mirror.vector() +
+           radius * (std::cos(2 * pi * u2) * across + std::sin(2 * pi * u2) * cross(mirror.vector(), across));
+}
+
+double SpecularCone::density(const DirectionPair& pair) const noexcept {
+    const Vector3 apart = pair.out.vector() - pair.in.mirror().vector();
+    return dot(apart, apart) / 4 <= squared_sine_ ? 1 / (4 * pi * squared_sine_) : 0;
+}
+
+std::vector<WeightedView> lobe_quadrature(const Direction& in, double slope, int count,
+                                          double specular_solid_angle) {
     const FacetDraws facets{slope};
+    const bool with_cone = specular_solid_angle > 0;
+    const SpecularCone cone{with_cone ? specular_solid_angle : 1};
     std::vector<WeightedView> views;
     const auto add = [&](Vector3 out) {
         if (!(out.z > 0)) return;
         const Direction view = Direction::from_unit_vector(out);
-        views.push_back({view, 1 / (count * (facets.density({in, view}) + view.cos_theta() / pi))});
+        const double density =
+            facets.density({in, view}) + view.cos_theta() / pi + (with_cone ? cone.density({in, view}) : 0);
+        views.push_back({view, 1 / (count * density)});
     };
     for (int i = 0; i < count; ++i) {
         const double u1 = (i + 0.5) / count, u2 = radical_inverse(static_cast<unsigned>(i));
         add(facets.draw(in, u1, u2));
         add(cosine_draw(u1, u2));
+        if (with_cone) add(cone.draw(in, u1, u2));
     }
     return views;
 }

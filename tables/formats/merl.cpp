@@ -45,31 +45,52 @@ Coordinates coordinates_of(const DirectionPair& pair) noexcept {
             std::atan2(std::hypot(light.x, light.y), light.z) * 2 / pi * 90, phi / pi * 180};
 }
 
-// The pair of directions there, none if one is below the horizon.
-std::optional<DirectionPair> pair_at(const Coordinates& at) {
+// The pair of directions there; either may lie below the horizon.
+struct VectorPair {
+    Vector3 in, out;
+
+    [[nodiscard]] bool above() const { return in.z > 0 && out.z > 0; }
+};
+
+VectorPair vectors_at(const Coordinates& at) {
     const double theta_h = at[0] / 90 * (at[0] / 90) * pi / 2, theta_d = at[1] / 90 * pi / 2,
                  phi_d = at[2] / 180 * pi;
     const Vector3 light{std::sin(theta_d) * std::cos(phi_d), std::sin(theta_d) * std::sin(phi_d),
                         std::cos(theta_d)};
     const Vector3 half{std::sin(theta_h), 0, std::cos(theta_h)};
     const Vector3 in{half.z * light.x + half.x * light.z, light.y, half.z * light.z - half.x * light.x};
-    const Vector3 out = 2 * light.z * half - in;
-    if (!(in.z > 0) || !(out.z > 0)) return std::nullopt;
+    return {in, 2 * light.z * half - in};
+}
+
+std::optional<DirectionPair> pair_at(const Coordinates& at) {
+    const auto [in, out] = vectors_at(at);
+    if (!(in.z > 0 && out.z > 0)) return std::nullopt;
     return DirectionPair{Direction::from_unit_vector(in), Direction::from_unit_vector(out)};
 }
 
-// That of the bin's centre, or of the point nearest to it (of 5 in each coordinate) that is above the horizon.
+Direction raised(Vector3 v) {
+    constexpr double horizon = 1e-4;  // lobes are 0 on the horizon itself
+    return Direction::from_vector({v.x, v.y, std::max(v.z, horizon)});
+}
+
+// That of the bin's centre, or of the point nearest to it (of 5 in each coordinate) that is above the horizon; of a bin below it beside
+// such ones that of the centre, raised to the horizon.
 std::optional<DirectionPair> pair_of_bin(const std::array<std::size_t, 3>& bin) {
-    const auto offset_pair = [&](const std::array<double, 3>& offset) {
+    const auto offset_by = [&](const std::array<double, 3>& offset) {
         Coordinates at;
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = static_cast<double>(bin[axis]) + 0.5 + offset[axis];
-        return pair_at(at);
+        return at;
     };
+    const auto offset_pair = [&](const std::array<double, 3>& offset) { return pair_at(offset_by(offset)); };
     if (auto centre = offset_pair({0, 0, 0})) return centre;
     // both are above the horizon where tan theta_h tan theta_d |cos phi_d| < 1: the smaller each, the better
     const double upright = bin[2] < bins[2] / 2 ? 0.4 : -0.4;
-    if (!offset_pair({-0.4, -0.4, upright})) return std::nullopt;
+    if (!offset_pair({-0.4, -0.4, upright})) {
+        if (!vectors_at(offset_by({-1.4, -1.4, 3.5 * upright})).above()) return std::nullopt;
+        const auto [in, out] = vectors_at(offset_by({0, 0, 0}));
+        return DirectionPair{raised(in), raised(out)};
+    }
     std::optional<DirectionPair> nearest;
     double least = 1;
     for (const double h : {-0.4, -0.2, 0.0, 0.2, 0.4}) {

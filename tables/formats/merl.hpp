@@ -3,7 +3,7 @@
 /// Bins run over Rusinkiewicz' angles [Rusinkiewicz98]: theta_h of the half direction h, 90 bins that crowd at 0
 /// (sqrt(theta_h / (pi/2))), and theta_d (90) and phi_d (180, folded to [0, pi) by reciprocity) of the light about h. The file
 /// holds BRDFs [1/sr] without the cosine, divided by 1/1500, 1.15/1500 and 1.66/1500 for red, green and blue; a negative number
-/// marks a bin below the horizon. Three int32 90, 90, 180, then the planes of red, green, blue as float64, little-endian.
+/// marks a bin below the horizon, which readers take for 0. Three int32 90, 90, 180, then the planes of red, green, blue as float64, little-endian.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ enum class MerlLookup {
 };
 
 /// A file's bytes. Each bin holds the BRDF at its centre, or where that is below the horizon at the point of the bin next to
-/// the centre that is not.
+/// the centre that is not. Bins that lie below the horizon beside such ones hold the horizon's value, for readers that interpolate.
 ///   brdf   isotropic, three wavelengths, of which the longest becomes red (linear_srgb_brdf makes them of a spectrum); else
 ///          hts::Error
 [[nodiscard]] std::string merl_bytes(const spectral::Reflectance& brdf);

@@ -81,30 +81,38 @@ class Peaks {
     std::vector<std::vector<double>> rows_;
 };
 
-/// Pairs by turns around the lobe and uniform.
+/// Pairs by turns around the lobe, uniform, and in the specular term if that is spread.
 class PairDraws {
   public:
-    PairDraws(double slope, std::uint64_t seed) : facets_{slope}, random_{seed} {}
+    PairDraws(double slope, const RoundTripOptions& options)
+        : facets_{slope},
+          cone_{options.specular_solid_angle},
+          kinds_{options.specular_solid_angle > 0 ? 3U : 2U},
+          random_{options.seed} {}
 
     DirectionPair operator()() {
-        around_lobe_ = !around_lobe_;
+        turn_ = (turn_ + 1) % kinds_;
         const Direction in = random_.direction(std::cos(largest_theta));
-        return {in, around_lobe_ ? near_mirror(in) : random_.direction(std::cos(largest_theta))};
+        if (turn_ == 1) return {in, near_mirror(in, facets_)};
+        if (turn_ == 2) return {in, near_mirror(in, cone_)};
+        return {in, random_.direction(std::cos(largest_theta))};
     }
 
   private:
-    Direction near_mirror(const Direction& in) {
+    template <class Draws>
+    Direction near_mirror(const Direction& in, const Draws& draws) {
         for (int attempt = 0; attempt < 64; ++attempt) {
             const double u1 = random_.uniform(), u2 = random_.uniform();
-            const Vector3 out = facets_.draw(in, u1, u2);
+            const Vector3 out = draws.draw(in, u1, u2);
             if (out.z >= std::cos(largest_theta)) return Direction::from_unit_vector(out);
         }
         return in.mirror();
     }
 
     FacetDraws facets_;
+    SpecularCone cone_;
+    unsigned kinds_, turn_ = 0;
     Random random_;
-    bool around_lobe_ = false;
 };
 
 PeakError peak_error(const spectral::Reflectance& original, const DirectionPair& pair, std::size_t k,
@@ -126,18 +134,15 @@ void keep_worse(PeakError& worst, const PeakError& error) {
 /// Compares pair by pair; buffers are made once.
 class Comparison {
   public:
-    Comparison(const spectral::Reflectance& original, const spectral::Reflectance& read)
+    Comparison(const spectral::Reflectance& original, const spectral::Reflectance& read, double slope)
         : original_{original},
           read_{read},
-          slope_{lobe_slope(original)},
-          peaks_of_{original, slope_},
+          peaks_of_{original, slope},
           peaks_(count()),
           expected_(count()),
           values_(count()),
           expected_matrices_(count()),
           matrices_(count()) {}
-
-    [[nodiscard]] double slope() const noexcept { return slope_; }
 
     /// Over all wavelengths, the worst.
     PeakError of_brdf(const DirectionPair& pair) {
@@ -170,7 +175,6 @@ class Comparison {
     [[nodiscard]] std::size_t count() const { return original_.wavelengths().size(); }
 
     const spectral::Reflectance &original_, &read_;
-    double slope_;
     Peaks peaks_of_;
     std::vector<double> peaks_, expected_, values_;
     std::vector<Mueller> expected_matrices_, matrices_;
@@ -204,12 +208,12 @@ double density_integral(const HasDensity& read, const Direction& in, const std::
 }
 
 void add_integrals(RoundTrip& result, const spectral::Reflectance& original,
-                   const spectral::Reflectance& read, double slope) {
+                   const spectral::Reflectance& read, double slope, double specular_solid_angle) {
     constexpr int points = 4096;
     const auto* density = dynamic_cast<const HasDensity*>(&read.evaluator());
     for (const double degrees : {0., 15., 30., 45., 60., 75., 85.}) {
         const Direction in = Direction::from_degrees(degrees, 0);
-        const auto views = lobe_quadrature(in, slope, points);
+        const auto views = lobe_quadrature(in, slope, points, specular_solid_angle);
         result.albedo.push_back(albedo_error(original, read, in, views));
         if (density != nullptr)
             result.density.push_back({polar_angle(in), density_integral(*density, in, views)});
@@ -234,8 +238,9 @@ nlohmann::json as_json(const PeakError& error) {
 RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Reflectance& read_back,
                      const RoundTripOptions& options) {
     require_same_wavelengths(original, read_back);
-    Comparison comparison{original, read_back};
-    PairDraws draw{comparison.slope(), options.seed};
+    const double slope = options.slope > 0 ? options.slope : lobe_slope(original);
+    Comparison comparison{original, read_back, slope};
+    PairDraws draw{slope, options};
     RoundTrip result;
     result.pairs = options.pairs;
     result.wavelengths = original.wavelengths().size();
@@ -253,7 +258,7 @@ RoundTrip round_trip(const spectral::Reflectance& original, const spectral::Refl
     }
     result.median = spectral::quantile(errors, 0.5);
     result.percentile_99 = spectral::quantile(std::move(errors), 0.99);
-    add_integrals(result, original, read_back, comparison.slope());
+    add_integrals(result, original, read_back, slope, options.specular_solid_angle);
     return result;
 }
 

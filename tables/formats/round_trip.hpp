@@ -2,8 +2,8 @@
 ///
 /// The error at a pair of directions and a wavelength is |read - original|/peak, where peak is the largest BRDF of the
 /// original for that angle of incidence and wavelength. Half of the pairs are drawn around the lobe (facets with Gaussian
-/// slopes about as wide), half uniformly over the hemisphere; the light is uniform over the hemisphere; all polar angles are at
-/// most 88 degrees. Same seed, same pairs, on every machine.
+/// slopes about as wide), half uniformly over the hemisphere, as many in a spread specular term; the light is uniform over the
+/// hemisphere; all polar angles are at most 88 degrees. Same seed, same pairs, on every machine.
 #pragma once
 
 #include <cstddef>
@@ -70,6 +70,11 @@ struct RoundTrip {
 struct RoundTripOptions {
     std::size_t pairs = 100'000;
     std::uint64_t seed = 1;
+    /// Slope of the lobe to draw about (lobe.hpp); 0 for that of the original.
+    double slope = 0;
+    /// Of the box or lobe over which the original's specular term is spread (specular_box.hpp) [sr], so that as many pairs are drawn
+    /// there and the integrals see it; 0 for none.
+    double specular_solid_angle = 0;
 };
 
 /// Compares the two at the wavelengths they share.

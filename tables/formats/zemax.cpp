@@ -11,6 +11,7 @@
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/points/tokens.hpp"
+#include "tables/formats/specular_box.hpp"
 
 namespace hts::tables {
 
@@ -179,7 +180,7 @@ std::optional<spectral::WavelengthGrid> commented_wavelength(std::string_view te
 
 }  // namespace
 
-AngularGrid zemax_grid() {
+AngularGrid zemax_grid(double box) {
     AngularGrid grid;
     grid.axis = PolarAxis::mirror;
     for (double theta = 0; theta < 40; theta += 2.5) grid.theta_i.push_back(theta);
@@ -189,6 +190,13 @@ AngularGrid zemax_grid() {
     for (double r = 1; r < 20; r += 1) grid.polar.push_back(r);
     for (double r = 20; r < 60; r += 2) grid.polar.push_back(r);
     for (double r = 60; r <= 170; r += 5) grid.polar.push_back(r);
+    if (box > 0) {
+        const double edge = specular_box_half_angle(box) / degree;
+        grid.polar.insert(grid.polar.end(), {edge * (1 - 1e-3), edge * (1 + 1e-3)});
+        std::ranges::sort(grid.polar);
+        const auto again = std::ranges::unique(grid.polar);
+        grid.polar.erase(again.begin(), again.end());
+    }
     return grid;
 }
 
@@ -199,7 +207,8 @@ std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularG
     }
     grid.check();
     if (!is_plane_symmetric(brdf)) grid = without_symmetry(std::move(grid));
-    const std::vector<double> values = values_on(grid, brdf), tis = reflectances(grid, brdf);
+    const std::vector<double> values = values_on(grid, brdf, BelowHorizon::continued),
+                              tis = reflectances(grid, brdf);
     const std::size_t wavelengths = brdf.wavelengths().size();
     std::vector<std::string> texts;
     for (std::size_t k = 0; k < wavelengths; ++k) {
@@ -248,13 +257,13 @@ spectral::Reflectance zemax_brdf(std::string_view text, const std::string& name,
 }
 
 std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
-                                            const std::filesystem::path& path) {
+                                            const std::filesystem::path& path, AngularGrid grid) {
     const auto wavelengths = brdf.wavelengths().micrometres();
     if (wavelengths.size() > 1 && path.extension() != ".json") {
         throw Error{path.string() + ": one file holds one wavelength; for " +
                     std::to_string(wavelengths.size()) + " name an index that ends in .json"};
     }
-    const std::vector<std::string> texts = zemax_texts(brdf);
+    const std::vector<std::string> texts = zemax_texts(brdf, std::move(grid));
     if (texts.size() == 1 && path.extension() != ".json") return {{path.string(), texts.front()}};
     std::vector<spectral::TextFile> files;
     std::string index = "{\"zemax_files\": [";

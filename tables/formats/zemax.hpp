@@ -2,8 +2,9 @@
 /// BSDF data file format"), also read by libbsdf.
 ///
 /// A file holds BRDFs [1/sr] without the cosine, of one wavelength (or of three tristimulus values), on a grid of angles of
-/// incidence, and of azimuth and polar angle about the mirror direction; views below the horizon are 0. The wavelength is no
-/// part of the format: files written here say it in a comment, "# wavelength_um 0.633".
+/// incidence, and of azimuth and polar angle about the mirror direction. Readers interpolate between all of these, also those
+/// below the horizon: files written here hold the horizon's values there (BelowHorizon::continued). Files of others that hold 0 there
+/// are read without them. The wavelength is no part of the format: files written here say it in a comment, "# wavelength_um 0.633".
 #pragma once
 
 #include <filesystem>
@@ -20,7 +21,9 @@ namespace hts::tables {
 
 /// Angles that suit lobes of 5 degrees and wider: incidence every 2.5 degrees to 40, then every degree to 89; azimuth every 10; polar angle
 /// from 0.1 degrees on in growing steps, at most 5, to 170.
-[[nodiscard]] AngularGrid zemax_grid();
+///   box   solid angle of a box about the mirror direction (with_specular_box) that the grid has to hold [sr], 0 for none: its edge
+///         gets two polar angles, so that readers who interpolate lose and gain nothing
+[[nodiscard]] AngularGrid zemax_grid(double box = 0);
 
 /// A file's text for each wavelength, six digits.
 ///   brdf   isotropic, else hts::Error      grid   axis mirror, phi_i one value
@@ -53,7 +56,8 @@ struct ZemaxFile {
 void write_zemax(const spectral::Reflectance& brdf, const std::filesystem::path& path);
 /// What that writes, the index last.
 [[nodiscard]] std::vector<spectral::TextFile> zemax_files(const spectral::Reflectance& brdf,
-                                                          const std::filesystem::path& path);
+                                                          const std::filesystem::path& path,
+                                                          AngularGrid grid = zemax_grid());
 
 /// Reads either kind; errors as of zemax_brdf.
 [[nodiscard]] spectral::Reflectance read_zemax(

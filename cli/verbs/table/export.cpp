@@ -1,17 +1,21 @@
 // hts table export: files of other programs, each read back at once and compared with what was written.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <numbers>
 
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/formats.hpp"
 #include "cli/verbs/table/table.hpp"
+#include "hts/error.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
+#include "tables/formats/lobe.hpp"
 #include "tables/formats/round_trip.hpp"
 #include "tables/formats/specular_box.hpp"
 #include "tables/table/table.hpp"
@@ -35,8 +39,10 @@ std::string export_help() {
 The source is a material file or a table (.htst), which has its own wavelengths. The file
 holds the diffuse terms; the specular delta is left out and its reflectance written beside
 the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
---solid-angle instead. Then the file is read back and compared with the model at random
-pairs of directions: the report goes to standard output.
+--solid-angle instead: about the mirror direction, or of formats on half vectors over facets
+of as little tilt; a box that the grid of a format cannot hold is refused. Before anything is
+written, the files are read as the programs read them that know the format, and compared with
+the model at random pairs of directions: the report goes to standard output.
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
@@ -67,21 +73,50 @@ Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
                                    {.tolerance = Tolerance{1e-6}, .outside = material.policy()});
 }
 
-Reflectance with_specular(const ExportOptions& options, const Reflectance& brdf) {
+Reflectance with_specular(const ExportOptions& options, const TableFormat& format, const Reflectance& brdf) {
     if (options.specular == "none") return brdf;
-    return from_option("--solid-angle", [&] { return tables::with_specular_box(brdf, options.solid_angle); });
+    return from_option("--solid-angle", [&] {
+        return format.spread == SpecularSpread::box ? tables::with_specular_box(brdf, options.solid_angle)
+                                                    : tables::with_specular_lobe(brdf, options.solid_angle);
+    });
+}
+
+std::string name_of(SpecularSpread spread, double solid_angle) {
+    if (spread == SpecularSpread::patches) return "spread over the patch that mirrors the light's";
+    const std::string box = "a box of " + shortest(solid_angle) + " sr";
+    return spread == SpecularSpread::box ? box : "spread over facets, at the normal as high as " + box;
+}
+
+/// hts::Error if a reader of the file gains or loses light.
+void require_held(const ExportOptions& options, const tables::RoundTrip& report) {
+    constexpr double most_lost = 0.02, degree = std::numbers::pi / 180, largest_theta = 76 * degree;
+    for (const auto& each : report.albedo) {
+        if (each.theta_i > largest_theta || std::abs(each.read_back - each.original) <= most_lost) continue;
+        throw Error{options.output + ": would reflect " + brief(each.read_back) + " for " +
+                    brief(each.original) + " at theta_i " + brief(each.theta_i / degree) + " deg, " +
+                    shortest(each.wavelength_um) + " um, as its readers take it: the grid of format " +
+                    options.format + " does not hold a box of " + shortest(options.solid_angle) +
+                    " sr; give a larger --solid-angle or --specular none"};
+    }
 }
 
 void run(const ExportOptions& options) {
     const TableFormat& format = format_named(options.format);
     const Reflectance plain = source_of(options, format);
-    const Reflectance boxed = with_specular(options, plain);
-    const Reflectance brdf = format.as_held ? format.as_held(boxed) : boxed;
-    tables::Exported exported = format.exported(brdf, options.output);
-    if (options.specular == "box")
-        exported.sidecar.specular = "in the file, a box of " + shortest(options.solid_angle) + " sr";
+    const Reflectance boxed = with_specular(options, format, plain);
+    const auto held = [&](const Reflectance& brdf) { return format.as_held ? format.as_held(brdf) : brdf; };
+    const Reflectance brdf = held(boxed);
+    const bool box = options.specular == "box", patches = format.spread == SpecularSpread::patches;
+    const ExportDetails details{box ? options.solid_angle : 0, tables::lobe_slope(plain)};
+    tables::Exported exported = format.exported(patches ? held(plain) : brdf, options.output, details);
+    const auto report =
+        tables::round_trip(brdf, format.read(exported),
+                           {options.pairs, options.seed, details.slope, details.specular_solid_angle});
+    if (box) {
+        if (!patches) require_held(options, report);
+        exported.sidecar.specular = "in the file, " + name_of(format.spread, options.solid_angle);
+    }
     tables::write_with_sidecar(options.output, plain, std::move(exported));
-    const auto report = tables::round_trip(brdf, format.read(options.output), {options.pairs, options.seed});
     std::cout << (options.json ? report.json() + "\n" : report.text());
     std::cerr << options.output << ": " << std::filesystem::file_size(spectral::path_to_read(options.output))
               << " bytes\n";

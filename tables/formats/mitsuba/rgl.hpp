@@ -9,8 +9,9 @@
 ///   pdf = vndf(u, v) luminance(s)/(2 pi^2 u sin(theta_m) 4 (w_i.m))
 ///
 /// everything linear between nodes, in single precision. The writer takes for `vndf` the light that a facet m sends to the
-/// viewer, so that nodes and samples are where light is, whatever the width of the lobe. Behind the horizon it stores
-/// f cos(theta_o) with its negative cosine, so that what lies in front of it is interpolated to the end.
+/// viewer, so that nodes and samples are where light is, whatever the width of the lobe. Nothing is negative, since readers do not
+/// clamp what they interpolate: f cos(theta_o) is 0 from the horizon on, and the horizon stands on the same column of the warped
+/// square for every azimuth and angle of incidence, so that it stays there between them.
 #pragma once
 
 #include <filesystem>
@@ -51,14 +52,18 @@ class RglBrdf : public spectral::Evaluator, public HasDensity {
 };
 
 /// Writes an isotropic reflectance; hts::Error for others, or where the file cannot be written.
+///   specular_solid_angle   of with_specular_lobe, if that was applied [sr]: then nodes are set where that lobe is; else 0
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
-               const RglResolution& resolution);
+               const RglResolution& resolution, double specular_solid_angle = 0);
 /// The same as finely as it must be: each try is read back at random pairs of directions, and if the worst error is above
 /// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path);
+/// The pairs of directions at which it does so.
+inline const RoundTripOptions rgl_comparison{.pairs = 200'000, .seed = 0};
 /// What that writes, and the sidecar.
-[[nodiscard]] Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path);
+[[nodiscard]] Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+                                    const RoundTripOptions& compared = rgl_comparison);
 
 /// Reads a spectral file, isotropic or anisotropic over all azimuths; its specular reflectance is 0.
 /// hts::Error "path: field "vndf": …" for what Mitsuba and pbrt would refuse or what is no number.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "hts/error.hpp"
@@ -11,6 +12,7 @@
 #include "tables/formats/mitsuba/rgl.hpp"
 #include "tables/formats/mitsuba/rgl_square.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
+#include "tables/formats/specular_box.hpp"
 
 namespace hts::tables {
 namespace {
@@ -108,20 +110,28 @@ class Lobes {
 
 /// Where one angle of incidence gets its nodes: more of them where there is light, where it varies, at the facets near the
 /// normal and at views near the horizon, where the stored f cos(theta_o) is divided by a small cosine. The luminance makes
-/// up for what this density is not as a density of light.
+/// up for what this density is not as a density of light. A specular lobe of facets takes the same columns of the warped square for every
+/// azimuth and angle of incidence, so that readers who mix them see the same lobe.
 class NodeDensity {
   public:
-    NodeDensity(const Lobes& lobes, const Direction& in)
-        : lobes_{lobes}, in_{in}, near_horizon_{std::clamp(10 * in.cos_theta(), 0.1, 1.0)} {}
+    ///   specular_edge   u where that lobe ends, 0 for none
+    NodeDensity(const Lobes& lobes, const Direction& in, double specular_edge)
+        : lobes_{lobes},
+          in_{in},
+          near_horizon_{std::clamp(10 * in.cos_theta(), 0.1, 1.0)},
+          specular_edge_{specular_edge} {}
 
     /// On the square, rows x columns.
-    std::vector<float> slice(std::size_t rows, std::size_t columns, std::vector<double>& values) {
+    ///   in_front   part of each row's integral that lies in front of the horizon
+    std::vector<float> slice(std::size_t rows, std::size_t columns, double in_front,
+                             std::vector<double>& values) {
         std::vector<double> light, spread;
         for (std::size_t i = 0; i < rows * columns; ++i) {
             const Point2 point{coordinate(i % columns, columns), coordinate(i / columns, rows)};
             const FacetView view{in_, half_vector(point, 0)};
             const double area = static_cast<double>(point.x) * share(view);
-            light.push_back(area > 0 ? area * tempered(lobes_(in_, view.out, values)) : 0);
+            const bool in_lobe = static_cast<double>(point.x) < specular_edge_;  // see fill_specular
+            light.push_back(area > 0 && !in_lobe ? area * tempered(lobes_(in_, view.out, values)) : 0);
             spread.push_back(area);
         }
         normalise(light, spread);
@@ -130,14 +140,12 @@ class NodeDensity {
         const double floor = brightest > 0 ? 1e-6 * brightest : 1;
         for (std::size_t i = 0; i < light.size(); ++i)
             result.push_back(static_cast<float>(light_ * light[i] + spread_ * spread[i] + floor));
+        for (std::size_t i = 0; i < rows; ++i) {
+            const auto row = std::span{result}.subspan(i * columns, columns);
+            if (specular_edge_ > 0) fill_specular(row, coordinate(i, rows), in_front);
+            fill_behind(row, coordinate(i, rows), in_front);
+        }
         return result;
-    }
-
-    /// Light per node; after `slice`.
-    ///   mean   BRDF, mean of all wavelengths
-    [[nodiscard]] double luminance(const FacetView& view, double mean) const {
-        const double nodes = share(view) * (light_ * tempered(mean) + spread_);
-        return nodes > 0 ? view.tilt * view.facing * std::max(view.cosine, 0.0) * mean / nodes : 0;
     }
 
   private:
@@ -145,9 +153,66 @@ class NodeDensity {
 
     /// Per angle of the facet's tilt, without light's part.
     [[nodiscard]] double share(const FacetView& view) const {
-        const double c = view.cosine, width = 0.15 * near_horizon_, behind = 0.1 * near_horizon_;
-        const double height = c >= 0 ? 1 / (c + width) : std::max(1 + c / behind, 0.0) / width;
-        return std::sqrt(view.facing) * height;
+        if (view.cosine < 0) return 0;
+        return std::sqrt(view.facing) / (view.cosine + 0.15 * near_horizon_);
+    }
+    /// The column where a row crosses the horizon: w_o.z is a cosine of twice the facet's tilt.
+    [[nodiscard]] double horizon_column(float row, std::size_t columns) const {
+        const double azimuth = (2 * static_cast<double>(row) - 1) * pi;
+        const double tilt = (std::atan2(in_.sin_theta() * std::cos(azimuth), in_.cos_theta()) + pi / 2) / 2;
+        return std::sqrt(tilt * 2 / pi) * static_cast<double>(columns - 1);
+    }
+    /// A point along a row, in columns, and integrals of the row's straight lines up to it.
+    struct Cut {
+        Cut(double column, std::size_t columns)
+            : node{std::min(static_cast<std::size_t>(column), columns - 2)},
+              past{std::min(column - static_cast<double>(node), 1.0)} {}
+
+        [[nodiscard]] double before(std::span<const float> row) const {
+            double sum = static_cast<double>(row[node]) * (past - past * past / 2) +
+                         static_cast<double>(row[node + 1]) * past * past / 2;
+            for (std::size_t i = 0; i < node; ++i) sum += static_cast<double>(row[i] + row[i + 1]) / 2;
+            return sum;
+        }
+
+        std::size_t node;
+        double past;  // this node's cell, 0 ... 1
+    };
+
+    /// Nodes evenly over the tilts of the specular lobe, so many that they get their share of the row in front of the horizon.
+    void fill_specular(std::span<float> row, float place, double in_front) const {
+        constexpr double share = 0.3;  // of all columns
+        const Cut edge{specular_edge_ * static_cast<double>(row.size() - 1), row.size()};
+        const Cut horizon{horizon_column(place, row.size()), row.size()};
+        if (horizon.node < edge.node + 2) return;
+        for (std::size_t i = 0; i <= edge.node; ++i) row[i] = 0;
+        const double inside = edge.before(row), outside = horizon.before(row) - inside;
+        for (std::size_t i = 0; i <= edge.node; ++i) row[i] = static_cast<float>(i);
+        const double inside_each = edge.before(row) - inside;
+        const double outside_each = static_cast<double>(edge.node) * (1 - edge.past) * (1 - edge.past) / 2;
+        const double ratio = share / (in_front - share);  // inside to outside
+        const double step = (ratio * outside - inside) / (inside_each - ratio * outside_each);
+        for (std::size_t i = 0; i <= edge.node; ++i)
+            row[i] = static_cast<float>(
+                std::max((static_cast<double>(i) + 1e-3) * step, static_cast<double>(row.back())));
+    }
+    /// Goes on behind the horizon as dense as in front of it, until the row's integral is what it has to be. Without a jump
+    /// there the horizon keeps its place also where readers mix two rows or two angles of incidence.
+    void fill_behind(std::span<float> row, float place, double in_front) const {
+        const Cut horizon{horizon_column(place, row.size()), row.size()};
+        const double past = horizon.past, edge = static_cast<double>(row[horizon.node]),
+                     least = static_cast<double>(row.back());
+        row[horizon.node + 1] = row[horizon.node];
+        const double front = horizon.before(row);
+        double left = front * (1 - in_front) / in_front - edge * (1 - past) * (1 - past) / 2;
+        for (std::size_t i = horizon.node + 1; i < row.size(); ++i) {
+            const double before = i == horizon.node + 1 ? (1 - past * past) / 2 : 0.5;
+            const double weight = std::max(before + (i + 1 < row.size() ? 0.5 : 0.0), 1e-6);
+            const bool end = i + 1 == row.size();
+            const double density = std::max(end ? left / weight : std::min(left / weight, edge), least);
+            row[i] = static_cast<float>(density);
+            left -= density * weight;
+        }
     }
     void normalise(const std::vector<double>& light, const std::vector<double>& spread) {
         constexpr double dark = 0.06;  // share of the nodes that does not follow the light
@@ -160,18 +225,21 @@ class NodeDensity {
     const Lobes& lobes_;
     Direction in_;
     double near_horizon_;
+    double specular_edge_;
     double light_ = 0, spread_ = 0;
 };
 
 /// The arrays of the file.
 class RglTables {
   public:
-    RglTables(const spectral::Reflectance& brdf, const RglResolution& resolution)
+    RglTables(const spectral::Reflectance& brdf, const RglResolution& resolution, double specular_solid_angle)
         : lobes_{brdf},
           wavelengths_{brdf.wavelengths().size()},
           rows_{count(resolution.azimuths)},
           columns_{count(resolution.elevations)},
           n_{count(resolution.resolution)},
+          specular_edge_{
+              specular_solid_angle > 0 ? std::sqrt(specular_lobe_tilt(specular_solid_angle) * 2 / pi) : 0},
           thetas_{incidence_angles(resolution.theta_i)},
           sigma_(2 * sigma_columns),
           vndf_(thetas_.size() * rows_ * columns_),
@@ -206,21 +274,40 @@ class RglTables {
     void fill(std::size_t t) {
         const Direction in = Direction::from_angles(static_cast<double>(thetas_[t]), 0);
         std::vector<double> values;
-        NodeDensity density{lobes_, in};
-        const std::vector<float> slice = density.slice(rows_, columns_, values);
+        NodeDensity density{lobes_, in, specular_edge_};
+        const std::size_t behind = std::max<std::size_t>(n_ / 40, 1);  // columns of the warped square
+        const double in_front =
+            static_cast<double>(n_ - 1 - std::min(behind, n_ - 1)) / static_cast<double>(n_ - 1);
+        const std::vector<float> slice = density.slice(rows_, columns_, std::max(in_front, 0.5), values);
         std::copy(slice.begin(), slice.end(), vndf_.begin() + static_cast<std::ptrdiff_t>(t * slice.size()));
         const BilinearWarp warp{slice, rows_, columns_};
         const SliceMix only = slice_mix({0, 0}, {0, 0}, 1, 1);
         const double scale = 4 * static_cast<double>(sigma_at(in));
+        std::vector<double> luminance(n_ * n_);
         for (std::size_t i = 0; i < n_ * n_; ++i) {
             const Point2 node{coordinate(i % n_, n_), coordinate(i / n_, n_)};
             const FacetView view{in, half_vector(warp.sample(node, only).point, 0)};
             const double mean = lobes_(in, view.out, values);
-            luminance_[t * n_ * n_ + i] = static_cast<float>(1e-6 + density.luminance(view, mean));
+            luminance[i] = light_at(warp, node, in, mean);
             for (std::size_t k = 0; k < wavelengths_; ++k)
                 spectra_[(t * wavelengths_ + k) * n_ * n_ + i] =
-                    static_cast<float>(scale * values[k] * view.cosine);
+                    static_cast<float>(scale * values[k] * std::max(view.cosine, 0.0));
         }
+        const double brightest = *std::ranges::max_element(luminance);
+        const double floor = brightest > 0 ? 1e-6 * brightest : 1;
+        std::ranges::transform(luminance, luminance_.begin() + static_cast<std::ptrdiff_t>(t * n_ * n_),
+                               [floor](double light) { return static_cast<float>(light + floor); });
+    }
+
+    /// Light at a node of the warped square, where the BRDF has that mean. At facets along the normal neither they nor the nodes have
+    /// any solid angle: a point a little aside stands for them.
+    [[nodiscard]] double light_at(const BilinearWarp& warp, Point2 node, const Direction& in,
+                                  double mean) const {
+        node.x = std::max(node.x, 0.1F / static_cast<float>(n_ - 1));
+        const WarpedPoint at = warp.sample(node, slice_mix({0, 0}, {0, 0}, 1, 1));
+        const FacetView view{in, half_vector(at.point, 0)};
+        return static_cast<double>(at.point.x) * view.tilt * view.facing * std::max(view.cosine, 0.0) * mean /
+               static_cast<double>(at.density);
     }
 
     /// As a reader interpolates it.
@@ -230,6 +317,7 @@ class RglTables {
 
     Lobes lobes_;
     std::size_t wavelengths_, rows_, columns_, n_;
+    double specular_edge_;
     std::vector<float> thetas_, sigma_, vndf_, luminance_, spectra_;
 };
 
@@ -243,7 +331,8 @@ std::vector<float> nanometres(const spectral::Reflectance& brdf) {
 
 namespace {
 
-std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& resolution) {
+std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& resolution,
+                      double specular_solid_angle) {
     require(resolution);
     if (!brdf.properties().isotropic)
         throw Error{brdf.name() + " is anisotropic: a file of this format is written of isotropic ones only"};
@@ -252,21 +341,20 @@ std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& re
     file.add("description", brdf.name() + ", computed by hts");
     file.add("jacobian", {1}, std::vector<std::uint8_t>{1});
     file.add("wavelengths", {wavelengths.size()}, wavelengths);
-    RglTables{brdf, resolution}.add_to(file);
+    RglTables{brdf, resolution, specular_solid_angle}.add_to(file);
     return file.bytes();
 }
 
-std::string fine_enough(const spectral::Reflectance& brdf) {
+std::string fine_enough(const spectral::Reflectance& brdf, const RoundTripOptions& compared) {
     constexpr RglResolution first{72, 80, 129, 512};
     constexpr double most_error = 0.6 * accuracy::rgl;  // on fresh pairs half as much again was seen
     constexpr int most_refinements = 2;
-    constexpr RoundTripOptions pairs{200'000, 0};
     RglResolution resolution = first;
     for (int refinements = 0;; ++refinements) {
-        std::string bytes = rgl_bytes(brdf, resolution);
+        std::string bytes = rgl_bytes(brdf, resolution, compared.specular_solid_angle);
         if (refinements == most_refinements) return bytes;
         const spectral::Reflectance read{parse_rgl(bytes, brdf.name())};
-        if (round_trip(brdf, read, pairs).worst.error <= most_error) return bytes;
+        if (round_trip(brdf, read, compared).worst.error <= most_error) return bytes;
         resolution.resolution = resolution.resolution * 5 / 4;
     }
 }
@@ -282,12 +370,13 @@ Sidecar described() {
 }  // namespace
 
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
-               const RglResolution& resolution) {
-    spectral::write_file(path.string(), rgl_bytes(brdf, resolution));
+               const RglResolution& resolution, double specular_solid_angle) {
+    spectral::write_file(path.string(), rgl_bytes(brdf, resolution, specular_solid_angle));
 }
 
-Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path) {
-    return {{{path.string(), fine_enough(brdf)}}, described()};
+Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
+                      const RoundTripOptions& compared) {
+    return {{{path.string(), fine_enough(brdf, compared)}}, described()};
 }
 
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path) {

@@ -108,8 +108,19 @@ class GriddedBrdf final : public spectral::Evaluator {
           polar_{grid_.polar, 0, about_normal() ? 90.0 : 180.0, 10, polar_gap()} {
         theta_i_.reaches_horizon();
         if (about_normal()) polar_.reaches_horizon();
+        const auto dark = [&](std::size_t node) {
+            const auto first = values_.begin() + static_cast<std::ptrdiff_t>(node * wavelengths.size());
+            return std::all_of(first, first + static_cast<std::ptrdiff_t>(wavelengths.size()),
+                               [](double value) { return value == 0; });
+        };
+        bool empty_below = true;
+        for (std::size_t node = 0; node < grid_.size(); ++node) {
+            known_.push_back(grid_.pair(node).has_value());
+            empty_below = empty_below && (known_.back() || dark(node));
+        }
+        if (!empty_below) known_.assign(grid_.size(), true);
         for (std::size_t node = 0; node < grid_.size(); ++node)
-            known_.push_back(grid_.pair(node).has_value() && !std::isnan(values_[node * wavelengths.size()]));
+            if (std::isnan(values_[node * wavelengths.size()])) known_[node] = false;
         for (std::size_t first = 0; first < grid_.size(); first += grid_.polar.size()) fill_row(first);
     }
 
@@ -202,7 +213,8 @@ class GriddedBrdf final : public spectral::Evaluator {
 
     AngularGrid grid_;
     std::vector<double> values_;
-    std::vector<bool> known_;  // per node: above the horizon, and measured
+    std::vector<bool>
+        known_;  // whether a node has a part in interpolation: measured, and as a rule above the horizon
     Axis phi_i_, theta_i_, azimuth_, polar_;
 };
 
@@ -227,21 +239,43 @@ std::string axis_in_words(const char* name, const std::vector<double>& nodes) {
     return text + brief(nodes, 6) + " deg";
 }
 
-std::optional<DirectionPair> AngularGrid::pair(std::size_t node) const {
+namespace {
+
+struct Node {
+    Direction in;
+    Vector3 view;  // may lie below the horizon
+};
+
+Node node_of(const AngularGrid& grid, std::size_t node) {
+    const auto& polar = grid.polar;
+    const auto& azimuth = grid.azimuth;
     const double r = polar[node % polar.size()];
     node /= polar.size();
     const double a = azimuth[node % azimuth.size()];
     node /= azimuth.size();
-    const double theta = theta_i[node % theta_i.size()], phi = phi_i[node / theta_i.size()];
+    const double theta = grid.theta_i[node % grid.theta_i.size()],
+                 phi = grid.phi_i[node / grid.theta_i.size()];
     const Direction in = Direction::from_degrees(theta, phi);
-    if (axis == PolarAxis::normal) return DirectionPair{in, Direction::from_degrees(r, phi + a)};
+    if (grid.axis == PolarAxis::normal) return {in, Direction::from_degrees(r, phi + a).vector()};
     const double along = std::cos(r * degree), across = std::sin(r * degree) * std::cos(a * degree);
     const double y = std::sin(r * degree) * std::sin(a * degree);
     const double x = across * in.cos_theta() - along * in.sin_theta();
     const double z = along * in.cos_theta() + across * in.sin_theta();
-    if (!(z > 0)) return std::nullopt;
-    return DirectionPair{in, Direction::from_unit_vector({x * in.cos_phi() - y * in.sin_phi(),
-                                                          x * in.sin_phi() + y * in.cos_phi(), z})};
+    return {in, {x * in.cos_phi() - y * in.sin_phi(), x * in.sin_phi() + y * in.cos_phi(), z}};
+}
+
+}  // namespace
+
+std::optional<DirectionPair> AngularGrid::pair(std::size_t node) const {
+    const auto [in, view] = node_of(*this, node);
+    if (axis == PolarAxis::mirror && !(view.z > 0)) return std::nullopt;
+    return DirectionPair{in, Direction::from_unit_vector(view)};
+}
+
+DirectionPair AngularGrid::raised_pair(std::size_t node) const {
+    constexpr double horizon = 1e-4;  // lobes are 0 on the horizon itself
+    const auto [in, view] = node_of(*this, node);
+    return {in, Direction::from_vector({view.x, view.y, std::max(view.z, horizon)})};
 }
 
 void AngularGrid::check() const {
@@ -251,13 +285,17 @@ void AngularGrid::check() const {
     check_axis("polar angle of the view", polar, axis == PolarAxis::normal ? 90 : 180);
 }
 
-std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf) {
+std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf,
+                              BelowHorizon below) {
     const std::size_t wavelengths = brdf.wavelengths().size(), row = grid.polar.size();
     std::vector<double> values(grid.size() * wavelengths, 0);
     spectral::parallel_blocks(grid.size(), row, [&](std::size_t first, std::size_t count) {
         for (std::size_t node = first; node < first + count; ++node) {
+            const auto place = std::span{values}.subspan(node * wavelengths, wavelengths);
             if (const auto pair = grid.pair(node))
-                brdf.brdf(*pair, std::span{values}.subspan(node * wavelengths, wavelengths));
+                brdf.brdf(*pair, place);
+            else if (below == BelowHorizon::continued)
+                brdf.brdf(grid.raised_pair(node), place);
         }
     });
     return values;

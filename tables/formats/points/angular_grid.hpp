@@ -40,17 +40,28 @@ struct AngularGrid {
     /// The pair at a node; none if the view is below the horizon. Nodes are counted with `polar` fastest, then `azimuth`,
     /// `theta_i`, `phi_i`.
     [[nodiscard]] std::optional<DirectionPair> pair(std::size_t node) const;
+    /// The same, the view raised to the horizon where it is below.
+    [[nodiscard]] DirectionPair raised_pair(std::size_t node) const;
     /// hts::Error that names the axis and the value that is out of place.
     void check() const;
 };
 
-/// Values [1/sr] at every node, all wavelengths of a node together; 0 below the horizon. Same bits for any number of threads.
-[[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf);
+/// What stands at nodes whose view is below the horizon.
+enum class BelowHorizon {
+    empty,  ///< nothing: 0, which has no part in interpolation
+    continued,  ///< the horizon's value, so that a reader who interpolates between all nodes finds it at the horizon
+};
 
-/// Linear interpolation in all angles; nodes below the horizon have no part in it. Beyond the ends of an axis, and in gaps of a list
-/// of points, the value of the nearest node; `knows` says that nothing was measured there. An axis reaches to its pole or the horizon
-/// where that is at most half a step away, and to the horizon from 89 deg. One azimuth about the mirror direction stands for all.
-///   values   as `values_on` gives them, finite but for nodes of points that are NaN since nobody measured there; grid.size() times the number of wavelengths; else hts::Error
+/// Values [1/sr] at every node, all wavelengths of a node together. Same bits for any number of threads.
+[[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf,
+                                            BelowHorizon below = BelowHorizon::empty);
+
+/// Linear interpolation in all angles; nodes below the horizon have no part in it if all of them are 0. Beyond the ends of an
+/// axis, and in gaps of a list of points, the value of the nearest node; `knows` says that nothing was measured there. An axis reaches
+/// to its pole or the horizon where that is at most half a step away, and to the horizon from 89 deg. One azimuth about the mirror
+/// direction stands for all.
+///   values   as `values_on` gives them, finite but for nodes of points that are NaN since nobody measured there; grid.size() times
+///            the number of wavelengths; else hts::Error
 [[nodiscard]] spectral::Reflectance gridded_brdf(const std::string& name,
                                                  const spectral::WavelengthGrid& wavelengths,
                                                  AngularGrid grid, std::vector<double> values);

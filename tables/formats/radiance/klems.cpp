@@ -61,6 +61,19 @@ double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::
     }
 }
 
+// Mean of the specular reflectance over a patch of light.
+double mean_mirrored(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light) {
+    constexpr int across = 64, along = 8;
+    double sum = 0;
+    for (int i = 0; i < across * along; ++i) {
+        double value = 0;
+        const double ring = (i / along + 0.5) / across, turn = (i % along + 0.5) / along;
+        brdf.specular_reflectance(basis.point(light, ring, turn).mirror(), {&value, 1});
+        sum += value;
+    }
+    return sum / (across * along);
+}
+
 }  // namespace
 
 KlemsBasis::KlemsBasis(std::string name, std::vector<Ring> rings)
@@ -139,7 +152,7 @@ Direction KlemsBasis::point(std::size_t patch, double across, double along) cons
     return Direction::from_angles(std::min(std::asin(sine), pi / 2), phi);
 }
 
-std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis) {
+std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis, bool specular) {
     if (brdf.wavelengths().size() != 1) {
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "1 in a table over Klems' patches");
@@ -148,18 +161,9 @@ std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBa
     std::vector<double> means(size * size, 0);
     const auto mean = [&](std::size_t pair) { means[pair] = mean_of(brdf, basis, pair % size, pair / size); };
     spectral::parallel_for(size * size, mean, 16);
+    for (std::size_t patch = 0; specular && patch < size; ++patch)
+        means[patch * size + patch] += mean_mirrored(brdf, basis, patch) / basis.projected_solid_angle(patch);
     return means;
-}
-
-double largest_reflectance(const KlemsBasis& basis, std::span<const double> means) {
-    double largest = 0;
-    for (std::size_t i = 0; i < basis.size(); ++i) {
-        double sum = 0;
-        for (std::size_t o = 0; o < basis.size(); ++o)
-            sum += means[o * basis.size() + i] * basis.projected_solid_angle(o);
-        largest = std::max(largest, sum);
-    }
-    return largest;
 }
 
 spectral::Reflectance klems_brdf(const std::string& name, const spectral::WavelengthGrid& wavelength,

@@ -52,11 +52,10 @@ class KlemsBasis {
 
 /// Means of a BRDF of one wavelength over all pairs of patches, weighted by projected solid angle [1/sr], at [view * size + light];
 /// 512 to 32768 points per pair, until twice as many change the mean by 1 % at most.
+///   specular   whether the specular term is added: a patch of light is mirrored into the patch of the same number
 /// hts::Error for more wavelengths.
-[[nodiscard]] std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis);
-
-/// Most that the means reflect, over all incident patches [1].
-[[nodiscard]] double largest_reflectance(const KlemsBasis& basis, std::span<const double> means);
+[[nodiscard]] std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis,
+                                              bool specular = false);
 
 /// The means as a BRDF, constant within patches.
 ///   means   basis.size()^2 of them, >= 0

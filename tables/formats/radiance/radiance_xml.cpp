@@ -211,8 +211,8 @@ spectral::Reflectance tree(const Document& document, Tokens& tokens, int rank,
 
 }  // namespace
 
-std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis) {
-    const std::vector<double> means = klems_means(brdf, basis);
+std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis, bool specular) {
+    const std::vector<double> means = klems_means(brdf, basis, specular);
     std::string data;
     for (std::size_t i = 0; i < means.size(); ++i) {
         append_rounded(data, means[i]);

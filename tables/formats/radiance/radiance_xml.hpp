@@ -17,10 +17,10 @@
 namespace hts::tables {
 
 /// A file's text.
-///   brdf   one wavelength, else hts::Error. Radiance loads no file that reflects more than 1.01 of the light of any patch
-///          (largest_reflectance)
+///   brdf       one wavelength, else hts::Error
+///   specular   whether the specular term is added, see klems_means
 [[nodiscard]] std::string klems_xml(const spectral::Reflectance& brdf,
-                                    const KlemsBasis& basis = KlemsBasis::full());
+                                    const KlemsBasis& basis = KlemsBasis::full(), bool specular = false);
 
 /// A file's text.
 ///   brdf   one wavelength, else hts::Error

@@ -20,8 +20,10 @@
 #include "tables/formats/channels.hpp"
 #include "tables/formats/merl.hpp"
 #include "tables/formats/points/scatter_points.hpp"
+#include "tables/formats/points/tokens.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/round_trip.hpp"
+#include "tables/formats/specular_box.hpp"
 #include "tables/formats/zemax.hpp"
 #include "temporary_folder.hpp"
 
@@ -186,6 +188,41 @@ TEST_CASE("Zemax: angles count from the mirror direction, azimuth 0 towards the 
     CHECK(number(2, 1) == Approx(at(60, 180)).epsilon(1e-5));
 }
 
+TEST_CASE("Zemax: readers that interpolate between all nodes find the horizon's value at the horizon") {
+    const auto lambert = [](const Direction&, const Direction&, std::size_t) { return 0.5 / pi; };
+    const std::string text = zemax_texts(written(lambert, one_wavelength)).front();
+    const auto data = text.substr(text.find("DataBegin"));
+    for (const auto line : spectral::split(data, '\n')) {
+        const auto words = spectral::words(line);
+        if (words.size() < 2 || words.front() == "TIS") continue;
+        for (const auto word : words) CHECK(spectral::number_in(word) == Approx(0.5 / pi).epsilon(1e-5));
+    }
+    // a file of others that holds nothing below the horizon is read without it
+    AngularGrid grid = zemax_grid();
+    const auto empty = values_on(grid, written(lambert, one_wavelength));
+    CHECK(std::count(empty.begin(), empty.end(), 0.0) > 1000);
+    const auto read = gridded_brdf("z", one_wavelength, grid, empty);
+    for (const double theta : {10., 60., 85.}) {
+        for (const double view : {80., 88., 89.9}) {
+            double value = 0;
+            read.brdf({Direction::from_degrees(theta, 0), Direction::from_degrees(view, 77)}, {&value, 1});
+            CHECK(value == Approx(0.5 / pi));
+        }
+    }
+}
+
+TEST_CASE("a Zemax grid made for it holds a specular box of any size") {
+    const auto plastic = hts::tables::testing::brdf_of("smooth-plastic.json", one_wavelength);
+    for (const double solid_angle : {1e-5, 1e-3, 0.03}) {
+        const auto boxed = with_specular_box(plastic, solid_angle);
+        const auto read = zemax_brdf(zemax_texts(boxed, zemax_grid(solid_angle)).front(), "z");
+        const RoundTrip trip = round_trip(boxed, read, {1000, 3, 0, solid_angle});
+        for (const AlbedoError& each : trip.albedo) {
+            if (each.theta_i < 1.4) CHECK(each.read_back == Approx(each.original).margin(0.01));
+        }
+    }
+}
+
 TEST_CASE("the reflectance TIS of a Zemax file is that of the surface") {
     const auto lambert = [](const Direction&, const Direction&, std::size_t) { return 0.5 / pi; };
     const std::string text = zemax_texts(written(lambert, one_wavelength)).front();
@@ -215,6 +252,24 @@ TEST_CASE("a tensor tree survives within its cells, isotropic or not") {
         CHECK(held == Approx(function(up, aside, 0)).epsilon(0.1));
         check("tensor tree, broad lobe", compared(lobe, radiance_brdf(text, "r")), 0.25, 0.2);
     }
+}
+
+TEST_CASE("a tensor tree takes Radiance's cell on an exact border") {
+    // two halves of the incidence, bright below 30 degrees: (1 - sin 30)/2 is the border, which Radiance gives to the flatter light
+    const std::string dark = "{{0}{0}{0}{0}{0}{0}{0}{0}}", both = "{{1}{2}{1}{2}{1}{2}{1}{2}}";
+    const std::string tree = "{" + both + dark + both + dark + both + dark + both + dark + "}";
+    Tokens tokens{tree, "t"};
+    const auto read = tensor_tree_brdf("t", luminance_wavelength(), 3, tokens);
+    const Direction view = Direction::from_unit_vector({0.3, 0.4, std::sqrt(0.75)});
+    const auto at = [&](double sine) {
+        double value = 0;
+        read.brdf({Direction::from_unit_vector({-sine, 0, std::sqrt(1 - sine * sine)}), view}, {&value, 1});
+        return value;
+    };
+    CHECK(at(0.5 - 1e-5) == 2);
+    CHECK(at(0.5 + 1e-5) == 1);
+    CHECK(at(0.5) == 1);
+    CHECK(at(0) == 2);  // along the normal, where the upper half of the dimension begins
 }
 
 TEST_CASE("Klems' patches: means survive within 5 % of the peak, and views and lights are told apart") {

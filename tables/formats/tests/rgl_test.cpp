@@ -1,5 +1,6 @@
 #include "tables/formats/mitsuba/rgl.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -216,6 +217,58 @@ TEST_CASE("directions drawn from an RGL file weigh what is reflected") {
         const double integrated =
             each.wavelength_um < 0.5 ? each.read_back : each.original;  // of 0.45 um, to 2 %
         CHECK(drawn == Approx(integrated).epsilon(0.03));
+    }
+}
+
+TEST_CASE("no number of an RGL file is negative, nor is what readers make of it up to the horizon") {
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-horizon.bsdf";
+    const auto aluminium = brdf_of("rough-aluminium.json", two);
+    write_rgl(aluminium, path, {24, 32, 65, 128});
+    const TensorFile file = TensorFile::read(path);
+    for (const char* name : {"ndf", "sigma", "vndf", "luminance", "spectra"}) {
+        const auto numbers = file.floats(name, file.shape(name).size()).numbers;
+        CHECK(*std::min_element(numbers.begin(), numbers.end()) >= 0);
+    }
+    // between nodes, where a slope taken for the whole cell would fall below 0; f cos(theta_o) to a part of its peak
+    const auto read = read_rgl(path);
+    Random random{11};
+    std::vector<double> expected(2), found(2);
+    WorstCase horizon{"RGL, f cos(theta_o) from 85 to 90 degrees, of its peak", 0.03};
+    for (const double theta : {10., 37., 61., 80.}) {
+        const Direction in = Direction::from_degrees(theta, 0);
+        double peak = 0;
+        for (double view = 0; view < 90; view += 1) {
+            const Direction out = Direction::from_degrees(view, 180);
+            aluminium.brdf({in, out}, expected);
+            peak = std::max(peak, expected[0] * out.cos_theta());
+        }
+        for (int i = 0; i < 200; ++i) {
+            const Direction out = Direction::from_degrees(85 + 5 * random.uniform(), 360 * random.uniform());
+            aluminium.brdf({in, out}, expected);
+            read->brdf({in, out}, found);
+            horizon.note(std::abs(found[0] - expected[0]) * out.cos_theta() / peak,
+                         [&] { return std::to_string(theta); });
+        }
+    }
+    horizon.check();
+}
+
+TEST_CASE("a specular term spread over facets survives in an RGL file and in what is drawn from it") {
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-box.bsdf";
+    const auto fine = brdf_of("fine-aluminium.json", two);
+    for (const double solid_angle : {1e-4, 1e-3}) {
+        write_rgl(with_specular_lobe(fine, solid_angle), path, {48, 64, 33, 512}, solid_angle);
+        const std::shared_ptr<const RglBrdf> read = read_rgl(path);
+        WorstCase albedo{"RGL, reflectance with the specular term", 0.005};
+        for (const double theta : {0.5, 33., 52., 80.}) {
+            const Direction in = Direction::from_degrees(theta, 30);
+            const double truth = fine.albedo(in, 0).total();
+            albedo.note(std::abs(mean_weight(*read, in, 40'000) - truth),
+                        [&] { return std::to_string(theta); });
+        }
+        albedo.check();
     }
 }
 

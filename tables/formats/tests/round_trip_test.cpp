@@ -10,6 +10,7 @@
 
 #include "hts/error.hpp"
 #include "materials.hpp"
+#include "tables/formats/specular_box.hpp"
 
 namespace {
 
@@ -91,6 +92,24 @@ TEST_CASE("a fault is found with its size and its place") {
     const spectral::Reflectance not_a_number =
         faulty(aluminium, [](const DirectionPair&, std::size_t, double) { return std::nan(""); });
     CHECK(std::isinf(round_trip(aluminium, not_a_number, few).worst.error));
+}
+
+TEST_CASE("the integrals see a specular term that is spread") {
+    const auto plastic = brdf_of("smooth-plastic.json", grid);
+    std::vector<double> mirror(2);
+    for (const double solid_angle : {1e-5, 1e-3, 0.1}) {
+        for (const auto& spread :
+             {with_specular_box(plastic, solid_angle), with_specular_lobe(plastic, solid_angle)}) {
+            const RoundTrip result = round_trip(plastic, spread, {2000, 5, 0, solid_angle});
+            for (const AlbedoError& each : result.albedo) {
+                if (each.theta_i > 1.1) continue;  // part of the wide ones is below the horizon
+                plastic.specular_reflectance(Direction::from_angles(each.theta_i, 0), mirror);
+                const double specular = mirror[each.wavelength_um < 0.5 ? 0 : 1];
+                CHECK(each.read_back - each.original == Approx(specular).epsilon(0.02));
+            }
+            CHECK(result.worst.theta_r == Approx(result.worst.theta_i).margin(0.4));
+        }
+    }
 }
 
 TEST_CASE("a density is integrated") {
