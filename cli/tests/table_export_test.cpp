@@ -58,6 +58,44 @@ TEST_CASE("hts table export spreads the specular term where a file can hold it, 
     }
 }
 
+TEST_CASE("hts table export writes colour, other bases and finer trees where a format has them") {
+    const Workplace place;
+    const auto written = [&](const std::string& format, const std::string& more) {
+        const auto result = place.hts("table export " + aluminium + " --format " + format +
+                                      " --wavelengths 0.40:0.70:7 --pairs 500 --output al.x" + more);
+        INFO(format << more << ": " << result.errors);
+        REQUIRE(result.exit_code == 0);
+        return place.read("al.x");
+    };
+    const std::string klems = written("klems", " --colour --basis quarter");
+    CHECK(klems.find(">CIE-X<") != std::string::npos);
+    CHECK(klems.find("<AngleBasisName>Klems Quarter 41</AngleBasisName>") != std::string::npos);
+    CHECK(written("zemax", " --colour").find("TristimulusZ") != std::string::npos);
+    CHECK(written("radiance", " --colour --depth 4").find(">CIE-v<") != std::string::npos);
+    CHECK(written("radiance", " --depth 5").size() > written("radiance", " --depth 4").size());
+    CHECK(written("astm", "").find("\nVARS theta_i,phi_i,theta_s,phi_s,400nm,450nm,") != std::string::npos);
+    const auto wrong = place.hts("table export " + aluminium + " --format rgl --basis half --output y");
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.errors.find("--basis: must not come with --format rgl") != std::string::npos);
+}
+
+TEST_CASE("a polarised file comes back as a material with its Mueller matrices") {
+    const Workplace place;
+    REQUIRE(
+        place.hts("table export " + aluminium + " --format pbsdf --pairs 500 --output al.pbsdf").exit_code ==
+        0);
+    const auto imported = place.hts("table import al.pbsdf --output measured.json");
+    INFO(imported.errors);
+    REQUIRE(imported.exit_code == 0);
+    CHECK(imported.errors.find("pbsdf, 5 wavelengths, isotropic") != std::string::npos);
+    const std::string point = " --wavelength 0.5 --theta-i 40 --theta-r 45 --phi 170 --mueller --json";
+    const auto here = nlohmann::json::parse(place.hts("eval --material measured.json" + point).output)[0];
+    const auto there = nlohmann::json::parse(place.hts("eval --material " + aluminium + point).output)[0];
+    for (const char* element : {"m00", "m01", "m10", "m22", "m23", "m32", "m33"})
+        CHECK(here[element].get<double>() ==
+              Approx(there[element].get<double>()).margin(0.01 * there["m00"].get<double>()));
+}
+
 TEST_CASE("hts table export names what is wrong and leaves nothing behind") {
     const Workplace place;
     const auto wrong = [&](const std::string& arguments, int code, const std::string& message) {

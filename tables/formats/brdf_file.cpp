@@ -8,6 +8,7 @@
 #include "tables/formats/channels.hpp"
 #include "tables/formats/coverage.hpp"
 #include "tables/formats/merl.hpp"
+#include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
 #include "tables/formats/points/fred.hpp"
 #include "tables/formats/points/lighttools.hpp"
@@ -62,8 +63,30 @@ BrdfFile read_radiance(std::string bytes, const Path& path, const BrdfReading& h
     auto found =
         radiance_file(spectral::checked_text(std::move(bytes), path), path.string(), how.wavelengths);
     BrdfFile file{std::move(found.brdf), "radiance", std::move(found.notes)};
-    if (!how.wavelengths) file.channels = luminance_channel();
+    if (!how.wavelengths) file.channels = std::move(found.channels);
     return file;
+}
+
+bool is_tensor_file(std::string_view bytes) {
+    return bytes.starts_with(std::string_view{"tensor_file\0", 12});
+}
+
+// The fields that only the polarised files have, with the lengths of their names, among the first.
+bool is_polarised(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    const auto head = bytes.substr(0, 4096);
+    return head.find("\4\0wvls"sv) != std::string_view::npos ||
+           head.find("\7\0theta_h"sv) != std::string_view::npos;
+}
+
+BrdfFile read_rgl_file(std::string bytes, const Path& path, const BrdfReading& how) {
+    const bool rgb = is_rgb_rgl(bytes);
+    if (how.wavelengths && !rgb)
+        throw Error{path.string() + ": says its wavelengths, which must not be given"};
+    spectral::Reflectance brdf{parse_rgl(std::move(bytes), path)};
+    if (!rgb) return {std::move(brdf), "rgl", {}};
+    if (how.wavelengths) return {with_channels_named(std::move(brdf), *how.wavelengths), "rgl", {}};
+    return {std::move(brdf), "rgl", {}, rgb_channels()};
 }
 
 BrdfFile read_tabular(std::string bytes, const Path& path, const BrdfReading& how) {
@@ -99,14 +122,17 @@ const std::vector<BrdfFormat>& readable_formats() {
                     path.extension() == ".binary";
          },
          read_merl},
-        {"rgl", "spectral tensor .bsdf of RGL, Mitsuba 3 and pbrt-v4",
-         [](std::string_view bytes, const Path& path) {
-             return bytes.starts_with(std::string_view{"tensor_file\0", 12}) && path.extension() != ".pbsdf";
-         },
+        {"rgl", "tensor .bsdf of RGL, Mitsuba 3 and pbrt-v4, of spectra or RGB",
+         [](std::string_view bytes, const Path&) { return is_tensor_file(bytes) && !is_polarised(bytes); },
+         read_rgl_file},
+        {"pbsdf", "polarised tensor .pbsdf of KAIST and Mitsuba 3",
+         [](std::string_view bytes, const Path&) { return is_tensor_file(bytes) && is_polarised(bytes); },
          [](std::string bytes, const Path& path, const BrdfReading& how) {
              if (how.wavelengths)
                  throw Error{path.string() + ": says its wavelengths, which must not be given"};
-             return BrdfFile{spectral::Reflectance{parse_rgl(std::move(bytes), path)}, "rgl", {}};
+             return BrdfFile{parse_pbsdf(std::move(bytes), path),
+                             "pbsdf",
+                             {"Mueller matrices; the specular term is not part of the file"}};
          }},
         {"radiance", "Radiance and LBNL WINDOW XML, tensor tree or Klems' patches",
          [](std::string_view bytes, const Path&) {

@@ -3,7 +3,7 @@
 ///     const auto nickel = hts::tables::read_brdf("nickel.binary");
 ///
 /// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
-/// (rgl.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
+/// (rgl.hpp) and KAIST's polarised one (pbsdf.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
 /// of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
 /// FRED's tables, ASTM scatter files and CSV (scatter_points.hpp).
 #pragma once

@@ -80,6 +80,66 @@ spectral::Reflectance channels_of(spectral::Reflectance source, const spectral::
 
 }  // namespace
 
+void require_three_channels(const spectral::Reflectance& brdf) {
+    if (brdf.size() != 3)
+        throw out_of_range("number of channels", static_cast<double>(brdf.size()), "", "3 of a colour");
+}
+
+spectral::Reflectance tristimulus_brdf(spectral::Reflectance source, spectral::Illuminant illuminant) {
+    const auto weights = spectral::tristimulus_weights(source.wavelengths().micrometres(), illuminant);
+    return channels_of(std::move(source), rgb_wavelengths(),
+                       [weights](std::span<const double> spectrum, std::span<double> values) {
+                           const auto [X, Y, Z] = weights(spectrum);
+                           values[0] = Z;
+                           values[1] = Y;
+                           values[2] = X;
+                       });
+}
+
+spectral::Reflectance tristimulus_of_srgb(spectral::Reflectance rgb) {
+    require_three_channels(rgb);
+    return channels_of(
+        std::move(rgb), rgb_wavelengths(), [](std::span<const double> all, std::span<double> values) {
+            const auto [X, Y, Z] = spectral::tristimulus({all[2], all[1], all[0]}, spectral::Illuminant::D65);
+            values[0] = std::max(0.0, Z);
+            values[1] = std::max(0.0, Y);
+            values[2] = std::max(0.0, X);
+        });
+}
+
+spectral::Reflectance srgb_of_tristimulus(spectral::Reflectance zyx) {
+    require_three_channels(zyx);
+    return channels_of(
+        std::move(zyx), rgb_wavelengths(), [](std::span<const double> all, std::span<double> values) {
+            const auto rgb = spectral::linear_srgb({all[2], all[1], all[0]}, spectral::Illuminant::D65);
+            values[0] = std::max(0.0, rgb.blue);
+            values[1] = std::max(0.0, rgb.green);
+            values[2] = std::max(0.0, rgb.red);
+        });
+}
+
+spectral::Reflectance chromaticity_of_tristimulus(spectral::Reflectance zyx) {
+    require_three_channels(zyx);
+    static const auto names = spectral::WavelengthGrid::from_micrometres({0.46, 0.55});
+    return channels_of(std::move(zyx), names, [](std::span<const double> all, std::span<double> values) {
+        const double sum = all[2] + 15 * all[1] + 3 * all[0];
+        values[0] = sum > 0 ? 4 * all[2] / sum : 0.19783;
+        values[1] = sum > 0 ? 9 * all[1] / sum : 0.46834;
+    });
+}
+
+spectral::Reflectance tristimulus_of_chromaticity(spectral::Reflectance uyv) {
+    require_three_channels(uyv);
+    return channels_of(std::move(uyv), rgb_wavelengths(),
+                       [](std::span<const double> all, std::span<double> values) {
+                           const double u = all[0], Y = all[1], v = all[2];
+                           const double scale = v > 0 ? Y / (4 * v) : 0;
+                           values[0] = std::max(0.0, scale * (12 - 3 * u - 20 * v));
+                           values[1] = Y;
+                           values[2] = scale * 9 * u;
+                       });
+}
+
 const spectral::WavelengthGrid& rgb_wavelengths() {
     static const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.55, 0.62});
     return grid;

@@ -36,6 +36,23 @@ inline constexpr std::size_t most_channels = 1024;
 [[nodiscard]] spectral::Reflectance luminance_brdf(spectral::Reflectance source,
                                                    spectral::Illuminant illuminant);
 
+/// CIE Z, Y and X over pi [1/sr] of a BRDF, in this order, and of its specular reflectance [1].
+///   source    as above
+[[nodiscard]] spectral::Reflectance tristimulus_brdf(spectral::Reflectance source,
+                                                     spectral::Illuminant illuminant);
+/// The same of blue, green and red of linear sRGB under D65, and back; components below 0 become 0.
+///   source    three channels, else hts::Error
+[[nodiscard]] spectral::Reflectance tristimulus_of_srgb(spectral::Reflectance rgb);
+[[nodiscard]] spectral::Reflectance srgb_of_tristimulus(spectral::Reflectance zyx);
+
+/// u' and v' of CIE 1976 of Z, Y and X [1]; those of D65 where it is dark.
+[[nodiscard]] spectral::Reflectance chromaticity_of_tristimulus(spectral::Reflectance zyx);
+/// Z, Y and X of u', Y and v', in this order.
+[[nodiscard]] spectral::Reflectance tristimulus_of_chromaticity(spectral::Reflectance uyv);
+
+/// hts::Error unless there are three channels.
+void require_three_channels(const spectral::Reflectance& brdf);
+
 /// One wavelength of a BRDF.
 ///   index   < source.wavelengths().size(), else hts::Error
 [[nodiscard]] spectral::Reflectance brdf_at(spectral::Reflectance source, std::size_t index);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "hts/error.hpp"
 #include "hts/microfacet/lobes.hpp"
@@ -55,6 +56,9 @@ class OneWavelength {
     /// At the wavelengths of the file.
     void spectrum(const Direction& in, const Direction& out, Spectrum& result) const noexcept {
         brdf_.evaluator().brdf({in, out}, std::span{result}.first(brdf_.wavelengths().size()));
+    }
+    [[nodiscard]] Mueller operator()(std::span<const Mueller> matrices) const noexcept {
+        return factor_ * ((1 - share_) * matrices[low_] + share_ * matrices[high_]);
     }
     [[nodiscard]] double operator()(const Spectrum& spectrum) const noexcept {
         return factor_ * std::lerp(spectrum[low_], spectrum[high_], share_);
@@ -190,7 +194,9 @@ class MeasuredEvaluator final : public spectral::Evaluator {
         : spectral::Evaluator{name, wavelengths}, brdf_{brdf}, each_{std::move(each)}, outside_{outside} {}
 
     [[nodiscard]] spectral::Properties properties() const override {
-        return {.isotropic = brdf_.properties().isotropic, .partial = outside_ == OutsideRange::error};
+        return {.polarised = brdf_.properties().polarised,
+                .isotropic = brdf_.properties().isotropic,
+                .partial = outside_ == OutsideRange::error};
     }
     [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
         return brdf_.evaluator().knows(pair);
@@ -208,6 +214,14 @@ class MeasuredEvaluator final : public spectral::Evaluator {
                                                             std::size_t wavelength) const override {
         if (!(in.cos_theta() > 0)) return {0, 0, 0};
         return {0, albedos_.at(in, [&] { return integrated(in); })[wavelength], 0};
+    }
+    void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
+        if (outside_ == OutsideRange::zero && !knows(pair))
+            return std::ranges::fill(values, Mueller{}), void();
+        static thread_local std::vector<Mueller> matrices;  // grows once
+        matrices.resize(brdf_.size());
+        brdf_.evaluator().mueller(pair, matrices);
+        for (std::size_t i = 0; i < each_.size(); ++i) values[i] = each_[i](matrices);
     }
     [[nodiscard]] std::shared_ptr<const spectral::DirectionSampler> sampler(
         std::size_t wavelength) const override {
@@ -294,7 +308,9 @@ spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vect
             name, wavelengths, brdf, std::move(each), options.outside)};
         return options.lobe == DiffuseLobe::none ? spectral::uniform_part_of(whole) : whole;
     };
-    return spectral::Material{prepare, {.channels = std::move(channels)}, std::move(notes)};
+    return spectral::Material{prepare,
+                              {.polarised = brdf.properties().polarised, .channels = std::move(channels)},
+                              std::move(notes)};
 }
 
 const std::vector<spectral::ModelEntry>& models_with_files() {

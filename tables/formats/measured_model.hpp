@@ -4,7 +4,8 @@
 ///
 /// Where directions or wavelengths were not measured, EvaluationOptions::outside says what is reflected: an hts::Error at single
 /// pairs, and where less than 98 % of the hemisphere (of pairs, to draw from it) was measured; the value at the nearer end; or nothing.
-/// Between the wavelengths of the data the BRDF is joined by straight lines. Directions are drawn from a table of f cos theta_r over cells
+/// Between the wavelengths of the data the BRDF is joined by straight lines, and so are Mueller matrices where the file has them.
+/// Directions are drawn from a table of f cos theta_r over cells
 /// of 2 by 4 degrees, for light every 4 degrees, mixed with a tenth of the cosine: the density is exactly that of the draw, and the
 /// weights are bounded by 10 pi f. Lobes narrower than the cells are drawn less well, not wrongly.
 #pragma once

@@ -80,16 +80,20 @@ void append_list(std::string& text, const char* name, const std::vector<double>&
     text += '\n';
 }
 
-std::string header(const AngularGrid& grid, const std::string& name, double wavelength_um) {
+///   wavelength_um   none for a file of tristimulus values
+std::string header(const AngularGrid& grid, const std::string& name, std::optional<double> wavelength_um) {
     std::string text = "# ";
     text.append(spectral::in_quotes(name)).append(", BRDF in 1/sr without the cosine, written by hts\n");
-    text.append(wavelength_comment).append(shortest(wavelength_um)).append("\nSource Generated\nSymmetry ");
+    if (wavelength_um) text.append(wavelength_comment).append(shortest(*wavelength_um)).append("\n");
+    text.append("Source Generated\nSymmetry ");
     text.append(grid.symmetric ? "PlaneSymmetrical" : "Asymmetrical");
-    text.append("\nSpectralContent Monochrome\nScatterType BRDF\nSampleRotation 1\n0\n");
+    text.append("\nSpectralContent ")
+        .append(wavelength_um ? "Monochrome" : "XYZ")
+        .append("\nScatterType BRDF\nSampleRotation 1\n0\n");
     append_list(text, "AngleOfIncidence", grid.theta_i);
     append_list(text, "ScatterAzimuth", grid.azimuth);
     append_list(text, "ScatterRadial", grid.polar);
-    return text + "\nMonochrome\nDataBegin\n";
+    return text + "\n";
 }
 
 // What stands in front of the data.
@@ -200,34 +204,64 @@ AngularGrid zemax_grid(double box) {
     return grid;
 }
 
-std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularGrid grid) {
-    if (!brdf.properties().isotropic) {
-        throw Error{brdf.name() +
-                    ": depends on the azimuth of the light, which OpticStudio's BSDF does not know"};
+namespace {
+
+/// Values on a grid that fits the surface, and what each angle of incidence reflects.
+class Gridded {
+  public:
+    Gridded(const spectral::Reflectance& brdf, AngularGrid grid)
+        : grid_{std::move(grid)}, channels_{brdf.size()} {
+        if (!brdf.properties().isotropic) {
+            throw Error{brdf.name() +
+                        ": depends on the azimuth of the light, which OpticStudio's BSDF does not know"};
+        }
+        grid_.check();
+        if (!is_plane_symmetric(brdf)) grid_ = without_symmetry(std::move(grid_));
+        values_ = values_on(grid_, brdf, BelowHorizon::continued);
+        tis_ = reflectances(grid_, brdf);
     }
-    grid.check();
-    if (!is_plane_symmetric(brdf)) grid = without_symmetry(std::move(grid));
-    const std::vector<double> values = values_on(grid, brdf, BelowHorizon::continued),
-                              tis = reflectances(grid, brdf);
-    const std::size_t wavelengths = brdf.wavelengths().size();
-    std::vector<std::string> texts;
-    for (std::size_t k = 0; k < wavelengths; ++k) {
-        std::string text = header(grid, brdf.name(), brdf.wavelengths().micrometres()[k]);
+
+    [[nodiscard]] const AngularGrid& grid() const noexcept { return grid_; }
+    /// The numbers of a channel between its name and DataEnd.
+    [[nodiscard]] std::string block(const std::string& name, std::size_t channel) const {
+        std::string text = name + "\nDataBegin\n";
         std::size_t node = 0;
-        for (std::size_t i = 0; i < grid.theta_i.size(); ++i) {
+        for (std::size_t i = 0; i < grid_.theta_i.size(); ++i) {
             text += "TIS ";
-            append_rounded(text, tis[i * wavelengths + k]);
+            append_rounded(text, tis_[i * channels_ + channel]);
             text += '\n';
-            for (std::size_t a = 0; a < grid.azimuth.size(); ++a) {
-                for (std::size_t r = 0; r < grid.polar.size(); ++r, ++node) {
-                    append_rounded(text, values[node * wavelengths + k]);
-                    text += r + 1 < grid.polar.size() ? ' ' : '\n';
+            for (std::size_t a = 0; a < grid_.azimuth.size(); ++a) {
+                for (std::size_t r = 0; r < grid_.polar.size(); ++r, ++node) {
+                    append_rounded(text, values_[node * channels_ + channel]);
+                    text += r + 1 < grid_.polar.size() ? ' ' : '\n';
                 }
             }
         }
-        texts.push_back(text + "DataEnd\n");
+        return text + "DataEnd\n";
     }
+
+  private:
+    AngularGrid grid_;
+    std::size_t channels_;
+    std::vector<double> values_, tis_;
+};
+
+}  // namespace
+
+std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf, AngularGrid grid) {
+    const Gridded gridded{brdf, std::move(grid)};
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < brdf.size(); ++k)
+        texts.push_back(header(gridded.grid(), brdf.name(), brdf.wavelengths().micrometres()[k]) +
+                        gridded.block("Monochrome", k));
     return texts;
+}
+
+std::string zemax_colour_text(const spectral::Reflectance& xyz, AngularGrid grid) {
+    require_three_channels(xyz);
+    const Gridded gridded{xyz, std::move(grid)};
+    return header(gridded.grid(), xyz.name(), std::nullopt) + gridded.block("TristimulusX", 2) +
+           gridded.block("TristimulusY", 1) + gridded.block("TristimulusZ", 0);
 }
 
 static ZemaxFile one_file(std::string_view text, const std::string& name,

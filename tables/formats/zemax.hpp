@@ -31,6 +31,10 @@ namespace hts::tables {
 [[nodiscard]] std::vector<std::string> zemax_texts(const spectral::Reflectance& brdf,
                                                    AngularGrid grid = zemax_grid());
 
+/// One text of the channels Z, Y and X (tristimulus_brdf).
+[[nodiscard]] std::string zemax_colour_text(const spectral::Reflectance& xyz,
+                                            AngularGrid grid = zemax_grid());
+
 /// The BRDF of a file; one with tristimulus values has the channels Z, Y, X (see rgb_wavelengths).
 ///   text          the whole file      name   its path, for messages and as the BRDF's name
 ///   wavelengths   what the channels are called: one, for tristimulus values three; if none is given the comment, 0.46,

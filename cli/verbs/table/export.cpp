@@ -28,7 +28,9 @@ struct ExportOptions {
     double solid_angle = 0.001;
     std::size_t pairs = 100'000;
     std::uint64_t seed = 1;
-    bool json = false;
+    bool json = false, colour = false;
+    std::string basis;
+    int depth = 0;
     OutsideOption outside;
 };
 
@@ -44,6 +46,10 @@ of as little tilt; a box that the grid of a format cannot hold is refused. Befor
 written, the files are read as the programs read them that know the format, and compared with
 the model at random pairs of directions: the report goes to standard output.
 
+--colour writes red, green and blue where a format could hold spectra or luminance: rgl as rgb,
+radiance as CIE-u and CIE-v, klems as CIE-X and CIE-Z beside Visible, zemax as X, Y, Z, astm as
+R, G, B.
+
 Examples:
   hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
   hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf)";
@@ -54,23 +60,55 @@ const TableFormat& format_named(const std::string& name) {
     return *std::find_if(formats.begin(), formats.end(), [&](const auto& each) { return each.name == name; });
 }
 
-/// A table has its own wavelengths.
-Reflectance table_of(const ExportOptions& options) {
-    if (!options.wavelengths.empty()) throw UsageError{"--wavelengths: must not come with a table"};
-    return tables::Table::open(options.source).reflectance();
+/// UsageError for what means nothing in the format.
+ExportDetails details_of(const ExportOptions& options, const TableFormat& format) {
+    const auto require = [&](bool given, const char* option) {
+        if (given && std::ranges::find(format.takes, option) == format.takes.end())
+            throw UsageError{std::string{option} + ": must not come with --format " + format.name};
+    };
+    require(options.colour, "--colour");
+    require(!options.basis.empty(), "--basis");
+    require(options.depth > 0, "--depth");
+    ExportDetails details{.colour = options.colour, .depth = options.depth};
+    if (!options.basis.empty()) details.basis = options.basis;
+    return details;
 }
 
-Reflectance source_of(const ExportOptions& options, const TableFormat& format) {
+/// Where the user gives none.
+std::string default_wavelengths(const ExportOptions& options, const TableFormat& format) {
+    const bool one = format.wavelengths.find(':') == std::string::npos;
+    return options.colour && one ? "0.40:0.70:31" : format.wavelengths;
+}
+
+/// A reflectance, and what its wavelengths stand for if they are none.
+struct Source {
+    Reflectance brdf;
+    std::vector<std::string> channels{};
+};
+
+/// A table has its own wavelengths.
+Source table_of(const ExportOptions& options) {
+    if (!options.wavelengths.empty()) throw UsageError{"--wavelengths: must not come with a table"};
+    return {tables::Table::open(options.source).reflectance()};
+}
+
+bool in_colour(const ExportOptions& options, const TableFormat& format) {
+    return options.colour || format.colour_alone;
+}
+
+Source source_of(const ExportOptions& options, const TableFormat& format) {
     if (options.source.ends_with(".htst")) return table_of(options);
     const MaterialOptions material{options.source, options.outside};
-    const auto wavelengths =
-        wavelengths_from_option(options.wavelengths.empty() ? format.wavelengths : options.wavelengths);
     const auto described = material.read();
     const auto& channels = described.properties().channels;
-    if (format.name != "merl" || (!channels.empty() && channels.front() != "B")) require_spectrum(described);
+    if (!in_colour(options, format) || channels.size() == 1) require_spectrum(described);
+    const std::string otherwise = channels.empty() ? default_wavelengths(options, format) : "0.46,0.55,0.62";
+    const auto wavelengths =
+        wavelengths_from_option(options.wavelengths.empty() ? otherwise : options.wavelengths);
     // far finer than any of these files holds
-    return reflectance_from_option("--wavelengths", described, wavelengths,
-                                   {.tolerance = Tolerance{1e-6}, .outside = material.policy()});
+    return {reflectance_from_option("--wavelengths", described, wavelengths,
+                                    {.tolerance = Tolerance{1e-6}, .outside = material.policy()}),
+            channels};
 }
 
 Reflectance with_specular(const ExportOptions& options, const TableFormat& format, const Reflectance& brdf) {
@@ -102,12 +140,17 @@ void require_held(const ExportOptions& options, const tables::RoundTrip& report)
 
 void run(const ExportOptions& options) {
     const TableFormat& format = format_named(options.format);
-    const Reflectance plain = source_of(options, format);
+    ExportDetails details = details_of(options, format);
+    const auto [plain, channels] = source_of(options, format);
     const Reflectance boxed = with_specular(options, format, plain);
-    const auto held = [&](const Reflectance& brdf) { return format.as_held ? format.as_held(brdf) : brdf; };
+    const auto held = [&, &names = channels](const Reflectance& brdf) {
+        if (in_colour(options, format)) return as_colour(brdf, format.colour, names);
+        return format.as_held ? format.as_held(brdf) : brdf;
+    };
     const Reflectance brdf = held(boxed);
     const bool box = options.specular == "box", patches = format.spread == SpecularSpread::patches;
-    const ExportDetails details{box ? options.solid_angle : 0, tables::lobe_slope(plain)};
+    if (box) details.specular_solid_angle = options.solid_angle;
+    details.slope = tables::lobe_slope(plain);
     tables::Exported exported = format.exported(patches ? held(plain) : brdf, options.output, details);
     const auto report =
         tables::round_trip(brdf, format.read(exported),
@@ -144,6 +187,13 @@ void add_table_export(CLI::App& table) {
     verb->add_option("--solid-angle", options->solid_angle, "of the box [sr]")
         ->needs(specular)
         ->capture_default_str();
+    verb->add_flag("--colour", options->colour, "red, green and blue in the file: see below");
+    verb->add_option("--basis", options->basis, "of klems: full (145 patches), half (73) or quarter (41)")
+        ->check(CLI::IsMember({"full", "half", "quarter"}));
+    verb->add_option("--depth", options->depth,
+                     "of the tree of radiance: halvings of each dimension, 1 ... 8, for\n"
+                     "surfaces with a grain 6; more is finer (7, or 5)")
+        ->check(whole_number(1, 8));
     verb->add_option(pairs_names, options->pairs, "pairs of directions to compare at, 1 ... 100000000")
         ->check(whole_number(1, 100'000'000))
         ->capture_default_str();

@@ -42,15 +42,14 @@ Reflectance read_radiance(const Exported& exported) {
     return tables::radiance_brdf(only_file(exported).text, only_file(exported).path);
 }
 
+Reflectance read_astm(const Exported& exported) {
+    const auto& [path, text] = only_file(exported);
+    return tables::brdf_from(path, tables::points_of_astm(text, path)).brdf;
+}
+
 Reflectance read_csv(const Exported& exported) {
     const auto& [path, text] = only_file(exported);
     return tables::brdf_from(path, tables::points_of_csv(text, path)).brdf;
-}
-
-// Three wavelengths as they are, others as linear sRGB.
-Reflectance as_rgb(const Reflectance& brdf) {
-    if (brdf.wavelengths().size() == 3) return tables::with_channels_named(brdf, tables::rgb_wavelengths());
-    return tables::linear_srgb_brdf(brdf, spectral::Illuminant::D65);
 }
 
 // One wavelength as it is, others as luminance.
@@ -69,18 +68,26 @@ tables::Sidecar sidecar(const char* format, std::vector<std::string> notes) {
     return result;
 }
 
+constexpr const char* rgb_note =
+    "colour: linear sRGB under D65, of three wavelengths as blue, green and red, of more the radiance factor "
+    "over pi; components below "
+    "0 as 0";
+constexpr const char* xyz_note =
+    "colour: CIE X, Y and Z under D65, over pi; three wavelengths are taken for blue, green and red of "
+    "linear sRGB";
+
 Exported rgl(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
     tables::RoundTripOptions compared = tables::rgl_comparison;
     compared.slope = details.slope;
     compared.specular_solid_angle = details.specular_solid_angle;
-    return tables::exported_rgl(brdf, path, compared);
+    return tables::exported_rgl(brdf, path, compared,
+                                details.colour ? tables::RglChannels::rgb : tables::RglChannels::spectra);
 }
 
 Exported merl(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
     auto result = sidecar(
         "MERL binary (.binary)",
-        {"three channels: the three wavelengths as blue, green, red, or of more wavelengths linear sRGB of "
-         "the radiance factor under D65, over pi; components below 0 are written as 0",
+        {rgb_note,
          "a number is the BRDF at the centre of its bin, theta_h = ((i + 1/2)/90)^2 90 deg, theta_d = i + "
          "1/2 "
          "deg, phi_d = i + 1/2 deg: readers that take the bin's value are right at the centre, readers that "
@@ -91,37 +98,66 @@ Exported merl(const Reflectance& brdf, const std::string& path, const ExportDeta
     return {{{path, tables::merl_bytes(brdf)}}, std::move(result)};
 }
 
+constexpr const char* radiance_side = "\"Reflection Back\", which is Radiance's front";
 constexpr const char* radiance_channel =
-    "one channel, Visible, in \"Reflection Back\", which is Radiance's front: the one wavelength, or of more "
-    "wavelengths the "
-    "luminance factor under D65, over pi";
+    "one channel, Visible: the one wavelength, or of more wavelengths the luminance factor under D65, over "
+    "pi";
+
+// Under names of their own, with a definition: Radiance knows other rings of Half and Quarter from version to version.
+tables::KlemsBasis basis_of(const std::string& name) {
+    if (name == "half") return {"Klems Half 73", tables::KlemsBasis::half().rings()};
+    if (name == "quarter") return {"Klems Quarter 41", tables::KlemsBasis::quarter().rings()};
+    return tables::KlemsBasis::full();
+}
 
 Exported klems(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
     const bool specular = details.specular_solid_angle > 0;
-    return {{{path, tables::klems_xml(brdf, tables::KlemsBasis::full(), specular)}},
-            sidecar("LBNL WINDOW XML, Klems full basis",
-                    {radiance_channel, "means over pairs of patches, weighted by projected solid angle"})};
+    const auto basis = basis_of(details.basis);
+    auto result = sidecar("LBNL WINDOW XML over Klems' patches",
+                          {details.colour ? xyz_note : radiance_channel, radiance_side,
+                           std::to_string(basis.size()) +
+                               " patches; means over pairs of them, weighted by projected solid angle"});
+    if (details.colour) result.notes.emplace_back("in CIE-X, Visible and CIE-Z");
+    return {{{path, tables::klems_xml(brdf, basis, specular)}}, std::move(result)};
 }
 
-Exported tensor_tree(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
-    return {{{path, tables::tensor_tree_xml(brdf)}},
-            sidecar("Radiance XML, tensor tree",
-                    {radiance_channel, "constant in cells of 1/64 in direction cosines and larger"})};
+Exported tensor_tree(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
+    const int depth = details.depth > 0 ? details.depth : brdf.properties().isotropic ? 7 : 5;
+    auto result = sidecar(
+        "Radiance XML, tensor tree",
+        {details.colour ? xyz_note : radiance_channel, radiance_side,
+         "constant in cells of 1/" + std::to_string(1 << (depth - 1)) + " in direction cosines and larger"});
+    if (details.colour) result.notes.emplace_back("in Visible, CIE-u and CIE-v, u' and v' of CIE 1976");
+    return {{{path, tables::tensor_tree_xml(brdf, {.depth = details.depth})}}, std::move(result)};
 }
 
 Exported zemax(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
-    return {
-        tables::zemax_files(brdf, path, tables::zemax_grid(details.specular_solid_angle)),
-        sidecar(
-            "OpticStudio tabular BSDF (.bsdf), a file per wavelength",
-            {"angles about the mirror direction; below the horizon stands the horizon's value, for readers "
-             "that interpolate between all nodes",
-             "TIS: reflectance per angle of incidence"})};
+    const auto grid = tables::zemax_grid(details.specular_solid_angle);
+    auto result = sidecar(
+        "OpticStudio tabular BSDF (.bsdf), a file per wavelength",
+        {"angles about the mirror direction; below the horizon stands the horizon's value, for readers "
+         "that interpolate between all nodes",
+         "TIS: reflectance per angle of incidence"});
+    if (!details.colour) return {tables::zemax_files(brdf, path, grid), std::move(result)};
+    result.format = "OpticStudio tabular BSDF (.bsdf), CIE X, Y, Z";
+    result.notes.emplace_back(xyz_note);
+    return {{{path, tables::zemax_colour_text(brdf, grid)}}, std::move(result)};
 }
 
 Exported csv(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
     return {{{path, tables::scatter_csv(brdf, tables::csv_grid(brdf.properties().isotropic))}},
             sidecar("CSV, a row per pair of directions, a column per wavelength", {})};
+}
+
+Exported astm(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
+    auto result = sidecar("scatter file in the manner of ASTM E1392 (E2387)",
+                          {"angles in radians, phi_s from the azimuth of x; of surfaces symmetric to the "
+                           "plane of incidence one side, "
+                           "0 to pi"});
+    if (details.colour) result.notes.emplace_back(rgb_note);
+    return {
+        {{path, tables::scatter_astm(brdf, tables::csv_grid(brdf.properties().isotropic), details.colour)}},
+        std::move(result)};
 }
 
 Exported pbsdf(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
@@ -130,20 +166,70 @@ Exported pbsdf(const Reflectance& brdf, const std::string& path, const ExportDet
 
 }  // namespace
 
+Reflectance as_colour(const Reflectance& brdf, Colour wanted, const std::vector<std::string>& channels) {
+    constexpr auto white = spectral::Illuminant::D65;
+    if (brdf.size() == 3) {
+        auto named = tables::with_channels_named(brdf, tables::rgb_wavelengths());
+        const Colour given = channels == tables::xyz_channels() ? Colour::xyz : Colour::rgb;
+        if (given == wanted) return named;
+        return wanted == Colour::xyz ? tables::tristimulus_of_srgb(std::move(named))
+                                     : tables::srgb_of_tristimulus(std::move(named));
+    }
+    return wanted == Colour::xyz ? tables::tristimulus_brdf(brdf, white)
+                                 : tables::linear_srgb_brdf(brdf, white);
+}
+
 const std::vector<TableFormat>& table_formats() {
     static const std::vector<TableFormat> formats{
-        {"rgl", "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq; isotropic", "0.38:0.78:21",
-         rgl, read_rgl},
+        {"rgl",
+         "tensor .bsdf of spectra, for Mitsuba 3, pbrt-v4 and powitacq, or of RGB; isotropic",
+         "0.38:0.78:21",
+         rgl,
+         read_rgl,
+         nullptr,
+         {"--colour"}},
         {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
          pbsdf, read_pbsdf},
         {"merl", "MERL .binary, isotropic; three wavelengths, or linear sRGB of more", "0.40:0.70:31", merl,
-         read_merl, as_rgb},
-        {"zemax", "OpticStudio tabular .bsdf; of several wavelengths an index .json and a file each", "0.55",
-         zemax, read_zemax, nullptr, SpecularSpread::box},
-        {"radiance", "Radiance tensor tree XML; one wavelength, or luminance of more", "0.40:0.70:31",
-         tensor_tree, read_radiance, as_luminance},
-        {"klems", "LBNL WINDOW XML over Klems' full basis; as radiance", "0.40:0.70:31", klems, read_radiance,
-         as_luminance, SpecularSpread::patches},
+         read_merl, nullptr, Colour::rgb, true},
+        {"zemax",
+         "OpticStudio tabular .bsdf; of several wavelengths an index .json and a file each",
+         "0.55",
+         zemax,
+         read_zemax,
+         nullptr,
+         Colour::xyz,
+         false,
+         {"--colour"},
+         SpecularSpread::box},
+        {"radiance",
+         "Radiance tensor tree XML; one wavelength, luminance of more, or colour",
+         "0.40:0.70:31",
+         tensor_tree,
+         read_radiance,
+         as_luminance,
+         Colour::xyz,
+         false,
+         {"--colour", "--depth"}},
+        {"klems",
+         "LBNL WINDOW XML over Klems' patches; as radiance",
+         "0.40:0.70:31",
+         klems,
+         read_radiance,
+         as_luminance,
+         Colour::xyz,
+         false,
+         {"--colour", "--basis"},
+         SpecularSpread::patches},
+        {"astm",
+         "ASTM E1392 (E2387) scatter file, angles in radians",
+         "0.40:0.70:7",
+         astm,
+         read_astm,
+         nullptr,
+         Colour::rgb,
+         false,
+         {"--colour"}},
         {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", csv, read_csv},
     };
     return formats;

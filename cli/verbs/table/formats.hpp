@@ -18,11 +18,17 @@ enum class SpecularSpread {
     patches,  ///< by the writer itself, over its patches
 };
 
+/// The three channels of a file of colour, linear sRGB or CIE XYZ.
+enum class Colour { rgb, xyz };
+
 /// How a user wants a file.
 struct ExportDetails {
     /// Over which the specular delta is spread in the reflectance or by the writer [sr]; 0 for none.
     double specular_solid_angle = 0;
-    double slope = 0;  ///< of the lobe without it (tables/formats/lobe.hpp)
+    double slope = 0;            ///< of the lobe without it (tables/formats/lobe.hpp)
+    bool colour = false;         ///< three channels where a format could hold others
+    std::string basis = "full";  ///< of Klems: full, half or quarter
+    int depth = 0;               ///< of a tensor tree, 0 for its default
 };
 
 /// A format: what is written, and how programs that know it read it.
@@ -36,12 +42,22 @@ struct TableFormat {
         exported;
     /// What a reader makes of those files, with the interpolation of the programs that read them.
     std::function<Reflectance(const tables::Exported& files)> read;
-    /// What of a reflectance the file can hold at all, which is written and compared: none for all of it, or,
-    /// say, red, green and blue.
+    /// What of a reflectance the file can hold at all without --colour, which is written and compared: none for all of it, or, say,
+    /// luminance.
     std::function<Reflectance(const Reflectance& brdf)> as_held{};
+    Colour colour = Colour::rgb;  ///< which three channels a file of colour has
+    bool colour_alone = false;    ///< whether it holds nothing else
+    /// The options of ExportDetails that mean something here: "--colour".
+    std::vector<std::string> takes{};
     /// How the specular delta is spread, as the format's grid can hold it.
     SpecularSpread spread = SpecularSpread::facets;
 };
+
+/// A reflectance as colour under D65: three wavelengths as blue, green and red, three channels as what they are, more wavelengths as
+/// the eye sees them.
+///   channels   of the reflectance, none if it has wavelengths
+[[nodiscard]] Reflectance as_colour(const Reflectance& brdf, Colour wanted,
+                                    const std::vector<std::string>& channels);
 
 /// A line per format.
 [[nodiscard]] const std::vector<TableFormat>& table_formats();

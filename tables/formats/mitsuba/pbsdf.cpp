@@ -170,7 +170,9 @@ class PolarisedTable final : public spectral::Evaluator {
     void specular_reflectance(const Direction& /*in*/, std::span<double> values) const noexcept override {
         std::ranges::fill(values, 0.0);
     }
-    [[nodiscard]] spectral::Properties properties() const override { return {.polarised = true}; }
+    [[nodiscard]] spectral::Properties properties() const override {
+        return {.polarised = true, .isotropic = true};
+    }
 
     void mueller(const DirectionPair& pair, std::span<Mueller> values) const noexcept override {
         const Corners corners = above_horizon(pair) ? corners_of(pair) : Corners{};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "tables/formats/channels.hpp"
 #include "tables/formats/mitsuba/rgl_square.hpp"
 #include "tables/formats/mitsuba/tensor_file.hpp"
 #include "tables/formats/points/angular_grid.hpp"
@@ -23,12 +24,18 @@ struct Pictures {
     [[nodiscard]] float operator()(Point2 point) const noexcept {
         return BilinearCell{point, rows, columns}.value(values.data());
     }
+    /// The first and the last of every three change places: red comes first in files, blue in a reflectance.
+    void reverse_threes() {
+        const auto plane = static_cast<std::ptrdiff_t>(rows * columns);
+        for (auto first = values.begin(); first != values.end(); first += 3 * plane)
+            std::swap_ranges(first, first + plane, first + 2 * plane);
+    }
 };
 
 /// The content of a file, checked.
 struct RglFile {
     bool jacobian = true;
-    std::vector<float> theta_i, phi_i, nanometres;
+    std::vector<float> theta_i, phi_i, nanometres;  // none of a file of three channels
     Pictures ndf, sigma, vndf, luminance, spectra;
 
     explicit RglFile(const TensorFile& file);
@@ -95,24 +102,28 @@ class RglFields {
 RglFile::RglFile(const TensorFile& file) {
     constexpr double pi = 3.141593;  // to the single precision of the file
     const RglFields fields{file};
-    if (file.contains("rgb")) throw file.error("rgb", "must be \"spectra\": colours are not spectra");
+    const bool rgb = file.contains("rgb") && !file.contains("spectra");
     if (file.octets("description").empty()) throw file.error("description", "must be text");
     jacobian = fields.flag("jacobian");
     theta_i = fields.increasing("theta_i", 0, pi / 2);
     phi_i = fields.increasing("phi_i", -pi, pi);
     fields.require_full_turn(phi_i);
-    nanometres = fields.increasing("wavelengths", 1, 1e7);
+    if (!rgb) nanometres = fields.increasing("wavelengths", 1, 1e7);
     const std::size_t phis = phi_i.size(), thetas = theta_i.size();
     ndf = fields.pictures("ndf", {}, 0);
     sigma = fields.pictures("sigma", {}, 1e-30F);
     vndf = fields.densities("vndf", {phis, thetas});
     luminance = fields.densities("luminance", {phis, thetas});
-    spectra = fields.pictures("spectra", {phis, thetas, nanometres.size()}, -1e30F);
+    spectra = rgb ? fields.pictures("rgb", {phis, thetas, 3}, -1e30F)
+                  : fields.pictures("spectra", {phis, thetas, nanometres.size()}, -1e30F);
+    if (rgb) spectra.reverse_threes();
     if (spectra.rows != luminance.rows || spectra.columns != luminance.columns)
-        throw file.error("luminance", "must have as many rows and columns as spectra");
+        throw file.error("luminance",
+                         std::string{"must have as many rows and columns as "} + (rgb ? "rgb" : "spectra"));
 }
 
 spectral::WavelengthGrid grid_of(const std::vector<float>& nanometres) {
+    if (nanometres.empty()) return rgb_wavelengths();
     std::vector<double> um;
     um.reserve(nanometres.size());
     for (const float nm : nanometres) um.push_back(static_cast<double>(nm) / 1000);
@@ -163,6 +174,7 @@ class MeasuredBrdf final : public RglBrdf {
             theta_i.push_back(static_cast<double>(node) * 180 / std::numbers::pi);
         return {theta_i, axis_in_words("theta_i", theta_i) + ", all views"};
     }
+    [[nodiscard]] spectral::Properties properties() const override { return {.isotropic = isotropic()}; }
 
     [[nodiscard]] double density(const DirectionPair& pair) const noexcept override {
         if (!(pair.in.cos_theta() > 0) || !(pair.out.cos_theta() > 0)) return 0;
@@ -198,7 +210,7 @@ class MeasuredBrdf final : public RglBrdf {
         float sum = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             if (mix.share[i] == 0) continue;
-            const std::size_t slice = mix.slice[i] * file_.nanometres.size() + k;
+            const std::size_t slice = mix.slice[i] * wavelengths().size() + k;
             sum += mix.share[i] * cell.value(file_.spectra.values.data() + slice * size);
         }
         return sum;
@@ -209,6 +221,12 @@ class MeasuredBrdf final : public RglBrdf {
 };
 
 }  // namespace
+
+bool is_rgb_rgl(std::string_view head) {
+    using namespace std::string_view_literals;
+    return head.find("\3\0rgb"sv) !=
+           std::string_view::npos;  // a field of that name, and its length before it
+}
 
 std::unique_ptr<RglBrdf> parse_rgl(std::string bytes, const std::filesystem::path& path) {
     return std::make_unique<MeasuredBrdf>(path.stem().string(),

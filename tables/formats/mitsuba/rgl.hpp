@@ -1,5 +1,5 @@
 /// Reflectances as files of the RGL group's measurements (`.bsdf`): Mitsuba 3 (`measured`), pbrt-v4 (`Material "measured"`) and
-/// powitacq read them; spectral, unpolarised, front side only, no specular term.
+/// powitacq read them; spectral, or of three channels for the RGB variants of Mitsuba, unpolarised, front side only, no specular term.
 ///
 /// A file holds f cos(theta_o), not f [Dupuy18]. Half vectors m are points (u, v) of a square, u = sqrt(2 theta_m/pi),
 /// v = (phi_m - phi_i + pi)/(2 pi); per angle of incidence a density over that square (`vndf`) warps it to another one, s, on
@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "spectral/models/reflectance.hpp"
 #include "tables/formats/round_trip.hpp"
@@ -59,16 +60,28 @@ void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& p
 /// 1.2 % of the peak the next is finer, twice at most. On other pairs it is below accuracy::rgl for the surfaces of the
 /// tests.
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path);
+/// What a file's channels are.
+enum class RglChannels {
+    spectra,  ///< values at wavelengths
+    rgb,  ///< three, which a reflectance has as blue, green and red (linear_srgb_brdf), for Mitsuba's RGB variants
+};
+
 /// The pairs of directions at which it does so.
 inline const RoundTripOptions rgl_comparison{.pairs = 200'000, .seed = 0};
 /// What that writes, and the sidecar.
 [[nodiscard]] Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
-                                    const RoundTripOptions& compared = rgl_comparison);
+                                    const RoundTripOptions& compared = rgl_comparison,
+                                    RglChannels channels = RglChannels::spectra);
 
-/// Reads a spectral file, isotropic or anisotropic over all azimuths; its specular reflectance is 0.
+/// Reads a file of spectra (`spectra`, `wavelengths`) or of three channels (`rgb`, which get rgb_wavelengths for names), isotropic or
+/// anisotropic over all azimuths; its specular reflectance is 0.
 /// hts::Error "path: field "vndf": …" for what Mitsuba and pbrt would refuse or what is no number.
 [[nodiscard]] std::unique_ptr<RglBrdf> read_rgl(const std::filesystem::path& path);
 /// The same from memory.    path   for messages and the name
 [[nodiscard]] std::unique_ptr<RglBrdf> parse_rgl(std::string bytes, const std::filesystem::path& path);
+
+/// Whether a file of this format has three channels without wavelengths.
+///   head   how it begins
+[[nodiscard]] bool is_rgb_rgl(std::string_view head);
 
 }  // namespace hts::tables

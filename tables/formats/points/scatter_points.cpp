@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -232,10 +233,13 @@ AngularGrid csv_grid(bool isotropic) {
     return grid;
 }
 
-std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid) {
+namespace {
+
+/// The grid where the surface needs no more of it, checked.
+AngularGrid fitting(const spectral::Reflectance& brdf, AngularGrid grid) {
     grid.check();
     if (grid.axis != PolarAxis::normal)
-        throw Error{"grid about the mirror direction: a CSV file needs one about the normal"};
+        throw Error{"grid about the mirror direction: a file of points needs one about the normal"};
     if (grid.phi_i.size() == 1 && !brdf.properties().isotropic)
         throw Error{brdf.name() +
                     ": depends on the azimuth of the light, which must have more than one value"};
@@ -243,31 +247,70 @@ std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid) {
         grid = without_symmetry(std::move(grid));
         grid.azimuth.pop_back();  // 360 is 0 again
     }
-    std::string text = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
-    for (const double wavelength : brdf.wavelengths().micrometres()) {
-        text += ",brdf_";
-        append_rounded(text, 1000 * wavelength, 9);
-        text += "nm";
-    }
-    text += '\n';
-    const std::size_t wavelengths = brdf.wavelengths().size();
+    return grid;
+}
+
+/// A row of angles and values per node.
+///   unit    of a degree in the file
+///   order   of the channels
+std::string rows(const spectral::Reflectance& brdf, const AngularGrid& grid, double unit,
+                 const std::vector<std::size_t>& order) {
+    std::string text;
     const std::vector<double> values = values_on(grid, brdf);
     for (std::size_t node = 0; node < grid.size(); ++node) {
         const std::size_t row = node / grid.polar.size(), slice = row / grid.azimuth.size();
         const double phi_i = grid.phi_i[slice / grid.theta_i.size()];
-        append_rounded(text, grid.theta_i[slice % grid.theta_i.size()], 9);
+        append_rounded(text, grid.theta_i[slice % grid.theta_i.size()] * unit, 9);
         for (const double angle :
              {phi_i, grid.polar[node % grid.polar.size()], phi_i + grid.azimuth[row % grid.azimuth.size()]}) {
             text += ',';
-            append_rounded(text, angle, 9);
+            append_rounded(text, angle * unit, 9);
         }
-        for (std::size_t k = 0; k < wavelengths; ++k) {
+        for (const std::size_t channel : order) {
             text += ',';
-            append_rounded(text, values[node * wavelengths + k]);
+            append_rounded(text, values[node * order.size() + channel]);
         }
         text += '\n';
     }
     return text;
+}
+
+std::vector<std::string> names_in_nanometres(const spectral::Reflectance& brdf) {
+    std::vector<std::string> names;
+    for (const double wavelength : brdf.wavelengths().micrometres()) {
+        append_rounded(names.emplace_back(), 1000 * wavelength, 9);
+        names.back() += "nm";
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid) {
+    grid = fitting(brdf, std::move(grid));
+    std::vector<std::size_t> order(brdf.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::string text = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg";
+    for (const std::string& name : names_in_nanometres(brdf)) text += ",brdf_" + name;
+    return text + "\n" + rows(brdf, grid, 1, order);
+}
+
+std::string scatter_astm(const spectral::Reflectance& brdf, AngularGrid grid, bool rgb) {
+    if (rgb && brdf.size() != 3)
+        throw out_of_range("number of channels", static_cast<double>(brdf.size()), "", "3 for R, G, B");
+    grid = fitting(brdf, std::move(grid));
+    std::vector<std::size_t> order(brdf.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::vector<std::string> names = names_in_nanometres(brdf);
+    if (rgb) {
+        order = {2, 1, 0};
+        names = {"R", "G", "B"};
+    }
+    std::string text =
+        "COMMENT BRDF in 1/sr without the cosine, angles in radians, written by hts\nNUM_POINTS ";
+    text.append(std::to_string(grid.size())).append("\nVARS theta_i,phi_i,theta_s,phi_s");
+    for (const std::string& name : names) text += "," + name;
+    return text + "\n" + rows(brdf, grid, std::numbers::pi / 180, order);
 }
 
 }  // namespace hts::tables

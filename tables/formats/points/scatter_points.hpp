@@ -53,6 +53,10 @@ struct PointsBrdf {
 ///   grid   axis normal
 [[nodiscard]] std::string scatter_csv(const spectral::Reflectance& brdf, AngularGrid grid);
 
+/// The same as a scatter file in the manner of ASTM E1392 (E2387): angles in radians, columns 550nm; nine digits and six.
+///   rgb   three channels, blue, green and red, as columns R, G, B
+[[nodiscard]] std::string scatter_astm(const spectral::Reflectance& brdf, AngularGrid grid, bool rgb = false);
+
 /// Points of a CSV file (spectral/text/csv.hpp): columns theta_i_deg, theta_r_deg, phi_i_deg (0 if left out), phi_r_deg, and the BRDF
 /// either in columns brdf_550nm or in one column brdf, with wavelength_um or without. Other columns are passed over, so that what
 /// `hts eval` writes is such a file.

@@ -36,7 +36,7 @@ class KlemsBrdf final : public spectral::Evaluator {
     }
 
   private:
-    const KlemsBasis& basis_;
+    KlemsBasis basis_;
     std::vector<double> means_;
 };
 
@@ -78,7 +78,19 @@ double mean_mirrored(const spectral::Reflectance& brdf, const KlemsBasis& basis,
 
 KlemsBasis::KlemsBasis(std::string name, std::vector<Ring> rings)
     : name_{std::move(name)}, rings_{std::move(rings)} {
-    for (const Ring& ring : rings_) size_ += ring.patches;
+    double edge = 0;
+    for (const Ring& ring : rings_) {
+        if (!(std::abs(ring.low - edge) <= 1e-6 && ring.high > ring.low))
+            throw Error{"angle basis " + spectral::in_quotes(name_) +
+                        ": rings must follow each other, from 0 degrees on"};
+        if (ring.patches < 1 || ring.patches > 10'000)
+            throw out_of_range("number of patches of a ring", static_cast<double>(ring.patches), "",
+                               "from 1 to 10000");
+        size_ += ring.patches;
+        edge = ring.high;
+    }
+    if (!(std::abs(edge - 90) <= 1e-6))
+        throw out_of_range("last polar angle of the angle basis", edge, "deg", "90 deg");
 }
 
 const KlemsBasis& KlemsBasis::full() {

@@ -26,6 +26,16 @@ class KlemsBasis {
     /// "LBNL/Klems Full", "… Half" or "… Quarter", else hts::Error.
     static const KlemsBasis& named(std::string_view name);
 
+    /// A stretch of polar angles [deg] and its number of patches.
+    struct Ring {
+        double low, high;
+        std::size_t patches;
+    };
+    /// Any basis.
+    ///   rings   from 0 to 90 degrees without gaps, 1 to 10000 patches each; else hts::Error
+    KlemsBasis(std::string name, std::vector<Ring> rings);
+
+    [[nodiscard]] const std::vector<Ring>& rings() const noexcept { return rings_; }
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     /// The patch of a direction.
@@ -37,12 +47,6 @@ class KlemsBasis {
     [[nodiscard]] Direction point(std::size_t patch, double across, double along) const;
 
   private:
-    /// Polar angles [deg] and number of patches.
-    struct Ring {
-        double low, high;
-        std::size_t patches;
-    };
-    KlemsBasis(std::string name, std::vector<Ring> rings);
     [[nodiscard]] std::size_t ring_of(std::size_t patch, std::size_t& place) const;
 
     std::string name_;

@@ -23,66 +23,6 @@ std::size_t beginning(std::string_view text) {
     return at == std::string_view::npos ? 0 : at;
 }
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char character : text) {
-        switch (character) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            default:
-                result += character;
-        }
-    }
-    return result;
-}
-
-std::string document(const std::string& name, std::string_view structure, std::string_view bases,
-                     const std::string& data) {
-    std::string text = R"(<?xml version="1.0" encoding="UTF-8"?>
-<WindowElement xmlns="http://windows.lbl.gov">
-<WindowElementType>System</WindowElementType>
-<FileType>BSDF</FileType>
-<Optical>
-<Layer>
-<Material>
-<Name>)";
-    text.append(escaped(name)).append(R"(</Name>
-<Manufacturer>hts</Manufacturer>
-<DeviceType>Other</DeviceType>
-</Material>
-<DataDefinition>
-<IncidentDataStructure>)");
-    text.append(structure).append(R"(</IncidentDataStructure>
-</DataDefinition>
-<WavelengthData>
-<LayerNumber>System</LayerNumber>
-<Wavelength unit="Integral">Visible</Wavelength>
-<SourceSpectrum>CIE Illuminant D65 1nm.ssp</SourceSpectrum>
-<DetectorSpectrum>ASTM E308 1931 Y.dsp</DetectorSpectrum>
-<WavelengthDataBlock>
-<WavelengthDataDirection>Reflection Back</WavelengthDataDirection>
-)");
-    text.append(bases).append(R"(<ScatteringDataType>BRDF</ScatteringDataType>
-<ScatteringData>
-)");
-    text.append(data).append(R"(
-</ScatteringData>
-</WavelengthDataBlock>
-</WavelengthData>
-</Layer>
-</Optical>
-</WindowElement>
-)");
-    return text;
-}
-
 // A document with the lines of its parts.
 class Document {
   public:
@@ -130,6 +70,14 @@ struct Block {
     bool visible;
     int side;  // 2 of the normal, 1 the other, 0 no reflection
     std::string name;
+    std::string_view spectrum;
+};
+
+// What is read: luminance, and the two others of a file of colour.
+struct Chosen {
+    pugi::xml_node visible, before{}, after{};
+
+    [[nodiscard]] bool coloured() const { return before && after; }
 };
 
 std::vector<Block> blocks_of(const pugi::xml_node& layer) {
@@ -142,15 +90,16 @@ std::vector<Block> blocks_of(const pugi::xml_node& layer) {
                              : same_letters(direction, "Reflection Front") ? 1
                                                                            : 0;
             blocks.push_back({node, spectrum.empty() || same_letters(spectrum, "Visible"), side,
-                              std::string{direction}.append(", ").append(spectrum)});
+                              std::string{direction}.append(", ").append(spectrum), spectrum});
         }
     }
     return blocks;
 }
 
-// The block to read: visible, on the side of the normal before the other. Notes tell which it was.
-pugi::xml_node reflection_block(const Document& document, const pugi::xml_node& layer,
-                                std::vector<std::string>& notes) {
+// The block to read: visible, on the side of the normal before the other, with those of the two names if both are on that side.
+// Notes tell which it was.
+Chosen reflection_blocks(const Document& document, const pugi::xml_node& layer, const char* before,
+                         const char* after, std::vector<std::string>& notes) {
     const auto blocks = blocks_of(layer);
     std::vector<std::string> others;
     const Block* best = nullptr;
@@ -164,71 +113,128 @@ pugi::xml_node reflection_block(const Document& document, const pugi::xml_node& 
                                                  "): must be one");
         }
     }
-    for (const Block& block : blocks)
-        if (&block != best) others.push_back("\"" + block.name + "\"");
+    Chosen chosen;
+    std::string colour;
+    if (best != nullptr) {
+        const auto same_side = [&](const char* spectrum) {
+            for (const Block& block : blocks)
+                if (block.side == best->side && same_letters(block.spectrum, spectrum)) return block.node;
+            return pugi::xml_node{};
+        };
+        chosen = {best->node, same_side(before), same_side(after)};
+        if (chosen.coloured()) colour = std::string{", with "} + before + " and " + after;
+    }
+    for (const Block& block : blocks) {
+        const bool of_colour =
+            chosen.coloured() && (block.node == chosen.before || block.node == chosen.after);
+        if (&block != best && !of_colour) others.push_back("\"" + block.name + "\"");
+    }
     if (best == nullptr) {
         throw document.error(layer,
                              "no block of Reflection Back or Reflection Front for the wavelength Visible" +
                                  (others.empty() ? "" : "; there are " + spectral::joined(others)));
     }
-    notes.push_back("read: \"" + best->name + "\"" +
+    notes.push_back("read: \"" + best->name + "\"" + colour +
                     (best->side == 2 ? ", the side of the normal"
                                      : ", the other side, since there is no Reflection Back") +
                     (others.empty() ? "" : "; left out: " + spectral::joined(others)));
-    return best->node;
+    return chosen;
 }
 
-spectral::Reflectance matrix(const Document& document, const pugi::xml_node& block, Tokens& tokens,
-                             bool light_fastest, const spectral::WavelengthGrid& wavelength) {
+// The numbers of a block, which must be a BRDF.
+Tokens numbers_of(const Document& document, const pugi::xml_node& block) {
+    const auto type = trimmed(block.child_value("ScatteringDataType"));
+    if (!type.empty() && !same_letters(type, "BRDF") && !same_letters(type, "BSDF")) {
+        throw document.error(
+            block, "ScatteringDataType " + spectral::in_quotes(type.substr(0, 40)) + ": must be BRDF [1/sr]");
+    }
+    const auto scattering = block.child("ScatteringData");
+    if (!scattering) throw document.error(block, "element ScatteringData: missing");
+    return {scattering.child_value(), document.name(), document.line(scattering)};
+}
+
+double degrees_in(const Document& document, const pugi::xml_node& node, const char* child) {
+    try {
+        return spectral::number_in(document.text(node, child), child);
+    } catch (const Error& failure) {
+        throw document.error(node, failure.what());
+    }
+}
+
+// As the file defines it, else one that is known by its name.
+KlemsBasis basis_named(const Document& document, const pugi::xml_node& block, std::string_view name) {
+    for (const auto& definition : document.layer().child("DataDefinition").children("AngleBasis")) {
+        if (!same_letters(trimmed(definition.child_value("AngleBasisName")), name)) continue;
+        std::vector<KlemsBasis::Ring> rings;
+        for (const auto& ring : definition.children("AngleBasisBlock")) {
+            const auto bounds = ring.child("ThetaBounds");
+            const double patches = degrees_in(document, ring, "nPhis");
+            if (!(patches >= 1 && patches <= 10'000 && patches == std::floor(patches)))
+                throw document.error(
+                    ring, "nPhis " + shortest(patches) + ": must be a whole number from 1 to 10000");
+            const double low =
+                rings.empty() && !bounds.child("LowerTheta") ? 0 : degrees_in(document, bounds, "LowerTheta");
+            rings.push_back(
+                {low, degrees_in(document, bounds, "UpperTheta"), static_cast<std::size_t>(patches)});
+        }
+        try {
+            return {std::string{name}, std::move(rings)};
+        } catch (const Error& failure) {
+            throw document.error(definition, failure.what());
+        }
+    }
+    try {
+        return KlemsBasis::named(name);
+    } catch (const Error& failure) {
+        throw document.error(block, failure.what());
+    }
+}
+
+void note_negative(const Tokens& tokens, std::vector<std::string>& notes) {
+    if (tokens.negative().count > 0) notes.push_back(tokens.negative().text());
+}
+
+spectral::Reflectance matrix(const Document& document, const pugi::xml_node& block, bool light_fastest,
+                             std::vector<std::string>& notes) {
     const auto columns = document.text(block, "ColumnAngleBasis"),
                rows = document.text(block, "RowAngleBasis");
     if (!same_letters(columns, rows))
         throw document.error(block, "ColumnAngleBasis and RowAngleBasis: must be the same");
-    const KlemsBasis* basis = nullptr;
-    try {
-        basis = &KlemsBasis::named(columns);
-    } catch (const Error& failure) {
-        throw document.error(block, failure.what());
-    }
-    const std::size_t size = basis->size();
+    const KlemsBasis basis = basis_named(document, block, columns);
+    const std::size_t size = basis.size();
+    Tokens tokens = numbers_of(document, block);
     std::vector<double> numbers;
     while (numbers.size() < size * size) numbers.push_back(tokens.take_value("BRDF"));
     if (!tokens.at_end())
         throw tokens.error("more than " + std::to_string(size) + " times " + std::to_string(size) +
                            " numbers");
+    note_negative(tokens, notes);
     std::vector<double> means(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         means[light_fastest ? i : i % size * size + i / size] = numbers[i];
-    return klems_brdf(document.name(), wavelength, *basis, std::move(means));
+    return klems_brdf(document.name(), luminance_wavelength(), basis, std::move(means));
 }
 
-spectral::Reflectance tree(const Document& document, Tokens& tokens, int rank,
-                           const spectral::WavelengthGrid& wavelength) {
-    auto brdf = tensor_tree_brdf(document.name(), wavelength, rank, tokens);
+spectral::Reflectance tree(const Document& document, const pugi::xml_node& block, int rank,
+                           std::vector<std::string>& notes) {
+    Tokens tokens = numbers_of(document, block);
+    auto brdf = tensor_tree_brdf(document.name(), luminance_wavelength(), rank, tokens);
     if (!tokens.at_end()) throw tokens.error("text after the tree");
+    note_negative(tokens, notes);
     return brdf;
 }
 
-}  // namespace
-
-std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis, bool specular) {
-    const std::vector<double> means = klems_means(brdf, basis, specular);
-    std::string data;
-    for (std::size_t i = 0; i < means.size(); ++i) {
-        append_rounded(data, means[i]);
-        data += (i + 1) % basis.size() == 0 ? '\n' : ' ';
+// Three channels of one value each as one BRDF.
+spectral::Reflectance three(const std::string& name, const std::vector<spectral::Reflectance>& parts) {
+    std::vector<spectral::Reflectance> renamed;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double um = rgb_wavelengths().micrometres()[i];
+        renamed.push_back(with_channels_named(parts[i], spectral::WavelengthGrid::from_micrometres({um})));
     }
-    std::string bases = "<ColumnAngleBasis>";
-    bases.append(basis.name()).append("</ColumnAngleBasis>\n<RowAngleBasis>").append(basis.name());
-    bases += "</RowAngleBasis>\n";
-    return document(brdf.name(), "Columns", bases, data);
+    return joined(name, std::move(renamed));
 }
 
-std::string tensor_tree_xml(const spectral::Reflectance& brdf, const TensorTreeOptions& options) {
-    const std::string_view structure = brdf.properties().isotropic ? "TensorTree3" : "TensorTree4";
-    return document(brdf.name(), structure, "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis>\n",
-                    tensor_tree_text(brdf, options));
-}
+}  // namespace
 
 RadianceFile radiance_file(std::string_view text, const std::string& name,
                            const std::optional<spectral::WavelengthGrid>& wavelength) {
@@ -237,29 +243,29 @@ RadianceFile radiance_file(std::string_view text, const std::string& name,
     const auto definition = layer.child("DataDefinition");
     if (!definition) throw file.error(layer, "element DataDefinition: missing");
     const auto structure = file.text(definition, "IncidentDataStructure");
-    std::vector<std::string> notes;
-    const auto block = reflection_block(file, layer, notes);
-    const auto type = trimmed(block.child_value("ScatteringDataType"));
-    if (!type.empty() && !same_letters(type, "BRDF") && !same_letters(type, "BSDF")) {
-        throw file.error(
-            block, "ScatteringDataType " + spectral::in_quotes(type.substr(0, 40)) + ": must be BRDF [1/sr]");
-    }
-    const auto scattering = block.child("ScatteringData");
-    if (!scattering) throw file.error(block, "element ScatteringData: missing");
-    Tokens tokens{scattering.child_value(), name, file.line(scattering)};
-    const auto& channel = wavelength ? *wavelength : luminance_wavelength();
-    if (channel.size() != 1) throw Error{name + ": holds 1 channel, not " + std::to_string(channel.size())};
-    const auto read = [&] {
-        if (same_letters(structure, "TensorTree3")) return tree(file, tokens, 3, channel);
-        if (same_letters(structure, "TensorTree4")) return tree(file, tokens, 4, channel);
-        if (same_letters(structure, "Columns")) return matrix(file, block, tokens, true, channel);
-        if (same_letters(structure, "Rows")) return matrix(file, block, tokens, false, channel);
+    const bool rank3 = same_letters(structure, "TensorTree3"), rank4 = same_letters(structure, "TensorTree4");
+    const bool is_tree = rank3 || rank4, columns = same_letters(structure, "Columns");
+    if (!is_tree && !columns && !same_letters(structure, "Rows"))
         throw file.error(definition, "IncidentDataStructure " + spectral::in_quotes(structure.substr(0, 40)) +
                                          ": must be Columns, Rows, TensorTree3 or TensorTree4");
+    std::vector<std::string> notes;
+    const Chosen chosen =
+        reflection_blocks(file, layer, is_tree ? "CIE-u" : "CIE-Z", is_tree ? "CIE-v" : "CIE-X", notes);
+    const auto read = [&](const pugi::xml_node& block) {
+        return is_tree ? tree(file, block, rank3 ? 3 : 4, notes) : matrix(file, block, columns, notes);
     };
-    RadianceFile result{read(), std::move(notes)};
-    if (tokens.negative().count > 0) result.notes.push_back(tokens.negative().text());
-    return result;
+    const bool coloured = chosen.coloured() && !(wavelength && wavelength->size() == 1);
+    const auto& names = wavelength ? *wavelength : coloured ? rgb_wavelengths() : luminance_wavelength();
+    if (names.size() != (coloured ? 3U : 1U))
+        throw Error{name + (coloured ? ": holds 3 channels, not " : ": holds 1 channel, not ") +
+                    std::to_string(names.size())};
+    if (!coloured) {
+        auto luminance = with_channels_named(read(chosen.visible), names);
+        return {std::move(luminance), std::move(notes), luminance_channel()};
+    }
+    auto all = three(name, {read(chosen.before), read(chosen.visible), read(chosen.after)});
+    if (is_tree) all = tristimulus_of_chromaticity(std::move(all));
+    return {with_channels_named(std::move(all), names), std::move(notes), xyz_channels()};
 }
 
 spectral::Reflectance radiance_brdf(std::string_view text, const std::string& name,

@@ -275,9 +275,9 @@ std::string tensor_tree_text(const spectral::Reflectance& brdf, const TensorTree
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "1 in a tensor tree");
     }
-    const int rank = brdf.properties().isotropic ? 3 : 4, most = rank == 3 ? 7 : 5;
+    const int rank = brdf.properties().isotropic ? 3 : 4, most = rank == 3 ? 8 : 6;
     TensorTreeOptions chosen = options;
-    if (chosen.depth == 0) chosen.depth = most;
+    if (chosen.depth == 0) chosen.depth = most - 1;
     if (chosen.depth < 1 || chosen.depth > most) {
         throw out_of_range("depth of the tensor tree", chosen.depth, "", "from 1 to " + std::to_string(most));
     }

@@ -17,7 +17,8 @@ namespace hts::tables {
 class Tokens;
 
 struct TensorTreeOptions {
-    /// Halvings per dimension; 0 for 7 (isotropic, cells of 1/64 in direction cosines) or 5 (others).   1 ... 7, or 5
+    /// Halvings per dimension; 0 for 7 (isotropic, cells of 1/64 in direction cosines) or 5 (others).   1 ... 8, or 6; Radiance
+    /// advises 7 at most
     int depth = 0;
     /// Cells become one whose values differ by at most this part of them, and of 1/1000 of the largest.   0 ... 1
     double merge = 0.02;
