@@ -212,7 +212,7 @@ TEST_CASE("what is wrong with a file is named, with its line") {
         {1, "<Layer>", "<Lager>", {"not valid XML"}},
         {1, "Columns", "Diagonals", {"IncidentDataStructure", "Diagonals", "TensorTree3"}},
         {1, "Reflection Back", "Transmission Front", {"Reflection Back"}},
-        {1, "LBNL/Klems Quarter", "LBNL/Klems Full", {"RowAngleBasis"}},
+        {1, "<RowAngleBasis>LBNL/Klems Quarter", "<RowAngleBasis>LBNL/Klems Full", {"RowAngleBasis"}},
         {1, "</ScatteringData>", "1</ScatteringData>", {"more than 41"}},
         {2, "{", "{{", {"x:"}},
         {2, "TensorTree3", "TensorTree4", {"x:"}},

@@ -355,7 +355,8 @@ TEST_CASE("odd files of Radiance and OpticStudio") {
               "matrices/lighttools-back.bsdf: no block of reflection at the front; there are 2 of BRDF Back"},
              {"matrices/empty.bsdf", "matrices/empty.bsdf: file is empty"},
              {"matrices/unknown.bsdf",
-              "matrices/unknown.bsdf: of no format that is known: merl, rgl, radiance, zemax, lighttools, "
+              "matrices/unknown.bsdf: of no format that is known: merl, rgl, pbsdf, radiance, zemax, "
+              "lighttools, "
               "fred, astm, "
               "csv"},
          })
