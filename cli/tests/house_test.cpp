@@ -25,7 +25,7 @@ struct Folder {
     std::vector<std::string> rooms;
 };
 const std::vector<Folder> folders{
-    {"hts", {"phi/tables", "lanes", "phi", "evaluation", "sampling", "microfacet"}},
+    {"hts", {"phi/tables", "lanes", "phi", "evaluation", "sampling", "microfacet", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
     {"validation", {"report", "scattering", "curves", "fit", "papers", "pictures"}},
@@ -61,8 +61,9 @@ bool is_test(const fs::path& path) {
 
 bool is_generated(const fs::path& path) {
     const auto folder = path.parent_path().string();
-    return folder.ends_with("hts/phi/tables") &&
-           (path.stem() == "high" || path.stem() == "medium" || path.stem() == "low");
+    const auto name = path.stem().string();
+    return (folder.ends_with("hts/phi/tables") || folder.ends_with("hts/unified/lanes")) &&
+           (name.ends_with("high") || name.ends_with("medium") || name.ends_with("low"));
 }
 
 /// The headers that a file includes as "folder/….hpp".

@@ -163,7 +163,7 @@ constexpr std::array cases{
     Case{"fit blue-acrylic --model becmann", "did you mean \"beckmann\"?"},
     Case{"fit blue-acrylic --loss huver", "did you mean \"huber\"?"},
     Case{"fit blue-acrylic --free scale,,k", "--free: \"\": must not be empty"},
-    Case{"fit blue-acrylic --model gloss", "must be one of he, beckmann"},
+    Case{"fit blue-acrylic --model gloss", "must be one of he, he_unified, beckmann"},
     Case{"fit blue-acrylic --model kurt --lobes 4", "from 1 to 3"},
     Case{"fit blue-acrylic --model kurt --lobes -1", "from 1 to 3"},
     Case{"fit blue-acrylic --lobes 2", "has no lobes"},

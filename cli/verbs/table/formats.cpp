@@ -187,6 +187,8 @@ const std::vector<TableFormat>& table_formats() {
          rgl,
          read_rgl,
          nullptr,
+         Colour::rgb,
+         false,
          {"--colour"}},
         {"pbsdf", "Mueller matrices at five wavelengths, for Mitsuba 3; isotropic, model he", "0.45:0.65:5",
          pbsdf, read_pbsdf},

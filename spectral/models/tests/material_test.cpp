@@ -282,7 +282,7 @@ TEST_CASE("what is wrong with a material file is named by key and legal range") 
     const std::string kurt = R"({"model": "kurt", "kd": 0.2, "lobes": [{"ks": 1, "f0": 0.1, "mx": 0.2, )";
     const std::string normals = R"({"model": "ashikhmin", "f0": 0.2, "normals": )";
     const std::vector<Case> bad{
-        {R"({"model": "plastic"})", {"\"model\"", "\"plastic\"", "he, walter", "lambert"}},
+        {R"({"model": "plastic"})", {"\"model\"", "\"plastic\"", "he, he_unified, walter", "lambert"}},
         {R"({"model": "lambert"})", {"\"diffuse_albedo\"", "missing"}},
         {R"({"model": "lambert", "diffuse_albedo": 1.2})", {"\"diffuse_albedo\"", "1.2", "0 to 1"}},
         {R"({"model": "lambert", "diffuse_albedo": "white"})", {"\"diffuse_albedo\"", "number"}},
