@@ -45,7 +45,7 @@ def scene(rms_roughness_um: float, correlation_length_um: float) -> Any:
     )
 
 
-truth = np.array(mi.render(scene(0.12, 2.5), spp=256, seed=1000))
+truth = np.array(mi.render(scene(0.12, 2.5), spp=256, seed=mi.UInt32(1000)))
 noise = np.random.default_rng(2).normal(0, 1, (2, *truth.shape))
 picture = np.maximum(truth * (1 + 0.03 * noise[0]) + 0.01 * noise[1], 0)
 floor = 0.1  # below it noise prevails; logarithms bring the rest to one scale
@@ -61,7 +61,7 @@ for step in range(14):  # Gauss and Newton's, in the logarithms: both parameters
         dr.enable_grad(scale)
         parameters[name] = dr.detach(parameters[name]) * scale
         parameters.update()
-        shown = mi.render(found, parameters, spp=256, seed=step)
+        shown = mi.render(found, parameters, spp=256, seed=mi.UInt32(step))
         dr.forward(scale)
         slopes.append((np.array(dr.grad(shown)) / (np.array(shown) + floor) / error).ravel())
         parameters[name] = dr.detach(parameters[name])
