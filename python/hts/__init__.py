@@ -466,3 +466,12 @@ def srgb(linear: ArrayLike) -> NDArray[np.uint8]:
     x = np.clip(np.asarray(linear, dtype=float), 0, 1)
     encoded = np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.power(x, 1 / 2.4) - 0.055)
     return np.asarray(np.rint(255 * encoded), dtype=np.uint8)
+
+
+def __getattr__(name: str) -> Any:
+    """Modules that need packages which hts does not require are imported when they are used."""
+    if name in ("jax", "mitsuba"):
+        import importlib
+
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
