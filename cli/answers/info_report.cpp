@@ -185,6 +185,9 @@ Json error_json(spectral::ModelError error) {
     return known ? Json{known->least, known->most} : Json{};
 }
 
+/// The model whose distances from exact scattering are known.
+constexpr std::string_view model_measured = "he";
+
 std::vector<Criterion> criteria() {
     std::vector<Criterion> all;
     for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
@@ -231,6 +234,9 @@ std::string info_text(const MaterialInfo& info) {
          << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
             "surfaces up to "
             "70 deg, unpolarised)\n";
+    if (info.material.model_name() != model_measured)
+        text << "Limits and errors are those of model " << model_measured << ": of "
+             << info.material.model_name() << " they are not measured yet.\n";
     return text.str();
 }
 
@@ -245,6 +251,7 @@ std::string info_json(const MaterialInfo& info) {
         wavelengths.push_back(micrometres(points[i]));
     const Json result{{"name", info.material.name()},
                       {"model", info.material.model_name()},
+                      {"limits_and_errors_of_model", model_measured},
                       {"rms_roughness_um", surface.rms_roughness()},
                       {"correlation_length_um", surface.correlation_length()},
                       {"rms_slope", spectral::rms_slope(surface)},

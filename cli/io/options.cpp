@@ -238,6 +238,12 @@ spectral::Material MaterialOptions::read() const {
     return material;
 }
 
+void warn_of_gain(const std::string& source, double reflectance) {
+    if (reflectance > 1.005)
+        std::cerr << source << ": WARNING: reflects " << brief(reflectance)
+                  << " times the light that falls in\n";
+}
+
 void require_spectrum(const spectral::Material& material) {
     const auto& channels = material.properties().channels;
     if (channels.empty()) return;

@@ -199,7 +199,7 @@ TEST_CASE("hts eval of random pairs prints its rate") {
     CHECK(result.errors.find("evaluations/s") != std::string::npos);
 }
 
-TEST_CASE("energy compensation scales the lobe and the mirror term alike wherever it is asked for") {
+TEST_CASE("energy compensation scales the lobe and the specular term alike wherever it is asked for") {
     const Workplace place;
     place.file("al.json", R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 0.7,
                               "index": "Al", "diffuse_albedo": 0.1})");

@@ -88,12 +88,12 @@ TEST_CASE("hts fit says what solid angle and measured roughness mean") {
     const Workplace place;
     const auto plain = place.hts("fit anodised-ec1 --starts 4");
     INFO(plain.output);
-    CHECK(contains(plain.output, "note: the mirror term was not compared: no solid angle"));
+    CHECK(contains(plain.output, "note: the specular term was not compared: no solid angle"));
     CHECK(contains(plain.output, "times below the rms roughness measured, 1.222 um"));
     CHECK(contains(plain.output, "the standard errors are not valid"));
     const auto seen = place.hts("fit anodised-ec1 --starts 4 --detector-solid-angle 1e-4");
     INFO(seen.output);
-    CHECK_FALSE(contains(seen.output, "mirror term"));
+    CHECK_FALSE(contains(seen.output, "specular term"));
     CHECK(contains(seen.output, "only sigma0/tau = 0."));
     CHECK(seen.output.find("sigma0/tau ") < seen.output.find("  sigma0  "));
     const auto held =
@@ -104,7 +104,7 @@ TEST_CASE("hts fit says what solid angle and measured roughness mean") {
     CHECK(place.hts("fit anodised-ec1 --detector-solid-angle 7").exit_code == 2);
     CHECK(contains(
         place.hts("compare anodised-ec1 --material " HTS_SOURCE_DIR "/cli/data/rough-aluminium.json").errors,
-        "the mirror term was not compared"));
+        "the specular term was not compared"));
 }
 
 TEST_CASE("hts fit compares all models") {

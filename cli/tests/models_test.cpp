@@ -177,3 +177,18 @@ TEST_CASE("hts eval --transmission is what ground glass lets through") {
     CHECK(metal.errors.find("0.55 um: the surface is opaque") != std::string::npos);
     CHECK(place.hts("eval --material glass.json --mueller" + at).exit_code == 2);
 }
+
+TEST_CASE("a material that reflects more than falls in is named") {
+    const Workplace place;
+    place.file("bright.json", R"({"model": "ward", "kd": 0.1, "lobes": [{"ks": 5, "mx": 0.2, "my": 0.2}]})");
+    const auto named = [](const Result& result) {
+        INFO(result.errors);
+        CHECK(result.exit_code == 0);
+        CHECK(result.errors.find("bright.json: WARNING: reflects ") != std::string::npos);
+    };
+    named(place.hts("albedo -m bright.json --wavelengths 0.5 --theta-i 30"));
+    named(place.hts("sample -m bright.json --wavelength 0.5 --theta-i 30 --count 20000 -o a.csv"));
+    named(place.hts("render sphere -m bright.json --size 16 --samples 1 -o a.png"));
+    const Result honest = place.hts("albedo -m '" HTS_SOURCE_DIR "/cli/data/rough-aluminium.json'");
+    CHECK(honest.errors.find("WARNING") == std::string::npos);
+}

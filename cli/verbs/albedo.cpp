@@ -1,6 +1,7 @@
 // hts albedo: how much light a material reflects in all, and how much uniform-diffuse albedo it leaves room
 // for.
 
+#include <algorithm>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -164,6 +165,10 @@ void run(const AlbedoOptions& options) {
     table.add(text);
     table.finish();
     output.commit();
+    double largest = 0;
+    for (const AlbedoSpectralRow& row : rows)
+        for (const auto& terms : row.terms) largest = std::max(largest, terms.total());
+    warn_of_gain(options.material.path, largest);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/verbs/verbs.hpp"
-#include "spectral/output/gnuplot.hpp"
 #include "spectral/jobs/progress.hpp"
+#include "spectral/output/gnuplot.hpp"
 
 namespace hts::cli {
 namespace {

@@ -78,7 +78,7 @@ void say_what_bears_on_it(const validation::CurveSet& set, const spectral::Mater
     const auto& properties = material.properties();
     const bool hemispherical = set.quantity == validation::Quantity::hemispherical_reflectance;
     if (properties.specular_term && !hemispherical && !set.source_solid_angle && !set.detector_solid_angle)
-        std::cerr << "the mirror term was not compared: no solid angle of source or detector is stated "
+        std::cerr << "the specular term was not compared: no solid angle of source or detector is stated "
                      "(--detector-solid-angle)\n";
     if (set.roughness && properties.surface)
         std::cerr << validation::roughness_statement(properties.surface->rms_roughness(), *set.roughness)

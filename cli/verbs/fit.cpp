@@ -36,7 +36,7 @@ and k is 0 unless freed. Anisotropic widths are equal unless one is freed (--fre
 material has, stands beside it for hts compare. --report writes everything.
 More sets after the first are hemispherical reflectances (1 - emissivity) of the same
 surface, to which "scale" does not apply.
-Without a solid angle of source or detector the mirror term has no finite value and is
+Without a solid angle of source or detector the specular term has no finite value and is
 not compared. --fix sigma0=measured holds the roughness that the curve set states.
 
 Examples:

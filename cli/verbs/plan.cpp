@@ -33,7 +33,7 @@ A scene file (JSON) lists material files of any model, wavelengths, the largest 
 angles of lights and views, what is wanted (spectral or rgb, polarised or not), a tolerance
 (relative_brdf_error or delta_e_2000) and a memory budget; spectral/plans/scene.hpp has every
 key. For each material the plan leaves out what the tolerance allows: wavelengths, the
-lobe, and of model he its full series and the mirror term. Errors are measured on random
+lobe, and of model he its full series and the specular term. Errors are measured on random
 directions of the scene against the full model; spectral/plans/plan.hpp defines them.
 --output writes the plan for hts eval --plan and for the library; --check measures a plan
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
@@ -85,7 +85,7 @@ std::string in_words(const Rung& rung, const spectral::Material& material) {
             lobe = "full Phi at " + shortest(rung.lobe_tolerance.relative_error());
             break;
     }
-    return lobe + (rung.specular ? ", mirror term, " : ", no mirror term, ") + wavelengths_in_words(rung);
+    return lobe + (rung.specular ? ", specular term, " : ", no specular term, ") + wavelengths_in_words(rung);
 }
 
 std::string in_words(const spectral::MeasuredError& error) {

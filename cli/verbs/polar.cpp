@@ -101,7 +101,7 @@ PolarStyle style(const PolarOptions& options, const std::string& name, const std
     style.captions.push_back(averaged ? "specular term averaged over source and receiver cones of " +
                                             brief(averaged->solid_angle()) + " sr (half angle " +
                                             brief(averaged->half_angle() * 180 / std::numbers::pi) + "°)"
-                                      : "specular delta left out (--solid-angle averages it)");
+                                      : "specular term left out (--solid-angle averages it)");
     style.data_file = data_file;
     style.logarithmic = options.logarithmic;
     return style;

@@ -77,6 +77,11 @@ Gallery chosen(const RenderOptions& options) {
     const auto known = reflectance_from_option("hts render", material, validation::picture_wavelengths(),
                                                {.outside = policy});
     if (known.properties().partial) static_cast<void>(known.sampler(0));  // refuses data that end too soon
+    double largest = 0;
+    for (const double theta : {0.0, 60.0})
+        largest =
+            std::max(largest, known.albedo(Direction::from_degrees(theta, 0), known.size() / 2).total());
+    warn_of_gain(options.material.path, largest);
     Scene scene = shape->of(validation::Appearance{material, policy});
     for (auto& object : scene.objects) object.turn = options.turn * std::numbers::pi / 180;
     return {options.scene, material.name(), 1, 1, [scene] { return std::vector{scene}; }};

@@ -13,9 +13,9 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/sampling/random.hpp"
+#include "spectral/jobs/progress.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/output/script.hpp"
-#include "spectral/jobs/progress.hpp"
 
 namespace hts::cli {
 namespace {
@@ -55,12 +55,15 @@ struct Statistics {
         ++lobes[static_cast<std::size_t>(drawn.lobe)];
         ++count;
     }
-    [[nodiscard]] std::string text() const {
+    [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
+    /// Of the mean, one standard deviation.
+    [[nodiscard]] double error() const {
         const auto n = static_cast<double>(count);
-        const double mean = sum / n;
-        const double deviation = std::sqrt(std::max(0.0, squares / n - mean * mean));
+        return std::sqrt(std::max(0.0, squares / n - mean() * mean()) / n);
+    }
+    [[nodiscard]] std::string text() const {
         std::ostringstream text;
-        text << std::setprecision(6) << "mean weight " << mean << " +- " << deviation / std::sqrt(n) << ';';
+        text << std::setprecision(6) << "mean weight " << mean() << " +- " << error() << ';';
         for (const Lobe lobe : {Lobe::specular, Lobe::directional_diffuse, Lobe::uniform_diffuse, Lobe::none})
             text << ' ' << name(lobe) << ' ' << lobes[static_cast<std::size_t>(lobe)];
         return text.str();
@@ -122,6 +125,7 @@ void run(const SampleOptions& options) {
     table.finish();
     output.commit();
     std::cerr << "hts: " << statistics.text() << '\n';
+    warn_of_gain(options.material.path, statistics.mean() - 3 * statistics.error());
     if (options.plot.empty()) return;
     output::Script script;
     script.set("title", std::to_string(options.count) + " draws, theta_i " + shortest(options.theta_i) +

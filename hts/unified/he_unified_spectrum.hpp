@@ -42,7 +42,7 @@ class HeUnifiedSpectrum {
     void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
-    /// Reflectance into the mirror direction, the specular delta [1], one value per sample.
+    /// Reflectance into the mirror direction, the specular term [1], one value per sample.
     ///   error   accuracy::unified_mirror
     void specular_reflectance(const Direction& in, std::span<double> result) const;
     /// Mueller matrix of both diffuse terms [1/sr], one per sample.

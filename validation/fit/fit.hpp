@@ -114,7 +114,7 @@ struct Ratio {
     double value, standard_error;
 };
 
-/// The best fit whose sigma0 is so large that the mirror term is gone and sigma0/tau alone matters.
+/// The best fit whose sigma0 is so large that the specular term is gone and sigma0/tau alone matters.
 struct RoughSurface {
     Ratio slope;
     double cost;  ///< as FitStatistics::cost

@@ -23,12 +23,12 @@ std::string with_error(const Ratio& ratio) {
     return rounded_text(ratio.value) + " +- " + rounded_text(ratio.standard_error);
 }
 
-// ---- the mirror term
+// ---- the specular term
 
-/// A mirror term that would stand out of the data.
+/// A specular term that would stand out of the data.
 struct MirrorPeak {
     double theta_i;      // [deg]
-    double reflectance;  // of the fitted mirror term
+    double reflectance;  // of the fitted specular term
     double solid_angle;  // of the detector in which it would be as large as what was measured [sr]
 };
 
@@ -55,13 +55,13 @@ std::optional<MirrorPeak> most_visible_peak(const Fit& fit, const CurveSet& chos
     return result;
 }
 
-/// The best fit without a mirror term comes nearly as close.
+/// The best fit without a specular term comes nearly as close.
 bool rough_is_as_good(const Fit& fit) {
     constexpr double nearly = 2;
     return fit.rough && fit.rough->cost <= nearly * fit.statistics.cost;
 }
 
-/// Only sigma0/tau is told, as by the best surface too rough for a mirror term.
+/// Only sigma0/tau is told, as by the best surface too rough for a specular term.
 void tell_slope_alone(Fit& fit) {
     fit.slope = fit.rough->slope;
     fit.slope_alone = true;
@@ -75,22 +75,22 @@ Statements of_mirror_term(Fit& fit, const CurveSet& chosen, const FitSelection& 
     const bool has_term = fitted_material(fit).properties().specular_term;
     if (!has_term || chosen.source_solid_angle || chosen.detector_solid_angle) return {};
     Statements result{
-        "the mirror term was not compared: no solid angle of source or detector is stated, so that sigma0 "
+        "the specular term was not compared: no solid angle of source or detector is stated, so that sigma0 "
         "and "
         "tau are not separable but by the shape of the lobe"};
     constexpr double small_detector = 1e-3;  // [sr]; goniometers have smaller ones
     const auto peak = most_visible_peak(fit, chosen, selection.outside);
     if (!peak || peak->solid_angle < small_detector || chosen.scale != Scale::absolute) return result;
     std::string text =
-        "the fitted mirror term, " + rounded_text(peak->reflectance) + " at " + rounded_text(peak->theta_i) +
-        " deg, would stand out of the data in any detector below " +
+        "the fitted specular term, " + rounded_text(peak->reflectance) + " at " +
+        rounded_text(peak->theta_i) + " deg, would stand out of the data in any detector below " +
         rounded_text(std::min(peak->solid_angle, 2 * std::numbers::pi)) + " sr, and they show none: ";
     if (fit.slope_alone) {
         text += "sigma0 is larger";
     } else if (rough_is_as_good(fit)) {
         tell_slope_alone(fit);
         text += "sigma0 and tau apart: only sigma0/tau = " + with_error(*fit.slope) +
-                ", of a surface too rough for a mirror term";
+                ", of a surface too rough for a specular term";
     } else {
         text += "either the data leave it out, or sigma0 is larger";
     }

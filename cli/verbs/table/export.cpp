@@ -39,7 +39,7 @@ std::string export_help() {
     for (const TableFormat& format : table_formats()) text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
 The source is a material file or a table (.htst), which has its own wavelengths. The file
-holds the diffuse terms; the specular delta is left out and its reflectance written beside
+holds the diffuse terms; the specular term is left out and its reflectance written beside
 the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
 --solid-angle instead: about the mirror direction, or of formats on half vectors over facets
 of as little tilt; a box that the grid of a format cannot hold is refused. Before anything is
@@ -181,7 +181,7 @@ void add_table_export(CLI::App& table) {
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]");
     options->outside.add_to(*verb);
     auto* specular =
-        one_of(verb->add_option("--specular", options->specular, "what becomes of the specular delta"),
+        one_of(verb->add_option("--specular", options->specular, "what becomes of the specular term"),
                {"none", "box"})
             ->capture_default_str();
     verb->add_option("--solid-angle", options->solid_angle, "of the box [sr]")

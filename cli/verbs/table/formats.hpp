@@ -23,7 +23,7 @@ enum class Colour { rgb, xyz };
 
 /// How a user wants a file.
 struct ExportDetails {
-    /// Over which the specular delta is spread in the reflectance or by the writer [sr]; 0 for none.
+    /// Over which the specular term is spread in the reflectance or by the writer [sr]; 0 for none.
     double specular_solid_angle = 0;
     double slope = 0;            ///< of the lobe without it (tables/formats/lobe.hpp)
     bool colour = false;         ///< three channels where a format could hold others
@@ -49,7 +49,7 @@ struct TableFormat {
     bool colour_alone = false;    ///< whether it holds nothing else
     /// The options of ExportDetails that mean something here: "--colour".
     std::vector<std::string> takes{};
-    /// How the specular delta is spread, as the format's grid can hold it.
+    /// How the specular term is spread, as the format's grid can hold it.
     SpecularSpread spread = SpecularSpread::facets;
 };
 

@@ -81,11 +81,6 @@ std::vector<double> albedo(const spectral::Reflectance& brdf, const Direction& i
     return values;
 }
 
-void warn_of_gain(const std::string& source, double largest) {
-    if (largest > 1.005)
-        std::cerr << source << ": WARNING: reflects " << brief(largest) << " times the light that falls in\n";
-}
-
 void write_summary(const ImportOptions& options, const spectral::Reflectance& brdf,
                    const std::vector<std::string>& channels) {
     Output output{"-"};

@@ -56,7 +56,7 @@ std::string statement(const Fit& fit, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a fit without solid angles says first that the mirror term was not compared") {
+TEST_CASE("a fit without solid angles says first that the specular term was not compared") {
     for (const std::string name : {"anodised-ec1", "anodised-nite"}) {
         CurveSet set = built_in_curves(name);
         const Fit fit = fitted({.followed_starts = 4}, set, {});
@@ -64,7 +64,7 @@ TEST_CASE("a fit without solid angles says first that the mirror term was not co
         const auto first = std::ranges::find_if_not(
             fit.statements, [](const auto& text) { return text.ends_with("ended at its bound"); });
         REQUIRE(first != fit.statements.end());
-        CHECK_THAT(*first, StartsWith("the mirror term was not compared"));
+        CHECK_THAT(*first, StartsWith("the specular term was not compared"));
         CHECK_THAT(*first, Contains("not separable"));
         CHECK(fit.slope_alone);
         CHECK_THAT(statement(fit, "sigma0 and tau apart"), Contains("only sigma0/tau"));
@@ -73,7 +73,7 @@ TEST_CASE("a fit without solid angles says first that the mirror term was not co
         set.detector_solid_angle = 1e-4;
         const Fit seen = fitted({.followed_starts = 4}, set, {});
         INFO(in_words(seen));
-        CHECK(statement(seen, "mirror term").empty());
+        CHECK(statement(seen, "specular term").empty());
         CHECK_THAT(statement(seen, "only sigma0/tau"),
                    StartsWith("sigma0 and tau apart: only sigma0/tau = "));
         CHECK(seen.slope_alone);
