@@ -67,7 +67,7 @@ enum class RglChannels {
 };
 
 /// The pairs of directions at which it does so.
-inline const RoundTripOptions rgl_comparison{.pairs = 200'000, .seed = 0};
+inline const RoundTripOptions rgl_comparison{200000, 0};
 /// What that writes, and the sidecar.
 [[nodiscard]] Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                                     const RoundTripOptions& compared = rgl_comparison,
