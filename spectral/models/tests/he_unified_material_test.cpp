@@ -160,7 +160,7 @@ TEST_CASE("a perfect conductor of he_unified returns its light, and all of it wi
             const double total =
                 directional_hemispherical_reflectance(compensation, surface, PerfectMirror{}, one_um, in)
                     .total();
-            worst.note(std::abs(total - 1), [&] { return "sigma0 " + std::to_string(sigma); });
+            worst.note(std::abs(total - 1), [s = sigma] { return "sigma0 " + std::to_string(s); });
         }
     }
     worst.check();
