@@ -252,17 +252,17 @@ TEST_CASE("on gentle surfaces away from grazing it is He-Torrance") {
     struct Gentle {
         double sigma, tau, error;
     };
-    for (const auto& [sigma, tau, error] : {Gentle{1, 20, 3e-4}, Gentle{0.3, 30, 1e-4}}) {
-        WorstCase worst{"he_unified beside He-Torrance, of the peak", error};
+    for (const Gentle& of : {Gentle{1, 20, 3e-4}, Gentle{0.3, 30, 1e-4}}) {
+        WorstCase worst{"he_unified beside He-Torrance, of the peak", of.error};
         for (double theta = 0; theta <= 50; theta += 5) {
             const Direction in = Direction::from_degrees(theta, 0);
             const auto he = [&](const Direction& out) {
-                const Surface surface{sigma, tau};
+                const Surface surface{of.sigma, of.tau};
                 return directional_diffuse({surface, in, out}, one_um, {1.5, 0}).brdf;
             };
             const double peak = he(in.mirror());
             for (double view = 0; view <= 50; view += 2.5) {
-                const Point p{{sigma, tau}, {1.5, 0}, in, Direction::from_degrees(view, 180)};
+                const Point p{{of.sigma, of.tau}, {1.5, 0}, in, Direction::from_degrees(view, 180)};
                 worst.note(std::abs(p.lobe().brdf() - he(p.out)) / peak, [&] { return describe(p); });
             }
         }
