@@ -198,8 +198,7 @@ AngularGrid zemax_grid(double box) {
         const double edge = specular_box_half_angle(box) / degree;
         grid.polar.insert(grid.polar.end(), {edge * (1 - 1e-3), edge * (1 + 1e-3)});
         std::ranges::sort(grid.polar);
-        const auto again = std::ranges::unique(grid.polar);
-        grid.polar.erase(again.begin(), again.end());
+        grid.polar.erase(std::unique(grid.polar.begin(), grid.polar.end()), grid.polar.end());
     }
     return grid;
 }
