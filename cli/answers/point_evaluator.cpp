@@ -9,6 +9,7 @@
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/models/reflected_terms.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::cli {

@@ -15,6 +15,14 @@ std::string plain(std::string_view name) {
     return text;
 }
 
+std::string letters_of(std::string_view name) {
+    std::string letters;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return letters;
+}
+
 /// Letters put in, left out, replaced or swapped with their neighbour [Damerau 1964, one edit a letter].
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -53,6 +61,19 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
         beginning = name;
     }
     return least > 1 && begin_so == 1 ? beginning : best;
+}
+
+std::string similar_name(std::string_view name, const std::vector<std::string>& known) {
+    const std::string wanted = letters_of(name);
+    std::string best;
+    std::size_t least = std::min<std::size_t>(2, wanted.size() / 4) + 1;
+    for (const std::string& each : known) {
+        const std::size_t apart = distance(wanted, letters_of(each));
+        if (apart >= least) continue;
+        least = apart;
+        best = each;
+    }
+    return best;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {

@@ -12,6 +12,10 @@ namespace hts::spectral {
 /// of the word, or two of a short one. "" if none is near.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
+/// The one of `known` that `name` may be a slip of: the same letters and digits, or at most two of them changed, left out, added
+/// or swapped, at most a quarter of the name; "" if there is none.
+[[nodiscard]] std::string similar_name(std::string_view name, const std::vector<std::string>& known);
+
 /// `; did you mean "NAME"?`, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 

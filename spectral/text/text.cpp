@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -41,31 +40,6 @@ std::string contents(const std::filesystem::path& path) {
 
 char lower(char c) noexcept {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::string letters_of(std::string_view name) {
-    std::string letters;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) letters += lower(c);
-    return letters;
-}
-
-// Changes that make one word of the other, neighbours swapped counting as one.
-std::size_t edits(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                cost[i][j] = i + j;
-                continue;
-            }
-            cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1,
-                                   cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-        }
-    }
-    return cost[a.size()][b.size()];
 }
 
 // NUL is UTF-8, but no text.
@@ -137,19 +111,6 @@ std::string joined(const std::vector<std::string>& names) {
 
 bool same_letters(std::string_view a, std::string_view b) noexcept {
     return std::ranges::equal(a, b, {}, lower, lower);
-}
-
-std::string similar_name(std::string_view name, const std::vector<std::string>& known) {
-    const std::string wanted = letters_of(name);
-    std::string best;
-    std::size_t least = std::min<std::size_t>(2, wanted.size() / 4) + 1;
-    for (const std::string& each : known) {
-        const std::size_t distance = edits(wanted, letters_of(each));
-        if (distance >= least) continue;
-        least = distance;
-        best = each;
-    }
-    return best;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -39,10 +39,6 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// Without regard to case, of ASCII letters.
 [[nodiscard]] bool same_letters(std::string_view a, std::string_view b) noexcept;
 
-/// The one of `known` that `name` may be a slip of: the same letters and digits, or at most two of them changed, left out, added
-/// or swapped, at most a quarter of the name; "" if there is none.
-[[nodiscard]] std::string similar_name(std::string_view name, const std::vector<std::string>& known);
-
 /// "text" with quotation marks around it, on one line: control characters become question marks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -8,6 +8,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/text/csv.hpp"
+#include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/points/astm.hpp"
