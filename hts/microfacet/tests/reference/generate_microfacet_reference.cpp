@@ -1,13 +1,13 @@
 // Generates the reference values of the tests of hts/microfacet/: the lobes as their papers print them (brackets and
 // normalisation as the headers state), at 80 digits, independently of the library; angles of the half direction by atan2.
 //
-//   build   g++ -std=c++20 -O2 generate_microfacet_reference.cpp -o generate_microfacet_reference    (header-only Boost)
+//   build   g++ -std=c++20 -O2 -I. hts/microfacet/tests/reference/generate_microfacet_reference.cpp    (header-only Boost)
 //   run     generate_microfacet_reference FOLDER      writes FOLDER/microfacet.csv, in a second; the folder must exist
 
 #include <algorithm>
 #include <iostream>
 
-#include "reference_numbers.hpp"
+#include "hts/tests/reference/reference_numbers.hpp"
 
 namespace {
 
