@@ -51,7 +51,7 @@ std::string read(const fs::path& path) {
 }
 
 bool is_source(const fs::path& path) {
-    return path.extension() == ".hpp" || path.extension() == ".cpp";
+    return path.extension() == ".hpp" || path.extension() == ".cpp" || path.extension() == ".py";
 }
 
 bool is_test(const fs::path& path) {
@@ -139,7 +139,9 @@ TEST_CASE("includes between the rooms of a folder point only one way") {
 }
 
 TEST_CASE("no folder has more than 30 files, no file more than 400 lines") {
-    for (const Folder& folder : folders) {
+    auto all = folders;
+    all.push_back({"python", {}});
+    for (const Folder& folder : all) {
         std::map<std::string, std::size_t> count;
         for (const auto& entry : fs::recursive_directory_iterator{root / folder.name})
             if (entry.is_regular_file()) ++count[entry.path().parent_path().string()];

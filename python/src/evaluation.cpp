@@ -3,11 +3,9 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <numeric>
 
 #include "hts/error.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::python {
 namespace {
@@ -17,17 +15,6 @@ using spectral::WavelengthGrid;
 
 constexpr std::size_t block = 256;             // pairs evaluated at a time
 constexpr std::size_t between_signals = 1024;  // blocks after which Ctrl-C is looked for
-constexpr std::size_t most_kept = 256;
-
-/// A material of the same description whose optical constants are what a Python function says at these wavelengths.
-spectral::Material with_index(const std::string& description, const nb::object& index,
-                              const WavelengthGrid& grid) {
-    const nb::gil_scoped_acquire python;
-    const auto helper = nb::module_::import_("hts._description");
-    const auto text = nb::cast<std::string>(
-        helper.attr("with_sampled_index")(description, index, array_of(grid.micrometres())));
-    return spectral::material_from_text(text, "index of a function");
-}
 
 /// The operands of a call.
 struct Operands {
@@ -149,35 +136,35 @@ class Pairs {
     bool degrees_, vectors_ = false;
 };
 
+/// Parallel loops of this thread run on so many threads for as long as it lives; on all cores for 0.
+class Team {
+  public:
+    explicit Team(int threads) : before_{omp_get_max_threads()} {
+        if (threads > 0) omp_set_num_threads(threads);
+    }
+    ~Team() { omp_set_num_threads(before_); }
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+
+  private:
+    int before_;
+};
+
 /// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock; now and then looks
 /// whether somebody wants it to stop. The error of the lowest block is thrown.
 template <class Function>
 void in_blocks(std::size_t count, int threads, const Function& f) {
-    const std::size_t blocks = (count + block - 1) / block;
-    const int team = threads > 0 ? threads : omp_get_max_threads();
-    for (std::size_t from = 0; from < blocks; from += between_signals) {
-        const std::size_t to = std::min(blocks, from + between_signals);
-        std::exception_ptr failure;
-        std::size_t failed = to;
+    constexpr int at_a_time = 4;
+    const Team team{threads};
+    for (std::size_t from = 0; from < count; from += between_signals * block) {
+        const std::size_t part = std::min(count - from, between_signals * block);
         {
             const nb::gil_scoped_release others_may_run;
-#pragma omp parallel for schedule(dynamic, 4) num_threads(team) if (team > 1 && to - from > 1)
-            for (std::ptrdiff_t j = static_cast<std::ptrdiff_t>(from); j < static_cast<std::ptrdiff_t>(to);
-                 ++j) {
-                const auto b = static_cast<std::size_t>(j);
-                try {
-                    f(b * block, std::min(block, count - b * block));
-                } catch (...) {
-#pragma omp critical(hts_python_failure)
-                    if (b < failed) {
-                        failed = b;
-                        failure = std::current_exception();
-                    }
-                }
-            }
+            spectral::parallel_for(
+                (part + block - 1) / block,
+                [&](std::size_t i) { f(from + i * block, std::min(block, part - i * block)); }, at_a_time);
         }
-        if (failure) std::rethrow_exception(failure);
-        if (to < blocks && PyErr_CheckSignals() != 0) throw nb::python_error();
+        if (from + part < count && PyErr_CheckSignals() != 0) throw nb::python_error();
     }
 }
 
@@ -234,8 +221,8 @@ class Call {
 
     void store(const double* values, std::ptrdiff_t to) const { std::copy_n(values, each_, out_ + to); }
 
-    [[nodiscard]] Overrides overrides(const Walk& walk, std::size_t i) const {
-        Overrides result;
+    [[nodiscard]] spectral::RoughSurfaceValues instead(const Walk& walk, std::size_t i) const {
+        spectral::RoughSurfaceValues result;
         std::optional<double>* const places[]{&result.n, &result.k, &result.rms_roughness,
                                               &result.correlation_length, &result.diffuse_albedo};
         for (std::size_t o = 0; o < override_steps_.size(); ++o) {
@@ -264,7 +251,7 @@ class Call {
         for (std::size_t i = 0; i < asked.size(); ++i) {
             place[i] = static_cast<std::size_t>(std::ranges::lower_bound(sorted, asked[i]) - sorted.begin());
         }
-        const Overrides own = overrides(pairs, 0);
+        const spectral::RoughSurfaceValues own = instead(pairs, 0);
         const Reflectance of = sorted.size() == 1
                                    ? material_.at(sorted[0], how_, own)
                                    : material_.at(WavelengthGrid::from_micrometres(sorted), how_, own);
@@ -299,7 +286,7 @@ class Call {
                     if (quantity_.samplers) {
                         quantity_.of_sampler(material_.sampler(wavelength, how_), one, of_one);
                     } else {
-                        quantity_.evaluate(material_.at(wavelength, how_, overrides(all, i)), one, of_one);
+                        quantity_.evaluate(material_.at(wavelength, how_, instead(all, i)), one, of_one);
                     }
                 });
                 store(values.data(), all.offset(i, out_steps_));
@@ -356,48 +343,6 @@ std::optional<double> of_numbers(const PyMaterial& material, const Quantity& qua
 
 Direction direction(double theta, double phi, bool degrees) {
     return degrees ? Direction::from_degrees(theta, phi) : Direction::from_angles(theta, phi);
-}
-
-PyMaterial::PyMaterial(spectral::Material material, std::string description, nb::object index)
-    : material_{std::move(material)},
-      description_{std::move(description)},
-      index_{std::move(index)},
-      kept_{std::make_shared<Kept>()} {}
-
-Reflectance PyMaterial::at(const WavelengthGrid& grid, const How& how, const Overrides& own) const {
-    const spectral::EvaluationOptions options{
-        .tolerance = Tolerance{how.tolerance},
-        .outside = how.outside,
-        .compensate_energy = how.compensate_energy,
-        .instead = {own.n, own.k, own.rms_roughness, own.correlation_length, own.diffuse_albedo}};
-    if (index_.is_valid()) return with_index(description_, index_, grid).at(grid, options);
-    return material_.at(grid, options);
-}
-
-Reflectance PyMaterial::at(double wavelength, const How& how, const Overrides& own) const {
-    const Key key{wavelength, how, own};
-    {
-        const std::lock_guard lock{kept_->mutex};
-        if (const auto found = kept_->reflectances.find(key); found != kept_->reflectances.end())
-            return found->second;
-    }
-    const Reflectance made = at(WavelengthGrid::from_micrometres({wavelength}), how, own);
-    const std::lock_guard lock{kept_->mutex};
-    if (kept_->reflectances.size() >= most_kept) kept_->reflectances.clear();
-    return kept_->reflectances.emplace(key, made).first->second;
-}
-
-spectral::Sampler PyMaterial::sampler(double wavelength, const How& how) const {
-    const Key key{wavelength, how, {}};
-    {
-        const std::lock_guard lock{kept_->mutex};
-        if (const auto found = kept_->samplers.find(key); found != kept_->samplers.end())
-            return found->second;
-    }
-    const spectral::Sampler made = at(wavelength, how).sampler(0);
-    const std::lock_guard lock{kept_->mutex};
-    if (kept_->samplers.size() >= most_kept) kept_->samplers.clear();
-    return kept_->samplers.emplace(key, made).first->second;
 }
 
 nb::object evaluate(const PyMaterial& material, const Quantity& quantity, const Where& where, const How& how,

