@@ -17,6 +17,6 @@
 #include "tables/formats/sidecar.hpp"
 #include "tables/formats/specular_box.hpp"
 #include "tables/formats/zemax.hpp"
+#include "tables/sharing/table_parts.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/table.hpp"
-#include "tables/sharing/table_parts.hpp"

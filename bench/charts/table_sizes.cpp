@@ -6,9 +6,9 @@
 #include <functional>
 #include <numbers>
 
+#include "spectral/jobs/progress.hpp"
 #include "spectral/output/script.hpp"
 #include "spectral/parallel.hpp"
-#include "spectral/jobs/progress.hpp"
 #include "tables/table/spline.hpp"
 #include "tables/table/table_coordinates.hpp"
 #include "tables/table/table_lobe.hpp"

@@ -54,6 +54,12 @@ TEST_CASE("hts curves import writes a curve set that hts compare reads") {
     for (const std::string file : {"c-log.svg", "c-polar.svg", "c-residuals.svg"})
         CHECK(place.read("out/" + file).find("</svg>") != std::string::npos);
     CHECK(place.read("out/c-maxima.csv").find("30,30,") != std::string::npos);
+    place.file("u.json", R"({"model": "he_unified", "rms_roughness_um": 0.1, "correlation_length_um": 1,
+                             "index": {"n": 2.5082937310703843, "k": 0}})");
+    CHECK(place.hts("compare c.json --material u.json --output u").exit_code == 0);
+    const std::string caption = place.read("u/c-log.gnuplot");
+    CHECK(caption.find("(he_unified: ") != std::string::npos);
+    CHECK(caption.find("n = 2.50829, k = 0)") != std::string::npos);
     const auto json = nlohmann::json::parse(place.hts("compare c.json --json --material " + material).output);
     CHECK(json[0]["points"] == 3);
 }

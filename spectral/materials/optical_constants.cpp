@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::spectral {
 namespace {
@@ -29,7 +30,7 @@ RefractiveIndex checked_index(double n, double k, double um, const std::string& 
 }  // namespace
 
 OpticalConstants OpticalConstants::constant(const RefractiveIndex& index) {
-    const std::string name = "n = " + shortest(index.n()) + ", k = " + shortest(index.k());
+    const std::string name = "n = " + brief(index.n(), 6) + ", k = " + brief(index.k(), 6);
     return {name, "given", ConstantValue{index.n()}, ConstantValue{index.k()}};
 }
 

@@ -10,8 +10,8 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/tolerance.hpp"
-#include "spectral/plans/planning_error.hpp"
 #include "spectral/jobs/progress.hpp"
+#include "spectral/plans/planning_error.hpp"
 
 namespace hts::spectral {
 namespace {

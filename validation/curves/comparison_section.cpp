@@ -109,7 +109,8 @@ spectral::Material he91(const char* index, double rms_roughness, double correlat
 std::string described(const spectral::Material& material) {
     const auto& surface = material.properties().surface;
     if (!surface) return material.name() + " (" + material.model_source() + ")";
-    return material.name() + " (He-Torrance: σ₀ " + brief(surface->rms_roughness()) + " µm, τ " +
+    const std::string model = material.model_name() == "he" ? "He-Torrance" : material.model_name();
+    return material.name() + " (" + model + ": σ₀ " + brief(surface->rms_roughness()) + " µm, τ " +
            brief(surface->correlation_length()) + " µm, " + material.substance() + ")";
 }
 
@@ -135,16 +136,15 @@ Section comparison_section(const CurveSet& set, const spectral::Material& materi
 }
 
 std::vector<MeasurementSlot> measurement_slots() {
-    return {{"he91-figure-7", "rough aluminium at 2.0 um, light at 10, 45 and 75 deg",
-             he91("Al", 0.28, 1.77, 0)},
-            {"he91-figure-8", "rough aluminium at 0.5 um, light at 10, 30, 45, 60 and 75 deg",
-             he91("Al", 0.28, 1.77, 0)},
-            {"he91-figure-9", "magnesium-oxide ceramic at 0.5 um, light at 10, 45, 60 and 75 deg",
-             he91("MgO", 1.45, 13.2, 0.9)},
-            {"he91-figure-10", "220-grit sandpaper at 0.55 um, light at 0 deg",
-             he91("Al2O3", 44, 10, 0)},
-            {"he91-figure-11", "smooth blue plastic at 0.46 um, light at 15, 30, 45 and 60 deg",
-             he91("PMMA", 0, 1, 0.15)}};
+    return {
+        {"he91-figure-7", "rough aluminium at 2.0 um, light at 10, 45 and 75 deg", he91("Al", 0.28, 1.77, 0)},
+        {"he91-figure-8", "rough aluminium at 0.5 um, light at 10, 30, 45, 60 and 75 deg",
+         he91("Al", 0.28, 1.77, 0)},
+        {"he91-figure-9", "magnesium-oxide ceramic at 0.5 um, light at 10, 45, 60 and 75 deg",
+         he91("MgO", 1.45, 13.2, 0.9)},
+        {"he91-figure-10", "220-grit sandpaper at 0.55 um, light at 0 deg", he91("Al2O3", 44, 10, 0)},
+        {"he91-figure-11", "smooth blue plastic at 0.46 um, light at 15, 30, 45 and 60 deg",
+         he91("PMMA", 0, 1, 0.15)}};
 }
 
 Section slots_section(const std::filesystem::path& folder) {

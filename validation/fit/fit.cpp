@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "hts/error.hpp"
-#include "spectral/parallel.hpp"
 #include "spectral/jobs/progress.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/statistics.hpp"
 #include "spectral/text/text.hpp"
 #include "validation/fit/fit_estimate.hpp"

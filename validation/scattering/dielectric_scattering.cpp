@@ -27,15 +27,14 @@ MomentSettings settings(Effort effort) {
 }
 
 Section dielectric_section() {
-    return {
-        "dielectric-scattering",
-        "Exact scattering by glass: the method of moments",
-        prose("dielectric-scattering"),
-        {},
-        {},
-        {},
-        {},
-        {}};
+    return {"dielectric-scattering",
+            "Exact scattering by glass: the method of moments",
+            prose("dielectric-scattering"),
+            {},
+            {},
+            {},
+            {},
+            {}};
 }
 
 struct Column {

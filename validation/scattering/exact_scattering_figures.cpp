@@ -129,8 +129,7 @@ Figure moment_lobe_figure(const FigureTable& lobes, const LobePanels& wanted) {
         tops.push_back(top_of(curves.back()));
     }
     output::Script script;
-    script.set("title",
-               "Light scattered by random profiles, " + wanted.what + ": exact and closed forms");
+    script.set("title", "Light scattered by random profiles, " + wanted.what + ": exact and closed forms");
     script.set("roughness", roughnesses).set("length", lengths).set("theta_i", angles).set("top", tops);
     script.set("polarised", static_cast<int>(wanted.polarised)).data("lobes", curves);
     return {lobes.stem,

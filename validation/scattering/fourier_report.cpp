@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "hts/error.hpp"
-#include "spectral/output/script.hpp"
 #include "spectral/jobs/progress.hpp"
+#include "spectral/output/script.hpp"
 #include "validation/report/prose.hpp"
 #include "validation/scattering/fourier_integral.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "hts/terms.hpp"
 #include "hts/roughness.hpp"
+#include "hts/terms.hpp"
 
 namespace hts::validation {
 namespace {

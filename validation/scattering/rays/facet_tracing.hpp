@@ -58,7 +58,7 @@ struct ShadowingPoint {
     double lit_and_seen;    ///< from the mirror direction
     double smith;           ///< S_1 [He91 (24)]
     double he_torrance;     ///< S = S_1^2 [He91 (23)]
-    double correlated;      ///< share lit and seen if heights are, 1/(1 + Lambda_i + Lambda_r) of facing points
+    double correlated;  ///< share lit and seen if heights are, 1/(1 + Lambda_i + Lambda_r) of facing points
 };
 
 /// Where the light of one direction goes.

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "hts/error.hpp"
-#include "spectral/output/script.hpp"
 #include "spectral/jobs/progress.hpp"
+#include "spectral/output/script.hpp"
 #include "validation/report/prose.hpp"
 #include "validation/scattering/rays/facet_tracing.hpp"
 
