@@ -19,7 +19,7 @@
 #pragma once
 
 #include "hts/direction.hpp"
-#include "hts/fresnel.hpp"
+#include "hts/films.hpp"
 #include "hts/phi.hpp"
 #include "hts/polarisation.hpp"
 #include "hts/shadowing.hpp"
@@ -98,7 +98,7 @@ struct DirectionalDiffuse {
 /// Directional-diffuse term for unpolarised light.
 ///   error   accuracy::brdf
 [[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index,
+                                                     const CoatedIndex& index,
                                                      DiffuseLobe lobe = DiffuseLobe::full) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
@@ -128,11 +128,11 @@ class SpecularReflectance {
 ///   error   accuracy::specular_reflectance
 [[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,
                                                        const Wavelength& wavelength,
-                                                       const RefractiveIndex& index) noexcept;
+                                                       const CoatedIndex& index) noexcept;
 
 /// Its Mueller matrix [1]: that of diag(F_s, F_p), times exp(-g) S.
 [[nodiscard]] Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                       const RefractiveIndex& index) noexcept;
+                                       const CoatedIndex& index) noexcept;
 
 /// Uniform-diffuse BRDF, albedo / pi [1/sr].
 ///   albedo   a, 0 ... 1, else hts::Error

@@ -60,10 +60,10 @@ double mirror_share(const Point& point) {
     return std::exp(-point.validity.phase_variance);
 }
 double n(const Point& point) {
-    return point.sample.index.n();
+    return point.sample.index.substrate().n();
 }
 double k(const Point& point) {
-    return point.sample.index.k();
+    return point.sample.index.substrate().k();
 }
 double albedo(const Point& point) {
     return point.sample.uniform_diffuse * std::numbers::pi;

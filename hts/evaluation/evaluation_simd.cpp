@@ -303,8 +303,8 @@ bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples
     const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
     return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
            std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
-               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
-                      s.index.k() <= 1e6;
+               return length(s.wavelength.micrometres()) && s.index.substrate().n() >= 1e-3 &&
+                      s.index.substrate().n() <= 1e6 && s.index.substrate().k() <= 1e6;
            });
 }
 

@@ -42,7 +42,7 @@ struct HemisphericalReflectance {
 /// The same of light in a state of polarisation. By the mirror symmetry of the surface only its s and p parts count.
 ///   light   of positive intensity
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
-                                                                             const RefractiveIndex& index,
+                                                                             const CoatedIndex& index,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in,
                                                                              const Stokes& light) noexcept;

@@ -9,7 +9,7 @@
 #include "hts/he_torrance.hpp"
 #include "hts/unified/he_unified.hpp"
 #include "spectral/energy/compensation.hpp"
-#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/spectral_number.hpp"
 #include "spectral/text/text.hpp"
@@ -76,7 +76,7 @@ void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::spa
                      lobe.lobe_argument,
                      of.surface().rms_roughness(),
                      lobe.shadowing,
-                     fresnel(cos_theta_d, of.samples()[i].index).unpolarised_reflectance(),
+                     of.samples()[i].index.amplitudes(cos_theta_d).unpolarised_reflectance(),
                      lobe.kicks.method};
     }
 }
@@ -178,8 +178,8 @@ class RoughSurfaceEvaluator final : public Evaluator {
 };
 
 /// What a caller knows better goes before the constants, which then need not be known there.
-RefractiveIndex index_of(const OpticalConstants& constants, const Wavelength& wavelength,
-                         const EvaluationOptions& options) {
+RefractiveIndex substrate_of(const OpticalConstants& constants, const Wavelength& wavelength,
+                             const EvaluationOptions& options) {
     const auto &n = options.instead.n, &k = options.instead.k;
     if (n && k) return {*n, *k};
     const RefractiveIndex own = constants.index(wavelength, options.outside);
@@ -218,11 +218,11 @@ UnifiedChoices::Mirror mirror_from(const std::optional<JsonValue>& mirror) {
 }
 
 const std::vector<std::string> shared_keys{
-    "name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"};
+    "name", "model", "rms_roughness_um", "correlation_length_um", "index", "films", "diffuse_albedo"};
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
     return he_torrance_material(file.default_name, surface,
-                                optical_constants_from(file.json["index"], file.folder),
+                                coated_constants_from(file.json, file.folder),
                                 albedo_from(file.json.find("diffuse_albedo")));
 }
 
@@ -240,7 +240,7 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
 }
 
 Material he_torrance_material(const std::string& name, const RoughSurface& surface,
-                              const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
+                              const CoatedConstants& constants, const DiffuseAlbedo& albedo) {
     const auto prepare = [surface, constants, albedo](const std::string& of,
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
@@ -251,7 +251,8 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-            const RefractiveIndex index = index_of(constants, wavelengths[i], options);
+            const CoatedIndex index = constants.on(substrate_of(constants.substrate(), wavelengths[i], options),
+                                                   wavelengths[i], options.outside);
             const double own =
                 given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
             samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
@@ -292,6 +293,8 @@ Material read_he_unified(const MaterialFile& file) {
     file.json.require_keys_among(keys);
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
                                  .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
+    if (const auto films = file.json.find("films"); films && !films->items().empty())
+        located(file.json.place(), [&] { require_theory_of_films(choices); });
     return material_from(file, {surface_from(file.json), choices});
 }
 

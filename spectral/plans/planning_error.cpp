@@ -270,7 +270,7 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
         const double reflected =
-            fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
+            samples[i].index.amplitudes(in.cos_theta()).unpolarised_reflectance() * shadowing +
             samples[i].uniform_diffuse * std::numbers::pi;
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }
