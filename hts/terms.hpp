@@ -19,7 +19,7 @@
 #pragma once
 
 #include "hts/direction.hpp"
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/phi.hpp"
 #include "hts/polarisation.hpp"
 #include "hts/shadowing.hpp"

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/microfacet/normals/normal_density.hpp"
 #include "hts/microfacet/spectrum.hpp"
 

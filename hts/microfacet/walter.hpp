@@ -20,7 +20,7 @@
 #include <optional>
 #include <span>
 
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/microfacet/distribution.hpp"
 #include "hts/microfacet/spectrum.hpp"
 

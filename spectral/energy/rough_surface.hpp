@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "hts/direction.hpp"
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/surface.hpp"
 #include "hts/unified/unified_choices.hpp"
 #include "hts/wavelength.hpp"

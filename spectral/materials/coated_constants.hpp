@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "spectral/materials/optical_constants.hpp"
 #include "spectral/text/json_value.hpp"
 
@@ -20,8 +20,9 @@ struct FilmConstants {
 class CoatedConstants {
   public:
     ///   films   outermost first, as CoatedIndex wants them, else hts::Error
-    CoatedConstants(OpticalConstants substrate,  // NOLINT(google-explicit-constructor): without films it is one
-                    std::vector<FilmConstants> films = {});
+    CoatedConstants(
+        OpticalConstants substrate,  // NOLINT(google-explicit-constructor): without films it is one
+        std::vector<FilmConstants> films = {});
 
     [[nodiscard]] const OpticalConstants& substrate() const noexcept { return substrate_; }
     [[nodiscard]] const std::vector<FilmConstants>& films() const noexcept { return films_; }

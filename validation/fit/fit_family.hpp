@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/wavelength.hpp"
 #include "validation/curves/prediction.hpp"
 

@@ -1,4 +1,4 @@
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ Complex exponential_less_one(double real, double imaginary) {
     return {less * cosine - 2 * half * half, (less + 1) * std::sin(imaginary)};
 }
 
-/// C and S, see films.hpp.
+/// C and S, see coated_index.hpp.
 struct Passage {
     Complex cosine, sine, delta;
 

@@ -1,4 +1,4 @@
-#include "hts/films.hpp"
+#include "hts/films/coated_index.hpp"
 
 #include <cmath>
 #include <limits>
