@@ -77,7 +77,7 @@ TEST_CASE("every form of index is read") {
     std::filesystem::create_directory(folder.path() / "nk");
     folder.write("nk/glass.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1.6,0.1\n");
     const auto index = [&folder](const std::string& text, const Wavelength& wavelength = green) {
-        return read_material(folder.write("m.json", file_with(text))).at(wavelength).samples()[0].index;
+        return read_material(folder.write("m.json", file_with(text))).at(wavelength).samples()[0].index.substrate();
     };
     CHECK(index(R"("Cu")").n() == hts::spectral::built_in_optical_constants("Cu").index(green).n());
     CHECK(index(R"({"n": 0.77, "k": 6})").n() == 0.77);
