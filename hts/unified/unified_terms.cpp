@@ -82,8 +82,7 @@ double flat_reflectance(const CoatedIndex& index) {
     const auto reflected = [&](double c) { return 2 * c * index.amplitudes(c).unpolarised_reflectance(); };
     const double n = index.substrate().n(), k = index.substrate().k();
     // sqrt(e - s^2) has a kink where total reflection begins, for a real index below 1
-    const double kink =
-        std::sqrt(std::clamp(1 - (n - k) * (n + k), 0.0, 1.0));
+    const double kink = std::sqrt(std::clamp(1 - (n - k) * (n + k), 0.0, 1.0));
     const auto below = [&](double u) { return 2 * u * kink * reflected(kink * (1 - u * u)); };
     const auto above = [&](double u) { return 2 * u * (1 - kink) * reflected(kink + (1 - kink) * u * u); };
     const double sum = (kink > 0 ? Rule::integrate(below, 0.0, 1.0, levels, enough) : 0) +

@@ -258,8 +258,7 @@ const std::vector<std::string> shared_keys{
     "index", "films", "diffuse_albedo"};
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
-    return he_torrance_material(file.default_name, surface,
-                                coated_constants_from(file.json, file.folder),
+    return he_torrance_material(file.default_name, surface, coated_constants_from(file.json, file.folder),
                                 albedo_from(file.json.find("diffuse_albedo")));
 }
 
@@ -296,8 +295,9 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-            const CoatedIndex index = constants.on(substrate_of(constants.substrate(), wavelengths[i], options),
-                                                   wavelengths[i], options.outside);
+            const CoatedIndex index =
+                constants.on(substrate_of(constants.substrate(), wavelengths[i], options), wavelengths[i],
+                             options.outside);
             const double own =
                 given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
             samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
