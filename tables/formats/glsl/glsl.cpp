@@ -156,6 +156,10 @@ const spectral::RoughSurface& surface_of(const spectral::Reflectance& brdf) {
     static const std::string must = ": format glsl: must be a material of model \"he\"";
     if (!surface) throw Error{brdf.name() + must};
     if (surface->unified()) throw Error{brdf.name() + must + ", not \"he_unified\""};
+    if (std::ranges::any_of(brdf.samples(),
+                            [](const SpectralSample& sample) { return sample.index.coated(); }))
+        throw Error{brdf.name() + must + ", without films"};
+    if (!surface->isotropic()) throw Error{brdf.name() + must + ", of one correlation length"};
     if (brdf.samples().size() > most_shader_wavelengths)
         throw out_of_range("number of wavelengths of a shader", static_cast<double>(brdf.samples().size()),
                            "", "at most " + std::to_string(most_shader_wavelengths));
@@ -274,8 +278,8 @@ std::string glsl_text(const spectral::Reflectance& brdf) {
     text += constant("HTS_SIGMA0", surface.rms_roughness());
     text += constant("HTS_TAU", surface.correlation_length());
     text += each("HTS_WAVELENGTH", [](const auto& s) { return s.wavelength.micrometres(); });
-    text += each("HTS_N", [](const auto& s) { return s.index.n(); });
-    text += each("HTS_K", [](const auto& s) { return s.index.k(); });
+    text += each("HTS_N", [](const auto& s) { return s.index.substrate().n(); });
+    text += each("HTS_K", [](const auto& s) { return s.index.substrate().k(); });
     text += each("HTS_ALBEDO", [](const auto& s) { return s.uniform_diffuse * std::numbers::pi; });
     if (!rgb.empty())
         text += list("vec3", "HTS_RGB", rgb, [](const auto& weight) {
