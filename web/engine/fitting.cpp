@@ -38,6 +38,8 @@ std::vector<Point> points_of(const json& request, const Numbers& numbers) {
         const auto& brdf = reflectance_of(one);
         if (!brdf.properties().surface || brdf.properties().surface->unified())
             throw Error{brdf.name() + ": is fitted by the model he alone here; the command hts fit fits the others"};
+        if (brdf.samples()[0].index.coated())
+            throw Error{brdf.name() + ": must be without films to be fitted here"};
         points.push_back({Direction::from_degrees(row[0], 0), Direction::from_degrees(row[1], row[2]),
                           brdf.samples()[0], row[4]});
     }
@@ -66,7 +68,7 @@ struct Residuals {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Point& p = points[i];
             const PairGradient pair{surface, view_gradient(surface, p.in), view_gradient(surface, p.out)};
-            const auto f = brdf_gradient(pair, p.sample.wavelength, p.sample.index, diffuse);
+            const auto f = brdf_gradient(pair, p.sample.wavelength, p.sample.index.substrate(), diffuse);
             use(static_cast<Eigen::Index>(i), p, f, std::fmax(f.value, 1e-300));
         }
         return 0;

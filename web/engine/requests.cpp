@@ -69,8 +69,8 @@ json describe(const json& request, const Numbers& numbers) {
                 {"n", json::array()},
                 {"k", json::array()}};
     for (const SpectralSample& sample : brdf.samples()) {
-        result["n"].push_back(sample.index.n());
-        result["k"].push_back(sample.index.k());
+        result["n"].push_back(sample.index.substrate().n());
+        result["k"].push_back(sample.index.substrate().k());
     }
     numbers.require(0, 0);
     return result;

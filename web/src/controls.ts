@@ -2,6 +2,7 @@
 
 import { brief, html } from "./dom";
 import { besideNames } from "./frame";
+import { isAnisotropic } from "./material";
 import { initial, presets, ranges, type State } from "./state";
 
 type Change = (part: Partial<State>) => void;
@@ -24,6 +25,9 @@ interface Slider {
 const sliders: Record<string, Slider> = {
   sigma: { key: "sigma", label: "rms roughness σ₀", unit: "µm", from: 0.001, to: 50, logarithmic: true },
   tau: { key: "tau", label: "correlation length τ", unit: "µm", from: 0.05, to: 200, logarithmic: true },
+  across: { key: "across", label: "τ across, 0: the same", unit: "µm", from: 0, to: 20 },
+  axis: { key: "axis", label: "azimuth of τ", unit: "°", from: -180, to: 180 },
+  thickness: { key: "thickness", label: "thickness", unit: "µm", from: 0, to: 1 },
   albedo: { key: "albedo", label: "diffuse albedo", unit: "", from: 0, to: 1 },
   n: { key: "n", label: "n", unit: "", from: 0.05, to: 10, logarithmic: true },
   k: { key: "k", label: "k", unit: "", from: 0, to: 15 },
@@ -96,9 +100,21 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     index.value = chosen;
   };
   let known: string[] = [];
+
+  const film = html("select", { id: "film" });
+  film.addEventListener("change", () => change({ film: film.value }));
+  const films = (chosen: string) => {
+    const names = known.includes(chosen) || chosen === "none" ? known : [...known, chosen];
+    film.replaceChildren(html("option", { value: "none" }, "none"), ...names.map((name) => html("option", { value: name }, name)));
+    film.value = chosen;
+  };
   followers.push((state) => {
     indices(known, state.index);
-    for (const key of ["n", "k"]) document.getElementById(`${key}-field`)!.hidden = state.index !== "nk";
+    const hide = (key: string, hidden: boolean) => (document.getElementById(`${key}-field`)!.hidden = hidden);
+    for (const key of ["n", "k"]) hide(key, state.index !== "nk");
+    hide("axis", !isAnisotropic(state));
+    hide("thickness", state.film === "none");
+    films(state.film);
   });
 
   const file = html("input", { type: "file", id: "file", multiple: true, accept: ".yml,.yaml,.csv,.txt,.tsv,.json" });
@@ -111,9 +127,10 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
   const group = (title: string, ...children: (Node | string)[]) => html("fieldset", {}, html("legend", {}, title), ...children);
   form.append(
     html("div", { class: "field" }, html("label", { for: "preset" }, "Example"), preset),
-    group("Surface", slider(sliders.sigma), slider(sliders.tau),
+    group("Surface", slider(sliders.sigma), slider(sliders.tau), slider(sliders.across), slider(sliders.axis),
       html("div", { class: "field" }, html("label", { for: "index" }, "optical constants"), index), note,
-      slider(sliders.n), slider(sliders.k), slider(sliders.albedo)),
+      slider(sliders.n), slider(sliders.k),
+      html("div", { class: "field" }, html("label", { for: "film" }, "film on it"), film), slider(sliders.thickness), slider(sliders.albedo)),
     group("Light and view", slider(sliders.lambda), slider(sliders.ti), slider(sliders.tr), slider(sliders.phi),
       select("in", "light", light), select("out", "analyser", [["none", "none"], ...light.slice(1)])),
     group("Model", select("model", "model", [["he", "He-Torrance 1991 (he)"], ["he_unified", "its successor (he_unified)"]]),

@@ -128,9 +128,19 @@ function materialFile(name: string, text: string): Partial<State> {
   const material = JSON.parse(text) as Material;
   if (material.model !== "he" && material.model !== "he_unified")
     throw new Error(`${name}: key "model": must be "he" or "he_unified" to be shown with these controls`);
-  const part: Partial<State> = { model: material.model };
+  const part: Partial<State> = { model: material.model, across: 0, film: "none", albedo: 0 };
   for (const [key, value] of Object.entries(material)) {
-    if (key === "name" || key === "model" || key === "index" || key === "fitted") continue;
+    if (key === "correlation_length_um" && Array.isArray(value)) {
+      Object.assign(part, { tau: value[0], across: value[1], axis: Number(material.azimuth_deg ?? 0) });
+      continue;
+    }
+    if (key === "films") {
+      const films = value as { index: string; thickness_um: number }[];
+      if (films.length > 1 || (films[0] && typeof films[0].index !== "string")) throw new Error(`${name}: key "films": one film of built-in constants has a control here`);
+      if (films[0]) Object.assign(part, { film: films[0].index, thickness: films[0].thickness_um });
+      continue;
+    }
+    if (key === "azimuth_deg" || key === "name" || key === "model" || key === "index" || key === "fitted") continue;
     const target = stateOfMaterial[key];
     if (!target || typeof value !== "number") throw new Error(`${name}: key "${key}": has no control here`);
     const [least, most] = ranges[target]!;
@@ -197,7 +207,7 @@ function showFitting(wavelength_from_page: boolean): void {
       result.textContent = `σ₀ ${brief(fit.rms_roughness_um)} µm (${s}), τ ${brief(fit.correlation_length_um)} µm (${t}), albedo ${brief(fit.diffuse_albedo)}; ` +
         `rms distance ${brief(fit.rms_db, 3)} dB over ${fit.points} points. The errors take the distances for noise.`;
       const round = (v: number) => Number(v.toPrecision(6));
-      change({ model: "he", sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
+      change({ model: "he", across: 0, sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
     } catch (error) {
       complain(error instanceof Error ? error.message : String(error));
     }

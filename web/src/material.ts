@@ -13,18 +13,26 @@ function indexOf(state: State): unknown {
 
 export function nameOf(state: State): string {
   const of = state.index === "nk" ? `n = ${state.n}, k = ${state.k}` : state.index;
-  return `${of}, sigma0 ${state.sigma} um, tau ${state.tau} um`;
+  const tau = isAnisotropic(state) ? `${state.tau} and ${state.across}` : state.tau;
+  const film = hasFilm(state) ? ` under ${state.thickness} um of ${state.film}` : "";
+  return `${of}${film}, sigma0 ${state.sigma} um, tau ${tau} um`;
 }
 
+export const isAnisotropic = (state: State): boolean => state.across > 0 && state.across !== state.tau;
+export const hasFilm = (state: State): boolean => state.film !== "none" && state.thickness > 0;
+
 export function materialOf(state: State, model: string = state.model): Material {
-  return {
+  const material: Material = {
     name: nameOf(state),
     model,
     rms_roughness_um: state.sigma,
-    correlation_length_um: state.tau,
+    correlation_length_um: isAnisotropic(state) ? [state.tau, state.across] : state.tau,
     index: indexOf(state),
     diffuse_albedo: state.albedo,
   };
+  if (isAnisotropic(state)) material.azimuth_deg = state.axis;
+  if (hasFilm(state)) material.films = [{ index: state.film, thickness_um: state.thickness }];
+  return material;
 }
 
 // A model without waves, whose width is to be matched, and where it holds that width.

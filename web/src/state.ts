@@ -10,9 +10,13 @@ export interface State {
   model: Model;
   sigma: number; // um
   tau: number; // um
+  across: number; // um, the correlation length along the second axis; 0: the same
+  axis: number; // degrees, azimuth of the first axis from the plane of incidence
   index: string; // a built-in name, "nk", or the name of a dropped file
   n: number;
   k: number;
+  film: string; // "none", or the name of optical constants
+  thickness: number; // um, of the film
   albedo: number;
   lambda: number; // um
   light: "white" | "one";
@@ -31,9 +35,13 @@ export const initial: State = {
   model: "he",
   sigma: 0.28,
   tau: 1.77,
+  across: 0,
+  axis: 0,
   index: "Al",
   n: 1.5,
   k: 0,
+  film: "none",
+  thickness: 0.1,
   albedo: 0,
   lambda: 0.5,
   light: "white",
@@ -61,6 +69,9 @@ const choices: { [key in keyof State]?: readonly (string | number)[] } = {
 export const ranges: { [key in keyof State]?: [number, number] } = {
   sigma: [0, 100],
   tau: [0.01, 1000],
+  across: [0, 1000],
+  axis: [-180, 180],
+  thickness: [0, 10],
   n: [0.01, 100],
   k: [0, 100],
   albedo: [0, 1],
@@ -124,5 +135,7 @@ export const presets: Preset[] = [
   { name: "Smooth blue plastic (Fig. 11)", address: "sigma=0&tau=1&index=PMMA&albedo=0.15&lambda=0.46&ti=20&tr=20" },
   { name: "Fine aluminium: lobe and mirror", address: "sigma=0.05&tau=1" },
   { name: "Brushed-fine gold", address: "sigma=0.12&tau=1.2&index=Au&lambda=0.6&shape=cylinder" },
+  { name: "Brushed steel, two correlation lengths", address: "sigma=0.15&tau=8&across=1&axis=60&index=Fe&tr=40&phi=150" },
+  { name: "Silicon dioxide of 0.3 µm on aluminium", address: "sigma=0.05&tau=1&film=SiO2&thickness=0.3&tr=40" },
   { name: "Copper at grazing incidence", address: "sigma=0.15&tau=1&index=Cu&ti=80&tr=80&lambda=0.6" },
 ];

@@ -27,6 +27,7 @@ const cases: [string, string, View[]][] = [
   ["lambda", "0.7", ["polar", "hemisphere", "scatter", "values", "validity", "energy", "mueller", "phi", "take"]],
   ["tr", "50", ["hemisphere", "spectrum", "values", "validity", "phi", "take"]],
   ["phi", "120", ["hemisphere", "spectrum", "values", "phi", "take"]],
+  ["across", "0.5", ["polar", "hemisphere", "scatter", "spectrum", "values", "energy", "mueller", "take"]],
   ["albedo", "0.4", ["polar", "hemisphere", "lit", "scatter", "spectrum", "values", "energy", "take"]],
 ];
 
@@ -45,6 +46,7 @@ for (const [id, text, views] of cases)
 const selections: [string, string, View[]][] = [
   ["index", "Cu", ["polar", "lit", "spectrum", "values", "energy", "take"]],
   ["index", "nk", ["polar", "lit", "spectrum", "values", "energy", "mueller", "take"]],
+  ["film", "SiO2", ["polar", "hemisphere", "scatter", "spectrum", "values", "energy", "take"]],
   ["in", "s", ["polar", "hemisphere", "scatter", "spectrum"]],
   ["out", "p", ["polar", "hemisphere", "scatter", "spectrum"]],
   ["model", "he_unified", ["polar", "hemisphere", "scatter", "spectrum", "values", "energy", "take"]],

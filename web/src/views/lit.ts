@@ -2,6 +2,7 @@
 
 import model from "../../../tables/formats/glsl/he_torrance.glsl?raw";
 import { canvas, card } from "../dom";
+import { hasFilm, isAnisotropic } from "../material";
 import { settingOf, type Frame } from "../frame";
 
 const size = 320;
@@ -211,7 +212,7 @@ export function litView() {
     const { state, engine } = frame;
     const one = state.light === "one";
     const wavelengths = one ? [state.lambda] : shaderWavelengths;
-    const { n, k } = await engine.describe(settingOf(state, wavelengths));
+    const { n, k } = await engine.describe(settingOf({ ...state, film: "none" }, wavelengths));
     if (!weights) {
       const units = new Float64Array(64);
       for (let i = 0; i < 8; ++i) units[9 * i] = 1;
@@ -232,7 +233,8 @@ export function litView() {
     gl!.uniform3fv(place("lamp"), [Math.sin(a) * 0.96, 0.28, Math.cos(a) * 0.96].map((v) => v / Math.hypot(0.96, 0.28)));
     passes = 0;
     refine(++running);
-    const model = state.model === "he" ? "" : " The shader knows the model he alone, and shows it.";
+    const more = [state.model === "he" ? "" : state.model, isAnisotropic(state) ? "two correlation lengths" : "", hasFilm(state) ? "films" : ""].filter(Boolean);
+    const model = more.length ? ` The shader does not know ${more.join(" and ")}: it shows the model he with τ, without films.` : "";
     view.note.textContent = (one ? `At ${state.lambda} µm alone, in grey.` : "Spectral, eight wavelengths; the lamp stands at the angle of incidence.") + model;
   }
   return { section: view.section, update };
