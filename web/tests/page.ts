@@ -46,6 +46,7 @@ export async function drawn(page: Page): Promise<void> {
 
 export async function open(page: Page, address = ""): Promise<void> {
   await page.goto(address ? `/#${address}` : "/");
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 50))); // a change of the address alone reaches the page then
   await drawn(page);
 }
 

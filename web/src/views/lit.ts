@@ -198,14 +198,14 @@ export function litView() {
     gl!.drawArrays(gl!.TRIANGLES, 0, 3);
     picture.dataset.passes = String(++passes);
   }
-  // More samples while nothing changes, as long as a pass takes little time.
-  function refine(turn: number): void {
-    if (turn !== running || passes >= 96) return;
+  // More samples while nothing changes, for some two seconds of drawing: few where no graphics processor helps.
+  function refine(turn: number, spent: number): void {
+    if (turn !== running || passes >= 96 || (spent > 2000 && passes >= 2)) return;
     const begin = performance.now();
     pass();
-    gl!.finish();
-    const pause = Math.max(0, 2 * (performance.now() - begin) - 16);
-    setTimeout(() => requestAnimationFrame(() => refine(turn)), pause);
+    gl!.readPixels(0, 0, 1, 1, gl!.RGBA, gl!.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
+    const took = performance.now() - begin;
+    setTimeout(() => requestAnimationFrame(() => refine(turn, spent + took)), Math.max(0, 2 * took - 16));
   }
 
   async function update(frame: Frame): Promise<void> {
@@ -232,7 +232,7 @@ export function litView() {
     const a = (-state.ti * Math.PI) / 180;
     gl!.uniform3fv(place("lamp"), [Math.sin(a) * 0.96, 0.28, Math.cos(a) * 0.96].map((v) => v / Math.hypot(0.96, 0.28)));
     passes = 0;
-    refine(++running);
+    refine(++running, 0);
     const more = [state.model === "he" ? "" : state.model, isAnisotropic(state) ? "two correlation lengths" : "", hasFilm(state) ? "films" : ""].filter(Boolean);
     const model = more.length ? ` The shader does not know ${more.join(" and ")}: it shows the model he with τ, without films.` : "";
     view.note.textContent = (one ? `At ${state.lambda} µm alone, in grey.` : "Spectral, eight wavelengths; the lamp stands at the angle of incidence.") + model;
