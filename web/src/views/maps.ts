@@ -115,7 +115,7 @@ export function muellerView() {
 }
 
 export function phiView() {
-  const view = card("phi", "Φ(g, t) and where this view is");
+  const view = card("plane", "Φ(g, t) and where this view is");
   const size = 60, shown = 300;
   const small = canvas(size, size, "");
   const picture = canvas(shown, shown, "");
