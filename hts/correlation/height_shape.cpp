@@ -18,9 +18,7 @@ double square(double x) {
 
 class Gaussian final : public HeightShape {
   public:
-    [[nodiscard]] double log_spectrum(double q) const override {
-        return -q * q / 4 - std::numbers::ln2;
-    }
+    [[nodiscard]] double log_spectrum(double q) const override { return -q * q / 4 - std::numbers::ln2; }
     [[nodiscard]] Heights heights(const LogGrid& grid) const override {
         Heights result;
         for (std::size_t i = 0; i < grid.count; ++i) {
@@ -30,15 +28,13 @@ class Gaussian final : public HeightShape {
         }
         return result;
     }
-    [[nodiscard]] double highest_scale() const override { return 2; }
     [[nodiscard]] std::vector<double> identity() const override { return {1}; }
 };
 
 /// [Matern 1960]: the K-correlation of optical designers.
 class Matern final : public HeightShape {
   public:
-    explicit Matern(double nu)
-        : nu_{nu}, log_factor_{(1 - nu) * std::numbers::ln2 - std::lgamma(nu)} {}
+    explicit Matern(double nu) : nu_{nu}, log_factor_{(1 - nu) * std::numbers::ln2 - std::lgamma(nu)} {}
 
     [[nodiscard]] double log_spectrum(double q) const override {
         const double log_sum = q > 1e8 ? 2 * std::log(q) : std::log1p(q * q);
@@ -56,8 +52,11 @@ class Matern final : public HeightShape {
                     sum = here / std::min(2 * nu_, 2.0);
                 } else {
                     const double at = grid.step / 6;
-                    const auto between = [&](double share) { return slope(std::exp(grid[i] - share * grid.step)); };
-                    sum += at / 2 * (before + 4 * between(0.75) + 2 * between(0.5) + 4 * between(0.25) + here);
+                    const auto between = [&](double share) {
+                        return slope(std::exp(grid[i] - share * grid.step));
+                    };
+                    sum +=
+                        at / 2 * (before + 4 * between(0.75) + 2 * between(0.5) + 4 * between(0.25) + here);
                 }
                 before = here;
             }
@@ -68,7 +67,6 @@ class Matern final : public HeightShape {
         }
         return result;
     }
-    [[nodiscard]] double highest_scale() const override { return 1 / std::sqrt(nu_); }
     [[nodiscard]] std::vector<double> identity() const override { return {2, nu_}; }
 
   private:
@@ -117,11 +115,6 @@ class Sum final : public HeightShape {
             }
         }
         return result;
-    }
-    [[nodiscard]] double highest_scale() const override {
-        double scale = 0;
-        for (const auto& part : parts_) scale = std::max(scale, part.shape->highest_scale() / part.length);
-        return scale;
     }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{3, static_cast<double>(parts_.size())};

@@ -33,8 +33,6 @@ class HeightShape {
     /// ln W(q).
     [[nodiscard]] virtual double log_spectrum(double q) const = 0;
     [[nodiscard]] virtual Heights heights(const LogGrid& grid) const = 0;
-    /// Where W q^2 is greatest, about: where integrals over the spectrum have to look.
-    [[nodiscard]] virtual double highest_scale() const = 0;
     /// Numbers that determine the shape, no other shape having the same.
     [[nodiscard]] virtual std::vector<double> identity() const = 0;
 };

@@ -14,10 +14,10 @@
 namespace hts::correlation_detail {
 namespace {
 
-constexpr double log_range = 60;                // of a transform, in ln x
-constexpr double lowest = -50, highest = 32;    // ln x where C is known
-constexpr double least_share = 1e-11;           // of the greatest q D: below, the transform's digits run out
-constexpr double logarithm_of_nothing = -690;   // ln D at least
+constexpr double log_range = 60;               // of a transform, in ln x
+constexpr double lowest = -50, highest = 32;   // ln x where C is known
+constexpr double least_share = 1e-11;          // of the greatest q D: below, the transform's digits run out
+constexpr double logarithm_of_nothing = -690;  // ln D at least
 
 /// e^-g times the sum of y^m/(m! m), m >= 1.
 ///   y   g C, -g ... g     complement   1 - C
@@ -69,8 +69,8 @@ double logarithm(double value) {
 
 // --- splines ---------------------------------------------------------------------------------------------
 
-constexpr double row_step = 0.15, u_step = 0.03;
-constexpr std::size_t columns = 481;  // u from 0 to 14.4
+constexpr double row_step = 0.11, u_step = 0.025;
+constexpr std::size_t columns = 521;  // u from 0 to 13
 
 /// Rows stand at equal steps of ln g + 16 g/(g + 15): closest about g = 15, where the lobe of single kicks, which dies with
 /// e^-g, gives way to that of many.
@@ -94,8 +94,8 @@ double g_of_row(std::size_t row) {
 
 /// Coefficients of the cubic B-spline through values at 0, 1, ..., one more at each end; its slopes there are given.
 ///   stride   between values, and between coefficients
-void spline(std::span<const double> values, double first_slope, double last_slope, std::span<double> coefficients,
-            std::size_t stride) {
+void spline(std::span<const double> values, double first_slope, double last_slope,
+            std::span<double> coefficients, std::size_t stride) {
     // c_-1 + 4 c_0 + c_1 = 6 f_0, and c_1 - c_-1 = 2 f'_0 at the ends
     const std::size_t n = values.size();
     std::vector<double> diagonal(n), right(n);
@@ -173,8 +173,7 @@ LobeRow LobeIntegral::row(double g) const {
     // about the length over which the phase keeps its correlation
     const auto decorrelated = std::ranges::lower_bound(heights_.complement, 1 / std::max(g, 2.0));
     const auto centre = static_cast<std::size_t>(decorrelated - heights_.complement.begin());
-    const std::size_t first =
-        std::clamp(centre, points / 2, grid_.count - points / 2 - 1) - points / 2;
+    const std::size_t first = std::clamp(centre, points / 2, grid_.count - points / 2 - 1) - points / 2;
     const double log_centre = grid_[first + points / 2];
     std::vector<std::complex<double>> values(points);
     double lobe = 0, second = 0, spread = 0;
@@ -183,7 +182,8 @@ LobeRow LobeIntegral::row(double g) const {
         const double x = std::exp(grid_[first + i]);
         const double c = heights_.correlation[first + i], rest = heights_.complement[first + i];
         const bool flat = g * rest < 1e-17;
-        const double f = flat ? whole : kernel(g, c, rest), f2 = flat ? whole_second : scaled_sum(g, g * c, rest);
+        const double f = flat ? whole : kernel(g, c, rest),
+                     f2 = flat ? whole_second : scaled_sum(g, g * c, rest);
         values[i] = {x * f, x * f2};
         lobe += x * x * f;
         second += x * x * f2;
@@ -195,7 +195,8 @@ LobeRow LobeIntegral::row(double g) const {
     row.first_log_q_ = -log_centre - static_cast<double>(points / 2) * row.step_;
     row.at_zero_ = lobe * row.step_;
     row.second_at_zero_ = second * row.step_;
-    row.width_ = 2 * std::sqrt(lobe / spread);
+    // of a lobe that does not fall from q = 0 on, where it is as strong as the whole
+    row.width_ = spread > 0 ? 2 * std::sqrt(lobe / spread) : std::sqrt(-2 * std::expm1(-g) / row.at_zero_);
     std::size_t greatest = 0;
     for (std::size_t i = 0; i < points; ++i) {
         row.lobe_.push_back(values[i].real());
@@ -238,7 +239,8 @@ LobeTable::LobeTable(const ShapePointer& shape) {
     std::vector<double> column(rows);
     for (std::size_t j = 0; j < row_length; ++j) {
         for (std::size_t i = 0; i < rows; ++i) column[i] = by_row[i][j];
-        spline(column, first_slope_of(column), last_slope_of(column), std::span{lobe_}.subspan(j), row_length);
+        spline(column, first_slope_of(column), last_slope_of(column), std::span{lobe_}.subspan(j),
+               row_length);
     }
 }
 

@@ -20,7 +20,7 @@ class LobeRow {
 
     /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the power of q it has there.
     [[nodiscard]] Value operator()(double q) const;
-    /// (2 (1 - e^-g)/D(0))^(1/2): where the lobe has its shoulder.
+    /// Where the lobe has its shoulder: 2 (D(0)/integral of f x^3 dx)^(1/2), from its curvature.
     [[nodiscard]] double width() const noexcept { return width_; }
     /// q beyond which the value is extrapolated.
     [[nodiscard]] double reach() const noexcept { return reach_; }

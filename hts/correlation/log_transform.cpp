@@ -17,8 +17,8 @@ Complex log_gamma(Complex z) {
     Complex lowered = 0;
     for (; z.real() < far; z += 1.0) lowered += std::log(z);
     // B_2k / (2k (2k - 1))
-    constexpr std::array<double, 7> stirling{1.0 / 12,         -1.0 / 360,   1.0 / 1260, -1.0 / 1680, 1.0 / 1188,
-                                             -691.0 / 360360., 1.0 / 156};
+    constexpr std::array<double, 7> stirling{1.0 / 12,   -1.0 / 360,       1.0 / 1260, -1.0 / 1680,
+                                             1.0 / 1188, -691.0 / 360360., 1.0 / 156};
     const Complex inverse = 1.0 / z;
     Complex series = 0;
     for (std::size_t i = stirling.size(); i-- > 0;) series = series * inverse * inverse + stirling[i];
@@ -28,7 +28,8 @@ Complex log_gamma(Complex z) {
 LogTransform::LogTransform(std::size_t points, double step)
     : points_{points}, step_{step}, roots_(points / 2), bessel_(points) {
     for (std::size_t m = 0; m < roots_.size(); ++m)
-        roots_[m] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(points));
+        roots_[m] =
+            std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(points));
     for (std::size_t m = 0; m < points; ++m) {
         // integral of t^(i w) J0(t) dt = 2^(i w) Gamma((1 + i w)/2)/Gamma((1 - i w)/2)
         const double w = frequency(m);
@@ -52,7 +53,8 @@ void LogTransform::complement(std::span<Complex> values, double bias) const {
     for (std::size_t m = 0; m < points_; ++m) {
         // integral of t^(s - 1) (1 - J0(t)) dt = -2^(s - 1) Gamma(s/2)/Gamma(1 - s/2), -2 < Re s < 0
         const Complex s{-bias, frequency(m)};
-        const Complex value = -std::exp((s - 1.0) * std::numbers::ln2 + log_gamma(s / 2.0) - log_gamma(1.0 - s / 2.0));
+        const Complex value =
+            -std::exp((s - 1.0) * std::numbers::ln2 + log_gamma(s / 2.0) - log_gamma(1.0 - s / 2.0));
         multipliers[m] = 2 * m == points_ ? Complex{value.real(), 0} : value;
     }
     convolve(values, multipliers);
