@@ -28,7 +28,7 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
     const double tau_squared = square(surface.correlation_length());
     const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
     Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
-                tau_squared * std::numbers::inv_pi},
+                tau_squared * std::numbers::inv_pi, evaluation_detail::axis_terms(surface)},
                samples.size(),
                padded,
                std::vector<double>(Prepared::columns * padded)};
@@ -135,7 +135,7 @@ ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
     const HeTorranceSpectrum lobe{
         surface_, {{sample.wavelength, sample.index, 0}}, Tolerance{accuracy::finest_lane_tolerance}};
     return {.wave_number = sample.wavelength.wave_number(),
-            .correlation_length = surface_.correlation_length(),
+            .surface = surface_,
             .diffuse_albedo = sample.uniform_diffuse * std::numbers::pi,
             .brdf =
                 [lobe](const DirectionPair& pair) {

@@ -33,6 +33,8 @@ View view(const Surface& surface, const Direction& direction) noexcept {
 
 PairFactors::PairFactors(const Surface& surface, const View& in, const View& out) noexcept
     : change_{wave_vector_change(in.direction, out.direction)},
+      stretched_{surface.isotropic() ? change_.horizontal
+                                     : surface.stretched(horizontal_change(in.direction, out.direction))},
       cos_theta_d_{change_.cos_theta_d()},
       effective_roughness_{surface.rms_roughness() *
                            effective_roughness_ratio(in.visibility.obstruction + out.visibility.obstruction)},
@@ -45,7 +47,7 @@ double PairFactors::phase_variance(const Wavelength& wavelength) const noexcept 
 }
 
 double PairFactors::lobe_argument(const Wavelength& wavelength) const noexcept {
-    return square(wavelength.wave_number() * change_.horizontal * correlation_length_ / 2);
+    return square(wavelength.wave_number() * stretched_ * correlation_length_ / 2);
 }
 
 double PairFactors::lobe(double phi, const Wavelength& wavelength) const noexcept {

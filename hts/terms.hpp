@@ -61,13 +61,14 @@ class PairFactors {
     [[nodiscard]] double shadowing() const noexcept { return shadowing_; }
     /// g [He91 (79)].
     [[nodiscard]] double phase_variance(const Wavelength& wavelength) const noexcept;
-    /// t = v_xy^2 tau^2 / 4.
+    /// t = v_xy^2 tau^2 / 4, of an anisotropic surface (v_x'^2 tau_x^2 + v_y'^2 tau_y^2) / 4.
     [[nodiscard]] double lobe_argument(const Wavelength& wavelength) const noexcept;
     /// The lobe for |F|^2 = 1 [1/sr], from Phi(g, t) at that wavelength.
     [[nodiscard]] double lobe(double phi, const Wavelength& wavelength) const noexcept;
 
   private:
     WaveVectorChange change_;
+    double stretched_;  // what |v_xy| counts for in t
     double cos_theta_d_;
     double effective_roughness_;
     double shadowing_;

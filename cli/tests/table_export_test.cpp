@@ -115,6 +115,6 @@ TEST_CASE("hts table export names what is wrong and leaves nothing behind") {
           "--solid-angle: solid angle");
     wrong(aluminium + " --format pbsdf --output x --wavelengths 0.5,0.6", 1, "must be 5");
     wrong(aluminium + " --format pbsdf --output x --specular box", 1, "has no Mueller matrix");
-    wrong(satin + " --format rgl --output x --wavelengths 0.5", 1, "is anisotropic");
+    wrong(satin + " --format pbsdf --output x --wavelengths 0.45:0.65:5", 1, "is anisotropic");
     wrong("missing.json --format rgl --output x", 1, "missing.json");
 }

@@ -13,7 +13,11 @@ double square(double x) {
 
 FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) noexcept {
     const double c = in.cos_theta(), s_squared = square(in.sin_theta());
-    const double slanted = std::sqrt(std::hypot(c * c, std::sqrt(0.229 * s_squared) / wave.k_tau));
+    const Surface& surface = wave.surface;
+    const double k_tau_along =
+        surface.isotropic() ? wave.k_tau
+                            : wave.k_tau * (surface.correlation_length(in) / surface.correlation_length());
+    const double slanted = std::sqrt(std::hypot(c * c, std::sqrt(0.229 * s_squared) / k_tau_along));
     const std::complex<double> admittance = 1.0 / std::complex<double>{wave.index.n(), wave.index.k()};
     const double below = std::norm(c + admittance);
     const double grazing =

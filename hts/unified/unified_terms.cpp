@@ -73,11 +73,12 @@ double bragg_lift(double k_sigma, double k_tau) noexcept {
     return 0.25 * k_sigma * std::min(k_sigma, roughest) / (held * std::sqrt(held)) * fade;
 }
 
-UnifiedWave::UnifiedWave(const Surface& surface, const ReturnFactor& m, const Wavelength& wavelength,
+UnifiedWave::UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
                          const RefractiveIndex& of)
-    : index{of},
-      k_sigma{wavelength.wave_number() * surface.rms_roughness()},
-      k_tau{wavelength.wave_number() * surface.correlation_length()},
+    : surface{rough},
+      index{of},
+      k_sigma{wavelength.wave_number() * rough.rms_roughness()},
+      k_tau{wavelength.wave_number() * rough.correlation_length()},
       lift{bragg_lift(k_sigma, k_tau)},
       returned{m.returned(flat_reflectance(index))} {}
 
@@ -117,7 +118,11 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
                          std::optional<double> lobe_argument) noexcept {
     const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
     const double g = square(wave.k_sigma * change.vertical);
-    const double t = lobe_argument.value_or(square(wave.k_tau * change.horizontal / 2));
+    const double t = lobe_argument.value_or(
+        square(wave.k_tau *
+               (wave.surface.isotropic() ? change.horizontal
+                                         : stretched_horizontal(wave.surface, in.direction, out.direction)) /
+               2));
     UnifiedLobe result{{}, g, t, kicks(g, t, lobe, tolerance), 0};
     const auto& [phi, beta, w, method] = result.kicks;
     const double c_i = in.direction.cos_theta(), c_r = out.direction.cos_theta();

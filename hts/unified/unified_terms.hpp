@@ -42,22 +42,26 @@ inline constexpr double quick_kicks = 1e-6;  ///< the finest tolerance that the 
 /// What a direction contributes, whatever the wavelength.
 struct UnifiedView {
     UnifiedView(const Surface& surface, const ReturnFactor& m, const Direction& along) noexcept
-        : direction{along}, masked{visibility(surface, along).masked}, return_factor{m(along)} {}
+        : direction{along},
+          masked{visibility(surface, along).masked},
+          return_factor{surface.isotropic() ? m(along)
+                                            : ReturnFactor{surface.slope_width(along) / 2}(along)} {}
 
     Direction direction;
     double masked;         ///< cos theta Lambda
-    double return_factor;  ///< m
+    double return_factor;  ///< m, of an anisotropic surface m(theta; sigma_0/tau(alpha)) of its azimuth
 };
 
 /// What a surface is at one wavelength, whatever the directions.
 struct UnifiedWave {
-    UnifiedWave(const Surface& surface, const ReturnFactor& m, const Wavelength& wavelength,
-                const RefractiveIndex& index);
+    UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
+                const RefractiveIndex& of);
 
+    Surface surface;
     RefractiveIndex index;
-    double k_sigma, k_tau;
-    double lift;      ///< Z
-    double returned;  ///< R'
+    double k_sigma, k_tau;  ///< of an anisotropic surface with sqrt(tau_x tau_y)
+    double lift;            ///< Z
+    double returned;        ///< R'
 };
 
 /// Reflectance of uniform unpolarised light by the flat surface, 2 times the integral of |F|^2 c dc [1].
@@ -115,7 +119,7 @@ struct UnifiedLobe {
                                        Tolerance tolerance = Tolerance{accuracy::finest_tolerance},
                                        std::optional<double> lobe_argument = {}) noexcept;
 
-/// The share of the lobe that polarisation_mixing mixes.
+/// The share of the lobe that polarisation_mixing mixes, of an isotropic surface.
 [[nodiscard]] double mixed_share(const Surface& surface) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp: (1 - l) Mueller(M) + l Mueller(P M P), P exchanging s and p.

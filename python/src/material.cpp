@@ -87,6 +87,9 @@ nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle thet
                   nb::handle diffuse_albedo, const std::string& outside, int threads) {
     if (self.material().model_name() != "he")
         throw Error{"gradient: derivatives are known of model he: this is " + self.material().model_name()};
+    if (const auto& surface = self.material().properties().surface; surface && !surface->isotropic())
+        throw Error{
+            "gradient: derivatives are known of isotropic surfaces: this has two correlation lengths"};
     const Quantity derivatives = quantity::derivatives(of);
     const bool views = derivatives.views;
     const nb::object all = evaluate(self, derivatives,

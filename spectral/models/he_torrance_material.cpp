@@ -21,7 +21,7 @@ constexpr auto published_source = "He, Torrance, Sillion, Greenberg 1991";
 constexpr auto unified_source = "hts, successor of He, Torrance, Sillion, Greenberg 1991";
 
 Properties properties_of(const RoughSurface& surface) {
-    return {.polarised = true, .specular_term = true, .isotropic = true, .surface = surface};
+    return {.polarised = true, .specular_term = true, .isotropic = surface.isotropic(), .surface = surface};
 }
 
 WavelengthGrid grid_of(const std::vector<SpectralSample>& samples) {
@@ -147,6 +147,12 @@ class RoughSurfaceEvaluator final : public Evaluator {
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
                                                   const Stokes& light) const override {
+        if (!surface_.isotropic() && (light[2] != 0 || light[3] != 0)) {
+            throw Error{
+                "albedo of a surface of two correlation lengths: the light must be polarised along s or p, "
+                "or "
+                "not at all"};
+        }
         const SpectralSample& sample = samples_[wavelength];
         auto result =
             directional_hemispherical_reflectance(surface_, sample.index, sample.wavelength, in, light);
@@ -195,10 +201,26 @@ double checked_albedo(double albedo) {
 Surface surface_from(const JsonValue& file) {
     const JsonValue roughness_key = file["rms_roughness_um"];
     const JsonValue correlation_key = file["correlation_length_um"];
+    const std::optional<JsonValue> azimuth = file.find("azimuth_deg");
     const double roughness = roughness_key.number();
-    const double correlation = correlation_key.number();
+    const auto with = [&](const JsonValue& length) {
+        const double value = length.number();
+        return located(length.place(), [&] { return Surface{roughness, value}; });
+    };
     located(roughness_key.place(), [&] { return Surface{roughness, longest_length}; });
-    return located(correlation_key.place(), [&] { return Surface{roughness, correlation}; });
+    if (!correlation_key.is_list()) {
+        if (azimuth) throw azimuth->error("must be left out where correlation_length_um is one number");
+        return with(correlation_key);
+    }
+    const std::vector<JsonValue> lengths = correlation_key.items();
+    if (lengths.size() != 2)
+        throw correlation_key.error("must be a number or a list of two, [along, across]");
+    const double along = with(lengths[0]).correlation_length();
+    const double across = with(lengths[1]).correlation_length();
+    const double degrees = azimuth ? azimuth->number() : 0;
+    const Direction axis = located(azimuth.value_or(correlation_key).place(),
+                                   [&] { return Direction::from_degrees(90, degrees); });
+    return Surface::anisotropic(roughness, {along, across}, axis);
 }
 
 DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
@@ -218,7 +240,7 @@ UnifiedChoices::Mirror mirror_from(const std::optional<JsonValue>& mirror) {
 }
 
 const std::vector<std::string> shared_keys{
-    "name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"};
+    "name", "model", "rms_roughness_um", "correlation_length_um", "azimuth_deg", "index", "diffuse_albedo"};
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
     return he_torrance_material(file.default_name, surface,
@@ -227,6 +249,16 @@ Material material_from(const MaterialFile& file, const RoughSurface& surface) {
 }
 
 }  // namespace
+
+Surface RoughSurfaceValues::of(const Surface& own) const {
+    const double roughness = rms_roughness.value_or(own.rms_roughness());
+    if (correlation_length) return {roughness, *correlation_length};
+    const CorrelationLengths lengths = own.correlation_lengths();
+    return Surface::anisotropic(
+        roughness,
+        {correlation_length_x.value_or(lengths.along), correlation_length_y.value_or(lengths.across)},
+        axis.value_or(own.axis()));
+}
 
 DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
 
@@ -245,9 +277,7 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
-        const RoughSurface rough =
-            surface.with({given.rms_roughness.value_or(surface.rms_roughness()),
-                          given.correlation_length.value_or(surface.correlation_length())});
+        const RoughSurface rough = surface.with(given.of(surface));
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {

@@ -44,6 +44,7 @@ class DiffuseAlbedo {
 /// Reads
 ///   {"name": "roughened aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
 ///    "index": "Al", "diffuse_albedo": 0.0}
+/// "correlation_length_um" may be [along, across] of two axes, with "azimuth_deg" of the first from x, 0 if left out;
 /// "index" is a built-in name, {"n": …, "k": …}, {"file": path relative to this file} or {"table": [[um, n, k], …]};
 /// "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out.
 [[nodiscard]] Material read_he_torrance(const MaterialFile& file);

@@ -199,6 +199,10 @@ void add_material(Checksum& checksum, const Material& material, const Scene& sce
     if (const auto& surface = material.properties().surface) {
         checksum.add(surface->rms_roughness());
         checksum.add(surface->correlation_length());
+        if (!surface->isotropic()) {
+            checksum.add(surface->correlation_lengths().along);
+            checksum.add(surface->azimuth());
+        }
         if (const auto& choices = surface->unified()) {
             checksum.add(static_cast<double>(choices->mirror));
             checksum.add(choices->polarisation_mixing ? 1.0 : 0.0);
