@@ -17,12 +17,11 @@
 
 namespace hts {
 
-// Of `Correlation::lobe`, for 1e-5 <= g <= 1e8 and Gaussian, Matern (nu from 1/4 to 10) and two-scale shapes whose lengths differ
-// by up to 100; the tests hold each against series, quadrature, or the transform on another grid.
+// Of `Correlation::lobe`, for 1e-5 <= g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold each against series, quadrature, or the transform on another grid.
 namespace accuracy {
 /// Relative, of 2 D and of the mean of 1/m, where D is over 1e-3 of its greatest value.
 inline constexpr double correlation_lobe = 1e-6;
-/// The same of two-scale shapes, where one lobe gives way to the other.
+/// The same of nu from 1/4 and of two-scale shapes, whose lengths differ by up to 100.
 inline constexpr double correlation_two_scales = 1e-5;
 /// The same from there down to 1e-8.
 inline constexpr double correlation_tail = 1e-4;

@@ -161,6 +161,22 @@ LobeRow::Value LobeRow::operator()(double q) const {
     return {std::max(log_lobe, logarithm_of_nothing), at_reach_.log_inverse_mean};
 }
 
+double LobeRow::shoulder(std::size_t greatest) const {
+    constexpr double share = 0.8, twice = 2;  // with them it is about (D/(-D''))^(1/2) at q = 0
+    const auto q = [&](double position) { return std::exp(first_log_q_ + position * step_); };
+    const auto high = [&](double position) {
+        return smooth(lobe_, position) > share * at_zero_ * q(position);
+    };
+    double inside = static_cast<double>(greatest);
+    while (inside > 0 && !high(inside)) --inside;
+    double outside = inside + 1;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (inside + outside) / 2;
+        (high(middle) ? inside : outside) = middle;
+    }
+    return twice * q(inside);
+}
+
 LobeIntegral::LobeIntegral(ShapePointer shape, std::size_t points)
     : shape_{std::move(shape)},
       transform_{points, log_range / static_cast<double>(points)},
@@ -176,7 +192,7 @@ LobeRow LobeIntegral::row(double g) const {
     const std::size_t first = std::clamp(centre, points / 2, grid_.count - points / 2 - 1) - points / 2;
     const double log_centre = grid_[first + points / 2];
     std::vector<std::complex<double>> values(points);
-    double lobe = 0, second = 0, spread = 0;
+    double lobe = 0, second = 0;
     const double whole = kernel(g, 1, 0), whole_second = scaled_sum(g, g, 0);
     for (std::size_t i = 0; i < points; ++i) {
         const double x = std::exp(grid_[first + i]);
@@ -187,7 +203,6 @@ LobeRow LobeIntegral::row(double g) const {
         values[i] = {x * f, x * f2};
         lobe += x * x * f;
         second += x * x * f2;
-        spread += x * x * x * x * f;
     }
     transform_.hankel(values);
     LobeRow row;
@@ -195,14 +210,13 @@ LobeRow LobeIntegral::row(double g) const {
     row.first_log_q_ = -log_centre - static_cast<double>(points / 2) * row.step_;
     row.at_zero_ = lobe * row.step_;
     row.second_at_zero_ = second * row.step_;
-    // of a lobe that does not fall from q = 0 on, where it is as strong as the whole
-    row.width_ = spread > 0 ? 2 * std::sqrt(lobe / spread) : std::sqrt(-2 * std::expm1(-g) / row.at_zero_);
     std::size_t greatest = 0;
     for (std::size_t i = 0; i < points; ++i) {
         row.lobe_.push_back(values[i].real());
         row.second_.push_back(values[i].imag());
         if (row.lobe_[i] > row.lobe_[greatest]) greatest = i;
     }
+    row.width_ = row.shoulder(greatest);
     std::size_t end = greatest;
     while (end + 8 < points && row.lobe_[end] > least_share * row.lobe_[greatest]) ++end;
     row.reach_ = std::exp(row.first_log_q_ + static_cast<double>(end - 4) * row.step_);

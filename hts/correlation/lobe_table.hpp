@@ -20,7 +20,7 @@ class LobeRow {
 
     /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the power of q it has there.
     [[nodiscard]] Value operator()(double q) const;
-    /// Where the lobe has its shoulder: 2 (D(0)/integral of f x^3 dx)^(1/2), from its curvature.
+    /// Twice the q at which the lobe has fallen to 0.8 of its height: where it has its shoulder.
     [[nodiscard]] double width() const noexcept { return width_; }
     /// q beyond which the value is extrapolated.
     [[nodiscard]] double reach() const noexcept { return reach_; }
@@ -28,6 +28,7 @@ class LobeRow {
   private:
     friend class LobeIntegral;
     [[nodiscard]] Value transformed(double q) const;
+    [[nodiscard]] double shoulder(std::size_t greatest) const;
 
     double step_ = 0, first_log_q_ = 0;  // of the transform
     std::vector<double> lobe_, second_;  // q D, q D2

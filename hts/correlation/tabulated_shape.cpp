@@ -54,11 +54,13 @@ class TabulatedSpectrum final : public HeightShape {
             correlation[i] = whole[i].real() * std::exp(-log_x) / total;
             log_complement[i] = std::log(std::max(rest[i].real() / total, 1e-300)) + bias * log_x;
         }
-        // the transform's error is one of x C
-        constexpr double digits = 1e-13;
-        for (std::size_t i = points; i-- > 0;) {
-            if (std::abs(whole[i].real()) > digits * total) break;
-            correlation[i] = 0;
+        // Far beyond the first period C is what rounding and the points' own corners leave. The factor smears the spectrum over
+        // a thirtieth of the first frequency.
+        const double least_q = std::exp(curve_.first_log_x() + log_scale_);
+        for (std::size_t i = 0; i < points; ++i) {
+            const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
+            const double far = least_q * std::exp(log_x) / 60;
+            correlation[i] *= std::exp(-far * far);
         }
         return on(grid, centre, correlation, log_complement);
     }

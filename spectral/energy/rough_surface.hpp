@@ -65,6 +65,7 @@ struct ReflectedLight {
                                              const Wavelength& wavelength, const Polarisation& light = {});
 
 /// What is left of a mirror's light by shadowing alone, S at theta_r = theta_i [1]; 1 of he_unified, whose mirror is not shadowed.
-[[nodiscard]] double mirror_shadowing(const RoughSurface& surface, const Direction& in) noexcept;
+[[nodiscard]] double mirror_shadowing(const RoughSurface& surface, const Direction& in,
+                                      const Wavelength& wavelength) noexcept;
 
 }  // namespace hts::spectral

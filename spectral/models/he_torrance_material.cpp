@@ -54,9 +54,9 @@ class RoughSurfaceSampler final : public DirectionSampler {
 };
 
 void add_detail(const HeTorranceSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
-    const PairFactors factors{of.surface(), pair.in, pair.out};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const SpectralSample& sample = of.samples()[i];
+        const PairFactors factors = of.factors(pair, i);
         const DirectionalDiffuse term = directional_diffuse(factors, sample.wavelength, sample.index);
         values[i] = {term.phase_variance,
                      term.lobe_argument,
@@ -68,10 +68,9 @@ void add_detail(const HeTorranceSpectrum& of, const DirectionPair& pair, std::sp
 }
 
 void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
-    const UnifiedView in = of.view(pair.in), out = of.view(pair.out);
     const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const UnifiedLobe lobe = unified_lobe(in, out, of.waves()[i]);
+        const UnifiedLobe lobe = unified_lobe(of.view(pair.in, i), of.view(pair.out, i), of.waves()[i]);
         values[i] = {lobe.phase_variance,
                      lobe.lobe_argument,
                      of.surface().rms_roughness(),
