@@ -18,9 +18,11 @@ namespace {
 constexpr auto eval_help = R"(
 Points are CSV (semicolons, tabs or blanks between fields and decimal commas are read too)
 with the columns wavelength_um (or wavelength_nm), theta_i_deg, phi_i_deg, theta_r_deg,
-phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
-albedo, which go before the material's (model he alone). Without wavelength_um every row
-is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
+phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um (or
+correlation_length_x_um and correlation_length_y_um, with azimuth_deg of the first from x)
+and albedo, which go before the material's (models he and he_unified). Without
+wavelength_um every row is evaluated at --wavelength or --wavelengths. Other columns are
+repeated and not used.
 The answer repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr]
 and specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of

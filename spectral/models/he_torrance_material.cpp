@@ -238,6 +238,20 @@ UnifiedChoices::Mirror mirror_from(const std::optional<JsonValue>& mirror) {
     throw mirror->error(in_quotes(mirror->text()) + " is not known; must be closed or second_order");
 }
 
+/// Lengths so different that the longer one all but leaves the lobe a line.
+bool is_grooved(const Surface& surface) {
+    constexpr double most_ratio = 100;
+    const auto& [along, across] = surface.correlation_lengths();
+    return std::max(along, across) >= most_ratio * std::min(along, across);
+}
+
+std::string groove_warning(const Surface& surface) {
+    const auto& [along, across] = surface.correlation_lengths();
+    return "correlation lengths " + shortest(along) + " and " + shortest(across) +
+           " um: grooves: nearly all light goes into the cone about them, where the BRDF grows as the longer "
+           "length";
+}
+
 const std::vector<std::string> shared_keys{
     "name", "model", "rms_roughness_um", "correlation_length_um", "azimuth_deg", "index", "diffuse_albedo"};
 
@@ -290,7 +304,9 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
         return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
-    const Material material{prepare, properties_of(surface), constants.warnings(), constants.name()};
+    std::vector<std::string> warnings = constants.warnings();
+    if (is_grooved(surface)) warnings.push_back(groove_warning(surface));
+    const Material material{prepare, properties_of(surface), std::move(warnings), constants.name()};
     return surface.unified() ? material.named(name, "he_unified", unified_source)
                              : material.named(name, "he", published_source);
 }

@@ -296,7 +296,7 @@ TEST_CASE("anisotropic surfaces are read back, their light over a full turn") {
     write_rgl(brushed, path, {24, 48, 129, 256, 25});
     const spectral::Reflectance read{std::shared_ptr<const RglBrdf>{read_rgl(path)}};
     CHECK_FALSE(read.properties().isotropic);
-    WorstCase worst{"RGL file of brushed aluminium, of the peak", accuracy::rgl};
+    WorstCase worst{"RGL file of brushed aluminium, of the peak", hts::tables::accuracy::rgl};
     const auto result = round_trip(brushed, read, {.pairs = 20'000});
     worst.note(result.worst.error, [&] { return result.text(); });
     worst.check();
