@@ -178,8 +178,9 @@ void HeTorranceSpectrum::exact_specular_reflectance(const Direction& in,
                                                     std::span<double> result) const noexcept {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
-        result[i] = hts::specular_reflectance(surface_, hts::view(seen(i), in), sample.wavelength, sample.index)
-                        .value();
+        result[i] =
+            hts::specular_reflectance(surface_, hts::view(seen(i), in), sample.wavelength, sample.index)
+                .value();
     }
 }
 

@@ -129,7 +129,8 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
 void require_theory(const Surface& surface, const UnifiedChoices& choices) {
     if (surface.isotropic() && !surface.correlation()) return;
     const auto refusal = [&](const char* choice, const char* why) {
-        const char* const kind = surface.isotropic() ? "whose correlation is not gaussian" : "of two correlation lengths";
+        const char* const kind =
+            surface.isotropic() ? "whose correlation is not gaussian" : "of two correlation lengths";
         return Error{std::string{choice} + " of a surface " + kind + ": " + why};
     };
     if (choices.mirror == UnifiedChoices::Mirror::second_order)
@@ -174,7 +175,8 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 }
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
-    std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) + seen_.size() * sizeof(Seen);
+    std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
+                      seen_.size() * sizeof(Seen);
     if (lanes_) {
         sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
                lanes_->prepared.surface.return_rows.size() * sizeof(ReturnRow);

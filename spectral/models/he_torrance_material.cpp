@@ -12,6 +12,7 @@
 #include "spectral/materials/optical_constants_json.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/spectral_number.hpp"
+#include "spectral/models/surface_reader.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -196,32 +197,6 @@ double checked_albedo(double albedo) {
     return albedo;
 }
 
-// One length at a time, so that the message has the key of the one that is wrong.
-Surface surface_from(const JsonValue& file) {
-    const JsonValue roughness_key = file["rms_roughness_um"];
-    const JsonValue correlation_key = file["correlation_length_um"];
-    const std::optional<JsonValue> azimuth = file.find("azimuth_deg");
-    const double roughness = roughness_key.number();
-    const auto with = [&](const JsonValue& length) {
-        const double value = length.number();
-        return located(length.place(), [&] { return Surface{roughness, value}; });
-    };
-    located(roughness_key.place(), [&] { return Surface{roughness, longest_length}; });
-    if (!correlation_key.is_list()) {
-        if (azimuth) throw azimuth->error("must be left out where correlation_length_um is one number");
-        return with(correlation_key);
-    }
-    const std::vector<JsonValue> lengths = correlation_key.items();
-    if (lengths.size() != 2)
-        throw correlation_key.error("must be a number or a list of two, [along, across]");
-    const double along = with(lengths[0]).correlation_length();
-    const double across = with(lengths[1]).correlation_length();
-    const double degrees = azimuth ? azimuth->number() : 0;
-    const Direction axis = located(azimuth.value_or(correlation_key).place(),
-                                   [&] { return Direction::from_degrees(90, degrees); });
-    return Surface::anisotropic(roughness, {along, across}, axis);
-}
-
 DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
     if (!albedo) return DiffuseAlbedo{0};
     if (albedo->is_object()) {
@@ -252,8 +227,11 @@ std::string groove_warning(const Surface& surface) {
            "length";
 }
 
-const std::vector<std::string> shared_keys{
-    "name", "model", "rms_roughness_um", "correlation_length_um", "azimuth_deg", "index", "diffuse_albedo"};
+std::vector<std::string> known_keys(std::vector<std::string> own = {}) {
+    own.insert(own.end(), {"name", "model", "index", "diffuse_albedo"});
+    own.insert(own.end(), surface_keys().begin(), surface_keys().end());
+    return own;
+}
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
     return he_torrance_material(file.default_name, surface,
@@ -265,12 +243,15 @@ Material material_from(const MaterialFile& file, const RoughSurface& surface) {
 
 Surface RoughSurfaceValues::of(const Surface& own) const {
     const double roughness = rms_roughness.value_or(own.rms_roughness());
-    if (correlation_length) return {roughness, *correlation_length};
+    const auto correlated = [&](const Surface& of) {
+        return own.correlation() ? of.correlated(*own.correlation()) : of;
+    };
+    if (correlation_length) return correlated({roughness, *correlation_length});
     const CorrelationLengths lengths = own.correlation_lengths();
-    return Surface::anisotropic(
+    return correlated(Surface::anisotropic(
         roughness,
         {correlation_length_x.value_or(lengths.along), correlation_length_y.value_or(lengths.across)},
-        axis.value_or(own.axis()));
+        axis.value_or(own.axis())));
 }
 
 DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
@@ -327,17 +308,15 @@ Reflectance he_torrance_reflectance(const std::string& name, const RoughSurface&
 }
 
 Material read_he_torrance(const MaterialFile& file) {
-    file.json.require_keys_among(shared_keys);
-    return material_from(file, surface_from(file.json));
+    file.json.require_keys_among(known_keys());
+    return material_from(file, surface_from(file.json, file.folder));
 }
 
 Material read_he_unified(const MaterialFile& file) {
-    auto keys = shared_keys;
-    keys.insert(keys.end(), {"mirror", "polarisation_mixing"});
-    file.json.require_keys_among(keys);
+    file.json.require_keys_among(known_keys({"mirror", "polarisation_mixing"}));
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
                                  .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
-    return material_from(file, {surface_from(file.json), choices});
+    return material_from(file, RoughSurface{{1, 1}, choices}.with(surface_from(file.json, file.folder)));
 }
 
 }  // namespace hts::spectral
