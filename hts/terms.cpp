@@ -83,11 +83,11 @@ const char* name(DiffuseLobe lobe) noexcept {
 }
 
 DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                       const RefractiveIndex& index, DiffuseLobe lobe_of) noexcept {
+                                       const CoatedIndex& index, DiffuseLobe lobe_of) noexcept {
     const double g = pair.phase_variance(wavelength);
     const double t = pair.lobe_argument(wavelength);
     const Phi roughness = pair.phi(g, t, lobe_of);
-    const FresnelAmplitudes amplitudes = fresnel(pair.cos_theta_d(), index);
+    const FresnelAmplitudes amplitudes = index.amplitudes(pair.cos_theta_d());
     const double lobe = pair.lobe(roughness.value, wavelength);
     return {amplitudes.unpolarised_reflectance() * lobe, lobe, amplitudes, g, t, roughness.method};
 }
@@ -105,14 +105,14 @@ double coherent_fraction(const Surface& surface, const View& in, const Wavelengt
 }
 
 SpecularReflectance specular_reflectance(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                         const RefractiveIndex& index) noexcept {
-    return SpecularReflectance{fresnel(in.direction.cos_theta(), index).unpolarised_reflectance() *
+                                         const CoatedIndex& index) noexcept {
+    return SpecularReflectance{index.amplitudes(in.direction.cos_theta()).unpolarised_reflectance() *
                                coherent_fraction(surface, in, wavelength)};
 }
 
 Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                         const RefractiveIndex& index) noexcept {
-    const FresnelAmplitudes f = fresnel(in.direction.cos_theta(), index);
+                         const CoatedIndex& index) noexcept {
+    const FresnelAmplitudes f = index.amplitudes(in.direction.cos_theta());
     return coherent_fraction(surface, in, wavelength) * Mueller::from_jones({f.s, 0.0, 0.0, f.p});
 }
 

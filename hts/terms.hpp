@@ -19,7 +19,7 @@
 #pragma once
 
 #include "hts/direction.hpp"
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/phi.hpp"
 #include "hts/polarisation.hpp"
 #include "hts/shadowing.hpp"
@@ -50,7 +50,7 @@ enum class DiffuseLobe {
     none,         ///< 0: a mirror, with its uniform diffuse term
     first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large; 2 g exp(-g) W of another correlation
     rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution; of the Gaussian correlation alone
-    full,         ///< Phi(g, t)
+    full,  ///< Phi(g, t)
 };
 
 [[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
@@ -86,7 +86,7 @@ class PairFactors {
     double effective_roughness_;
     double shadowing_;
     double correlation_length_;
-    double shadowing_over_cosines_;  // S / (cos theta_i cos theta_r)
+    double shadowing_over_cosines_;   // S / (cos theta_i cos theta_r)
     const Correlation* correlation_;  // none of the Gaussian
 };
 
@@ -103,7 +103,7 @@ struct DirectionalDiffuse {
 /// Directional-diffuse term for unpolarised light.
 ///   error   accuracy::brdf
 [[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index,
+                                                     const CoatedIndex& index,
                                                      DiffuseLobe lobe = DiffuseLobe::full) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
@@ -133,11 +133,11 @@ class SpecularReflectance {
 ///   error   accuracy::specular_reflectance
 [[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,
                                                        const Wavelength& wavelength,
-                                                       const RefractiveIndex& index) noexcept;
+                                                       const CoatedIndex& index) noexcept;
 
 /// Its Mueller matrix [1]: that of diag(F_s, F_p), times exp(-g) S.
 [[nodiscard]] Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                       const RefractiveIndex& index) noexcept;
+                                       const CoatedIndex& index) noexcept;
 
 /// Uniform-diffuse BRDF, albedo / pi [1/sr].
 ///   albedo   a, 0 ... 1, else hts::Error

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
-#include "hts/error.hpp"
 #include "cli/answers/roughness_report.hpp"
+#include "hts/error.hpp"
 #include "hts/phi.hpp"
 
 namespace hts::cli {
@@ -74,10 +74,10 @@ double mirror_share(const Point& point) {
     return std::exp(-point.validity.phase_variance);
 }
 double n(const Point& point) {
-    return point.sample.index.n();
+    return point.sample.index.substrate().n();
 }
 double k(const Point& point) {
-    return point.sample.index.k();
+    return point.sample.index.substrate().k();
 }
 double albedo(const Point& point) {
     return point.sample.uniform_diffuse * std::numbers::pi;
@@ -127,8 +127,8 @@ std::string verdict_text(const MaterialValidity& validity) {
 
 std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
     if (criterion != Criterion::slope) return "";
-    const double share =
-        spectral::share_beyond_45_degrees(info.surface.seen_by(info.validity.points().front().sample.wavelength));
+    const double share = spectral::share_beyond_45_degrees(
+        info.surface.seen_by(info.validity.points().front().sample.wavelength));
     return ";\n           " + brief(100 * share, 3) +
            " % of the surface is steeper than 45 deg and reflects light from above further down";
 }
@@ -168,11 +168,12 @@ std::vector<double> wavelengths_of(const MaterialInfo& info) {
 
 std::string correlated_surface_text(const Surface& surface) {
     const auto& [along, across] = surface.correlation_lengths();
-    const std::string lengths =
-        surface.isotropic() ? brief(along) + " um"
-                            : brief(along) + " um along the azimuth " + brief(azimuth_in_degrees(surface)) +
-                                  " deg and " + brief(across) + " um across";
-    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " + lengths;
+    const std::string lengths = surface.isotropic() ? brief(along) + " um"
+                                                    : brief(along) + " um along the azimuth " +
+                                                          brief(azimuth_in_degrees(surface)) + " deg and " +
+                                                          brief(across) + " um across";
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " +
+           lengths;
 }
 
 std::string surface_text(const Surface& surface) {
@@ -194,11 +195,13 @@ std::string surface_text(const Surface& surface) {
 std::string length_note(const Surface& surface) {
     const std::string shape =
         surface.correlation()
-            ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. Limits and "
+            ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. "
+              "Limits and "
               "errors are those\nof Gaussian correlations: of others they are not measured yet.\n"
             : "";
     if (surface.isotropic()) return shape;
-    return shape + "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
+    return shape +
+           "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
            "the tau of the\n"
            "findings. Limits and errors are those of isotropic surfaces: of others they are not measured "
            "yet.\n";
@@ -284,7 +287,8 @@ std::string info_text(const MaterialInfo& info) {
     text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
          << info.material.model_source() << ")\n"
          << "  surface      " << surface_text(info.surface) << '\n'
-         << roughness_text(info.surface, wavelengths_of(info)) << "  index        " << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
+         << roughness_text(info.surface, wavelengths_of(info)) << "  index        "
+         << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
          << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text() << '\n'
          << "  wavelengths  " << range_of(points, micrometres).text() << " um, "
          << points.size() / info.theta.size() << " of them\n"

@@ -183,6 +183,8 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
     const auto terms = reflected_terms(of, pair);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = {.wavelength = of.wavelengths().micrometres()[i],
+                     .cos_theta_i = pair.in.cos_theta(),
+                     .cos_theta_r = pair.out.cos_theta(),
                      .directional_diffuse = terms.directional_diffuse[i],
                      .uniform_diffuse = terms.uniform_diffuse[i],
                      .specular_reflectance = terms.specular_reflectance[i]};

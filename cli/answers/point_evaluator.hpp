@@ -21,6 +21,7 @@ using spectral::CsvRow;
 /// The three terms at one pair and wavelength.
 struct Evaluation {
     double wavelength;                             ///< [um]
+    double cos_theta_i = 0, cos_theta_r = 0;       ///< of the pair
     double directional_diffuse = 0;                ///< [1/sr]
     double uniform_diffuse = 0;                    ///< [1/sr]
     double specular_reflectance = 0;               ///< [1]

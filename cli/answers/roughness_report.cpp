@@ -28,9 +28,10 @@ std::string period_text(double frequency) {
 }
 
 std::string seen_text(const SeenRoughness& seen) {
-    return "\n               at " + shortest(seen.wavelength) + " um: sigma_rel " + brief(seen.rms_roughness) +
-           " um, rms slope " + brief(seen.rms_slope, 3) + " (" +
-           brief(std::atan(seen.rms_slope) * 180 / std::numbers::pi, 3) + " deg), TIS " + brief(seen.scattered);
+    return "\n               at " + shortest(seen.wavelength) + " um: sigma_rel " +
+           brief(seen.rms_roughness) + " um, rms slope " + brief(seen.rms_slope, 3) + " (" +
+           brief(std::atan(seen.rms_slope) * 180 / std::numbers::pi, 3) + " deg), TIS " +
+           brief(seen.scattered);
 }
 
 }  // namespace
@@ -46,8 +47,8 @@ std::string roughness_text(const RoughSurface& surface, const std::vector<double
     if (!says_more(surface)) return "";
     std::string text = "  roughness    sigma0 " + brief(surface.rms_roughness()) + " um over all frequencies";
     if (const auto& band = surface.band()) {
-        text += ", " + brief(rms_of_band(surface, *band)) + " um over periods of " + period_text(band->to) + " to " +
-                period_text(band->from);
+        text += ", " + brief(rms_of_band(surface, *band)) + " um over periods of " + period_text(band->to) +
+                " to " + period_text(band->from);
     }
     text += ";\n               frequencies up to 1/lambda scatter and shadow:";
     text += seen_text(seen_roughness(surface, wavelengths.front()));

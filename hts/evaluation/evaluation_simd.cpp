@@ -314,8 +314,8 @@ bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples
     const auto& [along, across] = surface.correlation_lengths();
     return !surface.correlation() && length(surface.rms_roughness()) && length(along) && length(across) &&
            std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
-               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
-                      s.index.k() <= 1e6;
+               return length(s.wavelength.micrometres()) && s.index.substrate().n() >= 1e-3 &&
+                      s.index.substrate().n() <= 1e6 && s.index.substrate().k() <= 1e6;
            });
 }
 
@@ -323,7 +323,8 @@ std::vector<Surface> seen_surfaces(const Surface& surface, std::span<const Spect
                                    DiffuseLobe lobe) {
     if (!surface.correlation()) return {};
     if (lobe == DiffuseLobe::rough_limit) {
-        throw Error{"lobe rough_limit of a correlation that is not gaussian: must be full, first_order or none"};
+        throw Error{
+            "lobe rough_limit of a correlation that is not gaussian: must be full, first_order or none"};
     }
     std::vector<Surface> seen;
     seen.reserve(samples.size());

@@ -88,7 +88,7 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
          std::move(returned.rows), returned.centre, returned.scale},
         std::ranges::all_of(samples,
                             [](const SpectralSample& s) {
-                                return std::hypot(s.index.n(), s.index.k()) >=
+                                return std::hypot(s.index.substrate().n(), s.index.substrate().k()) >=
                                        std::sqrt(unified_detail::dense_square);
                             }),
         samples.size(),
@@ -97,7 +97,7 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
     for (std::size_t i = 0; i < padded; ++i) {
         const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
         const UnifiedWave& wave = waves[std::min(i, samples.size() - 1)];
-        const double n = s.index.n(), k = s.index.k();
+        const double n = s.index.substrate().n(), k = s.index.substrate().k();
         const double d_real = (n - 1) * (n + 1) - k * k, d_imaginary = 2 * n * k;
         const double wave_squared = square(s.wavelength.wave_number());
         const auto set = [&p, padded, i](Prepared::Column column, double value) {
@@ -141,6 +141,13 @@ void require_theory(const Surface& surface, const UnifiedChoices& choices) {
 
 }  // namespace
 
+void require_theory_of_films(const UnifiedChoices& choices) {
+    if (choices.mirror == UnifiedChoices::Mirror::second_order)
+        throw Error{"mirror second_order: must be closed where there are films"};
+    if (choices.polarisation_mixing)
+        throw Error{"polarisation_mixing true: must be false where there are films"};
+}
+
 struct HeUnifiedSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
@@ -155,6 +162,9 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
       choices_{choices},
       return_factor_{surface},
       mixed_{choices.polarisation_mixing ? mixed_share(surface) : 0} {
+    const bool coated =
+        std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
+    if (coated) require_theory_of_films(choices);
     require_theory(surface, choices);
     waves_.reserve(samples_.size());
     for (const Surface& seen : evaluation_detail::seen_surfaces(surface_, samples_, lobe_))
@@ -163,9 +173,9 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
         const ReturnFactor& m = seen_.empty() ? return_factor_ : seen_[waves_.size()].return_factor;
         waves_.emplace_back(surface_, m, sample.wavelength, sample.index);
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
-            mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index);
+            mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
-    if (lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
+    if (coated || lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
     const Forms forms = unified_detail::forms(tolerance);

@@ -56,10 +56,10 @@ struct UnifiedView {
 struct UnifiedWave {
     ///   m   of what the wavelength sees of the surface
     UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
-                const RefractiveIndex& of);
+                const CoatedIndex& of);
 
     Surface surface, seen;  ///< and what the wavelength sees of it: `Surface::seen_by`
-    RefractiveIndex index;
+    CoatedIndex index;
     double k_sigma, k_tau;  ///< of an anisotropic surface with sqrt(tau_x tau_y); tau of what is seen
     double k_length;        ///< with the surface's own correlation length: of the lobe
     double lift;            ///< Z
@@ -68,7 +68,7 @@ struct UnifiedWave {
 
 /// Reflectance of uniform unpolarised light by the flat surface, 2 times the integral of |F|^2 c dc [1].
 ///   error   1e-12, absolute
-[[nodiscard]] double flat_reflectance(const RefractiveIndex& index);
+[[nodiscard]] double flat_reflectance(const CoatedIndex& index);
 
 /// Z, which lifts cos theta in the denominators of Bragg's p: 0.25 (k sigma_0)^2 (k tau)^(-3/2).
 /// Fitted for k sigma_0 <= 6 and k tau >= 2; beyond, it fades with 6/(k sigma_0) and with (k tau/2)^(5/2), so that it vanishes in
@@ -80,7 +80,7 @@ struct UnifiedWave {
 ///             ss: -(e - 1) cos phi/((c_i + r_i)(c_r + r_r)),    pp: (e - 1)(r_i r_r cos phi - e s_i s_r)/(N_i N_r),
 ///             sp: -(e - 1) r_i sin phi/(N_i (c_r + r_r)),       ps: -(e - 1) r_r sin phi/((c_i + r_i) N_r)
 ///   limits    2 c_i c_r b is 2 cos^2 theta_d facet_jones in the mirror direction with Z = 0, and differs from it by O(v_xy^2)
-[[nodiscard]] JonesMatrix bragg_jones(const Direction& in, const Direction& out, const RefractiveIndex& index,
+[[nodiscard]] JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedIndex& index,
                                       double lift) noexcept;
 
 /// Phi, beta and w = 1 - beta.

@@ -84,6 +84,7 @@ Quantity gradient(Shape trailing, bool views, OfPair of_pair) {
                 double* to = out.data();
                 for (const Pair& pair : pairs) {
                     for (const SpectralSample& at : of.samples()) {
+                        if (at.index.coated()) throw Error{"gradient: must be of a surface without films"};
                         for (const auto& derivative : in_order(of_pair(*surface, pair, at))) {
                             if constexpr (std::is_same_v<decltype(derivative), const double&>) {
                                 *to++ = derivative;
@@ -159,17 +160,21 @@ Quantity derivatives(const std::string& of) {
     using At = SpectralSample;
     if (of == "brdf") {
         return gradient({derivative_count}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return brdf_gradient({s, d.in, d.out}, at.wavelength, at.index, at.uniform_diffuse).by;
+            return brdf_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate(), at.uniform_diffuse)
+                .by;
         });
     }
     if (of == "mueller") {
         return gradient({derivative_count, 4, 4}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return directional_diffuse_mueller_gradient({s, d.in, d.out}, at.wavelength, at.index).by;
+            return directional_diffuse_mueller_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate())
+                .by;
         });
     }
     if (of == "specular") {
         return gradient({derivative_count}, false, [](const Surface& s, const Pair& d, const At& at) {
-            return specular_reflectance_gradient(s, view_gradient(s, d.in), at.wavelength, at.index).by;
+            return specular_reflectance_gradient(s, view_gradient(s, d.in), at.wavelength,
+                                                 at.index.substrate())
+                .by;
         });
     }
     throw Error{"of \"" + of + "\": must be \"brdf\", \"mueller\" or \"specular\""};

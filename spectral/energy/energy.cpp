@@ -64,7 +64,7 @@ HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurfac
 }
 
 HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
-                                                               const RefractiveIndex& index,
+                                                               const CoatedIndex& index,
                                                                const Wavelength& wavelength,
                                                                const Direction& in,
                                                                const Stokes& light) noexcept {

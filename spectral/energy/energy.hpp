@@ -43,7 +43,7 @@ struct HemisphericalReflectance {
 /// nothing else counts, unless it is anisotropic.
 ///   light   of positive intensity
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
-                                                                             const RefractiveIndex& index,
+                                                                             const CoatedIndex& index,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in,
                                                                              const Stokes& light) noexcept;

@@ -31,7 +31,7 @@ double mirror_loss(const Surface& surface, const View& in, const Wavelength& wav
 
 double total_reflectance(const View& in, const SpectralSample& sample) {
     return sample.uniform_diffuse * std::numbers::pi +
-           fresnel(in.direction.cos_theta(), sample.index).unpolarised_reflectance();
+           sample.index.amplitudes(in.direction.cos_theta()).unpolarised_reflectance();
 }
 
 bool leaves_what_was_measured(const Finding& finding) {

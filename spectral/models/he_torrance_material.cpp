@@ -9,7 +9,7 @@
 #include "hts/he_torrance.hpp"
 #include "hts/unified/he_unified.hpp"
 #include "spectral/energy/compensation.hpp"
-#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/spectral_number.hpp"
 #include "spectral/models/surface_reader.hpp"
@@ -76,7 +76,7 @@ void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::spa
                      lobe.lobe_argument,
                      of.surface().rms_roughness(),
                      lobe.shadowing,
-                     fresnel(cos_theta_d, of.samples()[i].index).unpolarised_reflectance(),
+                     of.samples()[i].index.amplitudes(cos_theta_d).unpolarised_reflectance(),
                      lobe.kicks.method};
     }
 }
@@ -184,8 +184,8 @@ class RoughSurfaceEvaluator final : public Evaluator {
 };
 
 /// What a caller knows better goes before the constants, which then need not be known there.
-RefractiveIndex index_of(const OpticalConstants& constants, const Wavelength& wavelength,
-                         const EvaluationOptions& options) {
+RefractiveIndex substrate_of(const OpticalConstants& constants, const Wavelength& wavelength,
+                             const EvaluationOptions& options) {
     const auto &n = options.instead.n, &k = options.instead.k;
     if (n && k) return {*n, *k};
     const RefractiveIndex own = constants.index(wavelength, options.outside);
@@ -228,14 +228,13 @@ std::string groove_warning(const Surface& surface) {
 }
 
 std::vector<std::string> known_keys(std::vector<std::string> own = {}) {
-    own.insert(own.end(), {"name", "model", "index", "diffuse_albedo"});
+    own.insert(own.end(), {"name", "model", "index", "films", "diffuse_albedo"});
     own.insert(own.end(), surface_keys().begin(), surface_keys().end());
     return own;
 }
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
-    return he_torrance_material(file.default_name, surface,
-                                optical_constants_from(file.json["index"], file.folder),
+    return he_torrance_material(file.default_name, surface, coated_constants_from(file.json, file.folder),
                                 albedo_from(file.json.find("diffuse_albedo")));
 }
 
@@ -266,16 +265,19 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
 }
 
 Material he_torrance_material(const std::string& name, const RoughSurface& surface,
-                              const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
+                              const CoatedConstants& constants, const DiffuseAlbedo& albedo) {
     const auto prepare = [surface, constants, albedo](const std::string& of,
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
-        const RoughSurface rough = surface.with(given.of(surface));
+        RoughSurface rough = surface.with(given.of(surface));
+        if (surface.band() && !given.rms_roughness) rough = rough.stated_for(*surface.band());
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-            const RefractiveIndex index = index_of(constants, wavelengths[i], options);
+            const CoatedIndex index =
+                constants.on(substrate_of(constants.substrate(), wavelengths[i], options), wavelengths[i],
+                             options.outside);
             const double own =
                 given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
             samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
@@ -316,7 +318,10 @@ Material read_he_unified(const MaterialFile& file) {
     file.json.require_keys_among(known_keys({"mirror", "polarisation_mixing"}));
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
                                  .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
-    return material_from(file, RoughSurface{{1, 1}, choices}.with(surface_from(file.json, file.folder)));
+    if (const auto films = file.json.find("films"); films && !films->items().empty())
+        located(file.json.place(), [&] { require_theory_of_films(choices); });
+    const RoughSurface rough = surface_from(file.json, file.folder), unified{rough, choices};
+    return material_from(file, rough.band() ? unified.stated_for(*rough.band()) : unified);
 }
 
 }  // namespace hts::spectral

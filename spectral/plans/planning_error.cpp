@@ -273,7 +273,7 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
         const double shadowing =
             mirror_shadowing(*full_.at_nodes().properties().surface, in, samples[i].wavelength);
         const double reflected =
-            fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
+            samples[i].index.amplitudes(in.cos_theta()).unpolarised_reflectance() * shadowing +
             samples[i].uniform_diffuse * std::numbers::pi;
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }

@@ -164,8 +164,10 @@ class Checksum {
 
 void add_samples(Checksum& checksum, const Reflectance& reflectance) {
     for (const SpectralSample& sample : reflectance.samples()) {
-        checksum.add(sample.index.n());
-        checksum.add(sample.index.k());
+        checksum.add(sample.index.substrate().n());
+        checksum.add(sample.index.substrate().k());
+        for (const auto& film : sample.index.film_numbers())
+            for (const double number : film) checksum.add(number);
         checksum.add(sample.uniform_diffuse);
     }
 }
