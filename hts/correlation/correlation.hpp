@@ -17,12 +17,13 @@
 
 namespace hts {
 
-// Of `Correlation::lobe`, for 1e-5 <= g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold each against series, quadrature, or the transform on another grid.
+// Of `Correlation::lobe`, for g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold them against series,
+// quadrature, and the transform on another grid.
 namespace accuracy {
 /// Relative, of 2 D and of the mean of 1/m, where D is over 1e-3 of its greatest value.
 inline constexpr double correlation_lobe = 1e-6;
-/// The same of nu from 1/4 and of two-scale shapes, whose lengths differ by up to 100.
-inline constexpr double correlation_two_scales = 1e-5;
+/// The same of nu = 1/4 and of two-scale shapes, whose lengths differ by up to 100.
+inline constexpr double correlation_two_scales = 5e-5;
 /// The same from there down to 1e-8.
 inline constexpr double correlation_tail = 1e-4;
 /// Of `variance_below` and `slope_variance_below`, relative.
@@ -79,7 +80,7 @@ class Correlation {
     ///   cost   some 0.2 s, once for every shape of the same numbers
     void prepare() const;
     /// 2 D and beta.
-    ///   g       0 ... most_phase_variance; beyond that of the end, in scale      q   >= 0
+    ///   g       0 ... most_phase_variance; beyond, the value there      q   >= 0
     ///   error   accuracy::correlation_lobe, accuracy::correlation_tail
     [[nodiscard]] ScatteringIntegral lobe(double g, double q) const noexcept;
     static constexpr double most_phase_variance = 1e8;

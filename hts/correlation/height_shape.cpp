@@ -60,8 +60,8 @@ class Matern final : public HeightShape {
                 }
                 before = here;
             }
-            const double whole = x > 0.05 ? correlation(x) : 0;
             const bool near = x < 2 && sum < 0.5;
+            const double whole = near ? 0 : correlation(x);
             result.complement[i] = near ? sum : 1 - whole;
             result.correlation[i] = near ? 1 - sum : whole;
         }
@@ -73,8 +73,8 @@ class Matern final : public HeightShape {
     /// -x C'(x)
     [[nodiscard]] double slope(double x) const {
         const double order = std::abs(nu_ - 1);
-        if (order > 4 && x < 1e-3) {
-            // K_m = Gamma(m)/2 (x/2)^-m (1 - x^2/(4 (m - 1)) + ...)
+        if ((order > 4 && x < 1e-3) || (nu_ > 2 && x < 1e-8)) {
+            // K_m = Gamma(m)/2 (x/2)^-m (1 - x^2/(4 (m - 1)) + ...), where the power would overflow
             return square(x) / (2 * (nu_ - 1)) * (1 - square(x) / (4 * (order - 1)));
         }
         return std::exp(log_factor_ + (nu_ + 1) * std::log(x)) * boost::math::cyl_bessel_k(order, x);

@@ -15,7 +15,7 @@ namespace hts::correlation_detail {
 namespace {
 
 constexpr double log_range = 60;               // of a transform, in ln x
-constexpr double lowest = -50, highest = 32;   // ln x where C is known
+constexpr double lowest = -200, highest = 32;  // ln x where C is known
 constexpr double least_share = 1e-11;          // of the greatest q D: below, the transform's digits run out
 constexpr double logarithm_of_nothing = -690;  // ln D at least
 
@@ -161,22 +161,6 @@ LobeRow::Value LobeRow::operator()(double q) const {
     return {std::max(log_lobe, logarithm_of_nothing), at_reach_.log_inverse_mean};
 }
 
-double LobeRow::shoulder(std::size_t greatest) const {
-    constexpr double share = 0.8, twice = 2;  // with them it is about (D/(-D''))^(1/2) at q = 0
-    const auto q = [&](double position) { return std::exp(first_log_q_ + position * step_); };
-    const auto high = [&](double position) {
-        return smooth(lobe_, position) > share * at_zero_ * q(position);
-    };
-    double inside = static_cast<double>(greatest);
-    while (inside > 0 && !high(inside)) --inside;
-    double outside = inside + 1;
-    for (int i = 0; i < 50; ++i) {
-        const double middle = (inside + outside) / 2;
-        (high(middle) ? inside : outside) = middle;
-    }
-    return twice * q(inside);
-}
-
 LobeIntegral::LobeIntegral(ShapePointer shape, std::size_t points)
     : shape_{std::move(shape)},
       transform_{points, log_range / static_cast<double>(points)},
@@ -192,7 +176,7 @@ LobeRow LobeIntegral::row(double g) const {
     const std::size_t first = std::clamp(centre, points / 2, grid_.count - points / 2 - 1) - points / 2;
     const double log_centre = grid_[first + points / 2];
     std::vector<std::complex<double>> values(points);
-    double lobe = 0, second = 0;
+    double lobe = 0, second = 0, reach = 0;
     const double whole = kernel(g, 1, 0), whole_second = scaled_sum(g, g, 0);
     for (std::size_t i = 0; i < points; ++i) {
         const double x = std::exp(grid_[first + i]);
@@ -203,6 +187,7 @@ LobeRow LobeIntegral::row(double g) const {
         values[i] = {x * f, x * f2};
         lobe += x * x * f;
         second += x * x * f2;
+        reach += x * x * x * f;
     }
     transform_.hankel(values);
     LobeRow row;
@@ -216,7 +201,8 @@ LobeRow LobeIntegral::row(double g) const {
         row.second_.push_back(values[i].imag());
         if (row.lobe_[i] > row.lobe_[greatest]) greatest = i;
     }
-    row.width_ = row.shoulder(greatest);
+    // of one scale near 2 (D/-D'')^(1/2); of several that of the narrowest lobe, which it leaves slowly as g grows
+    row.width_ = reach > 0 ? 1.77 * lobe / reach : std::sqrt(-2 * std::expm1(-g) / row.at_zero_);
     std::size_t end = greatest;
     while (end + 8 < points && row.lobe_[end] > least_share * row.lobe_[greatest]) ++end;
     row.reach_ = std::exp(row.first_log_q_ + static_cast<double>(end - 4) * row.step_);
@@ -286,8 +272,10 @@ LobeRow::Value LobeTable::operator()(double g, double q) const noexcept {
     if (column > last)  // a power of q
         value.log_lobe += (column - last) * (value.log_lobe - at(by_g.first, by_g.of, last - 1).log_lobe);
     if (g < least_g) {
-        value.log_lobe += std::log(g / least_g);
-        value.log_inverse_mean *= g / least_g;  // 1 - (1/m) ~ g
+        // e^-g (g W_1 + g^2/2 W_2), where 1 - D2/D = g/4 W_2/W_1
+        const double share = g / least_g;
+        value.log_lobe += std::log(share) + (least_g - g) + 2 * (1 - share) * value.log_inverse_mean;
+        value.log_inverse_mean *= share;
     }
     return {value.log_lobe, std::min(value.log_inverse_mean, 0.0)};
 }

@@ -20,7 +20,7 @@ class LobeRow {
 
     /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the power of q it has there.
     [[nodiscard]] Value operator()(double q) const;
-    /// Twice the q at which the lobe has fallen to 0.8 of its height: where it has its shoulder.
+    /// Where the lobe has its shoulder, 1.77 D(0)/integral of f x^2 dx.
     [[nodiscard]] double width() const noexcept { return width_; }
     /// q beyond which the value is extrapolated.
     [[nodiscard]] double reach() const noexcept { return reach_; }
@@ -28,7 +28,6 @@ class LobeRow {
   private:
     friend class LobeIntegral;
     [[nodiscard]] Value transformed(double q) const;
-    [[nodiscard]] double shoulder(std::size_t greatest) const;
 
     double step_ = 0, first_log_q_ = 0;  // of the transform
     std::vector<double> lobe_, second_;  // q D, q D2
@@ -57,7 +56,7 @@ class LobeTable {
 
     explicit LobeTable(const ShapePointer& shape);
 
-    ///   g   > 0: below least_g the first order is exact to g; above greatest_g that value is held in scale
+    ///   g   > 0: below least_g by the first two orders; above greatest_g that value is held
     [[nodiscard]] LobeRow::Value operator()(double g, double q) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -140,8 +140,12 @@ ScaledShape scaled(const LogCurve& curve, bool continued) {
     };
     const LogGrid grid{-4000, 8000, 0.01};
     const Heights heights = of_length(1)->heights(grid);
-    const auto fallen = std::ranges::lower_bound(heights.complement, 1 - 1 / std::numbers::e);
-    const double length = std::exp(grid[static_cast<std::size_t>(fallen - heights.complement.begin())]);
+    const double wanted = 1 - 1 / std::numbers::e;
+    const auto found = std::ranges::lower_bound(heights.complement, wanted) - heights.complement.begin();
+    const auto above =
+        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found, 1, std::ssize(heights.complement) - 1));
+    const double low = heights.complement[above - 1], high = heights.complement[above];
+    const double length = std::exp(grid[above] - grid.step * (high - wanted) / (high - low));
     return {of_length(length), length, variance};
 }
 

@@ -179,6 +179,20 @@ TEST_CASE("Correlation: the table is the transform, and that is the same on a gr
     }
 }
 
+TEST_CASE("Correlation: the first order is the spectrum, of rough and of smooth shapes") {
+    for (const double nu : {0.05, 0.1, 0.3, 0.9, 3.3, 20.0, 50.0}) {
+        const Correlation shape = Correlation::matern(nu);
+        WorstCase worst{"first order, nu = " + shortest(nu), 4e-7};
+        const double g = 1e-7;
+        for (const double q : {0.0, 0.1, 1.0, 3.0, 8.0}) {
+            const double expected = 2 * g * std::exp(shape.log_spectrum(q));
+            if (expected < 1e-3 * 2 * g * std::exp(shape.log_spectrum(0))) continue;
+            worst.note(relative_error(shape.lobe(g, q).value, expected), [&] { return place(g, q); });
+        }
+        worst.check();
+    }
+}
+
 TEST_CASE("Correlation: all the light is there, and lobes are positive and fall") {
     for (const auto& [name, shape] : shapes()) {
         // beyond the table the power of q is that of its end, which nu = 1/4 is slow to reach
@@ -318,8 +332,8 @@ TEST_CASE("Correlation: what no surface has is refused") {
     refuses([&] { return Correlation::of_spectrum(up, flat, true); }, "variance of heights is infinite");
     refuses([&] { return Correlation::of_profile_spectrum(up, flat, false); },
             "variance of heights is infinite");
-    const std::vector<double> hill{1, 9, 1};
-    refuses([&] { return Correlation::of_profile_spectrum(up, hill, false); },
+    const std::vector<double> far{1, 5, 50}, hill{1, 9, 0.01};
+    refuses([&] { return Correlation::of_profile_spectrum(far, hill, false); },
             "Abel transform is not positive at 1/um");
     const std::vector<double> high{0.9, 0.8, 0.5}, above{1.5, 0.5, 0};
     refuses([&] { return Correlation::of_autocorrelation(up, high); }, "last autocorrelation 0.5");

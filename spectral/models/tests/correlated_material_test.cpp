@@ -270,7 +270,7 @@ TEST_CASE("Correlated material: what is wrong is said with its key or line") {
     wrong(rms + R"("correlation_length_um": 1, "rms_band_um": [5, 2])",
           R"(key "rms_band_um": the shortest period, 5, must be below the longest, 2)");
     wrong(rms + R"("correlation_length_um": 1, "rms_band_um": [0, 2])",
-          R"(key "rms_band_um[0]": the shortest period must be > 0)");
+          R"(key "rms_band_um[1]": the shortest period must be > 0)");
     wrong(rms + R"("correlation_length_um": 1, "rms_band_um": [1e-9, 2e-9])", "none at these periods");
     const Folder folder;
     const auto refused = [&](const std::string& rows, const std::string& text) {
