@@ -16,14 +16,16 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
-void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept {
+void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) {
+    gain_.note(reflectance, pair.in);
     const auto& surface = reflectance.properties().surface;
     if (!surface) return;
     for (const SpectralSample& sample : reflectance.samples())
         note(spectral::validity(*surface, pair, sample));
 }
 
-void ValidityWarning::print() const {
+void ValidityWarning::print(const std::string& source) const {
+    gain_.print(source);
     if (outside_ == 0) return;
     std::cerr << "hts: " << outside_ << " of " << count_ << " values " << (count_ == 1 ? "is" : "are")
               << " outside the model's validity (" << criteria() << "): see hts info\n";

@@ -1,4 +1,5 @@
-/// The one line on standard error that says how much of an answer lies outside the model's validity.
+/// What standard error says of an answer: how much of it lies outside the model's validity, and that the material
+/// reflects more than falls in.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <cstddef>
 #include <string>
 
+#include "cli/answers/gain_warning.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/models/reflectance.hpp"
 
@@ -15,17 +17,19 @@ namespace hts::cli {
 class ValidityWarning {
   public:
     void note(const spectral::Validity& verdict) noexcept;
-    /// Verdicts at one pair and every wavelength, of rough surfaces; of others nothing is known.
-    void note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept;
+    /// Verdicts at one pair and every wavelength, of rough surfaces; of others their gain alone is asked.
+    void note(const spectral::Reflectance& reflectance, const DirectionPair& pair);
     /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if
-    /// none is.
-    void print() const;
+    /// none is. The same of a gain.
+    ///   source   the material's file
+    void print(const std::string& source) const;
 
   private:
     [[nodiscard]] std::string criteria() const;
 
     std::atomic<std::size_t> count_{0}, outside_{0};
     std::array<std::atomic<bool>, spectral::criterion_count> broken_{};
+    GainWarning gain_;
 };
 
 }  // namespace hts::cli

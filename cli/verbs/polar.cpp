@@ -73,7 +73,7 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     TableWriter table{output,
                       format,
                       {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
-                       "specular_average", "radius"}};
+                       "specular_average_per_sr", "radius"}};
     std::string text;
     for (const PolarCurve& curve : curves) {
         for (const PolarPoint& point : curve.points) {
@@ -114,7 +114,7 @@ void warn(const PolarOptions& options, const spectral::Reflectance& reflectance)
         const Direction in = Direction::from_degrees(degrees, 0);
         warning.note(reflectance, {in, in.mirror()});
     }
-    warning.print();
+    warning.print(options.material.path);
 }
 
 void write(const PolarOptions& options, const spectral::Reflectance& reflectance) {

@@ -6,8 +6,11 @@
 #   largest                      what the outermost circle stands for, where the radius is linear
 #   decades, top                 else the decades from the middle out, and the power of ten at the outermost
 #                                circle
-colours = '#0072b2 #d55e00 #009e73 #aa4499 #000000 #e69f00 #56b4e9 #777777'
-colour(i) = word(colours, (i - 1) % 8 + 1)
+apart = 1
+do for [i=1:|theta_i|] { do for [j=1:i-1] {
+    if (angle_colour(theta_i[i]) eq angle_colour(theta_i[j])) { apart = 0 }
+} }
+colour(i) = apart ? angle_colour(theta_i[i]) : word(curve_colours, (i - 1) % 8 + 1)
 L(v) = 1 + (log10(v) - top) / decades
 R(v) = decades == 0 ? v / largest : v > 0 && L(v) > 0 ? L(v) : 0
 

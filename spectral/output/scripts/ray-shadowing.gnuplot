@@ -18,8 +18,8 @@ set key at graph 0.03,0.04 left bottom Left reverse samplen 2 font ',13'
 do for [i=0:|slope|-1] {
     set title sprintf('σ_0/τ = %.6g', slope[i + 1]) font ',14' offset 0,-0.7
     if (i + 3 >= |slope|) { set xlabel 'angle [°]' offset 0,0.5 }
-    plot $shares index i using 1:5 with lines lw 2.2 lc rgb '#0072b2' title 'Smith S_1', \
-        $shares index i using 1:6 with lines lw 2.2 lc rgb '#e69f00' title 'S of He et al.', \
+    plot $shares index i using 1:5 with lines lw 2.2 lc rgb '#e69f00' title 'Smith S_1', \
+        $shares index i using 1:6 with lines lw 2.2 lc rgb '#0072b2' title 'S of this model', \
         $shares index i using 1:7 with lines lw 2.2 dt 2 lc rgb '#d55e00' title 'heights correlated', \
         $shares index i using 1:2:3 with yerrorbars pt 7 ps 0.6 lc rgb '#000000' title 'lit', \
         $shares index i using 1:4 with points pt 6 ps 0.7 lc rgb '#000000' title 'lit and seen'
