@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t glyph_height = 7;
 using Glyph = std::array<std::string_view, glyph_height>;
 
-constexpr Glyph opening{"..#", ".#.", ".#.", ".#.", ".#.", ".#.", "..#"};
-constexpr Glyph closing{"#..", ".#.", ".#.", ".#.", ".#.", ".#.", "#.."};
+constexpr Glyph left_bracket{"..#", ".#.", ".#.", ".#.", ".#.", ".#.", "..#"};
+constexpr Glyph right_bracket{"#..", ".#.", ".#.", ".#.", ".#.", ".#.", "#.."};
 constexpr std::array<Glyph, letters> alphabet{{
     {".....", ".....", ".###.", "....#", ".####", "#...#", ".####"},
     {"#....", "#....", "####.", "#...#", "#...#", "#...#", "####."},
@@ -25,7 +25,7 @@ constexpr std::array<Glyph, letters> alphabet{{
 
 /// Of a letter in parentheses: whether a dot of it is black, counted from its upper left corner.
 bool is_black(std::size_t place, std::size_t column, std::size_t row) {
-    for (const Glyph& glyph : {opening, alphabet[place], closing}) {
+    for (const Glyph& glyph : {left_bracket, alphabet[place], right_bracket}) {
         const std::size_t width = glyph[row].size();
         if (column < width) return glyph[row][column] == '#';
         if (column == width) return false;
