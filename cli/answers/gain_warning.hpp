@@ -9,13 +9,13 @@
 
 namespace hts::cli {
 
-/// A lower bound of the directional-hemispherical reflectance: of rough surfaces the integral, of others the mean
-/// weight of draws less three standard errors; none where nobody knows how to draw.
+/// A lower bound of the directional-hemispherical reflectance: of rough surfaces the integral, of others the
+/// mean weight of draws less three standard errors; none where nobody knows how to draw.
 [[nodiscard]] std::optional<double> least_reflectance(const spectral::Reflectance& reflectance,
                                                       const Direction& in, std::size_t wavelength);
 
-/// Looks at the steepest incidence of those it is told, at the first of its wavelengths. From any thread; what it
-/// says does not depend on their order.
+/// Looks at the steepest incidence of those it is told, at the first of its wavelengths. From any thread;
+/// what it says does not depend on their order.
 class GainWarning {
   public:
     void note(const spectral::Reflectance& reflectance, const Direction& in);

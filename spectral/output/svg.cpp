@@ -91,7 +91,8 @@ std::string titled(std::string_view drawn) {
 /// Filled circles of one size and colour after each other, as one path of points with round ends.
 class Dots {
   public:
-    /// Takes a line "<use xlink:href='#gpPt6' transform='translate(1,2) scale(3)' color='red'/>"; false for others.
+    /// Takes a line "<use xlink:href='#gpPt6' transform='translate(1,2) scale(3)' color='red'/>"; false for
+    /// others.
     bool take(std::string_view line, std::string& svg) {
         constexpr std::string_view begin = "<use xlink:href='#gpPt6' transform='translate(",
                                    size = ") scale(", colour = ")' color='";

@@ -249,7 +249,7 @@ Figure polar_overlay(const ComparisonPicture& picture) {
         angles.push_back(picture.set.curves[number].fixed_angle());
     }
     for (int ring = 1; ring <= Radius::rings; ++ring) rings.push_back(radius.label(ring));
-    script.set("curve", shown).set("name", names).set("fixed", angles).set("ring", rings);
+    script.set("curve", shown).set("name", names).set("theta_i", angles).set("ring", rings);
     script.set("largest", radius.largest).set("decades", radius.decades);
     return {picture.stem + "-polar",
             {points_table(picture), lines_table(picture)},

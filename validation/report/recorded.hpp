@@ -14,8 +14,8 @@
 
 namespace hts::validation {
 
-/// Whether two texts are the same but for their numbers, and those agree to a relative tolerance; numbers below
-/// 1e-9 are rounding and agree.
+/// Whether two texts are the same but for their numbers, and those agree to a relative tolerance; numbers
+/// below 1e-9 are rounding and agree.
 [[nodiscard]] bool agree(std::string_view recorded, std::string_view found, double tolerance);
 
 class Record {
@@ -25,8 +25,8 @@ class Record {
     /// hts::Error "file: …" for what is no record.
     [[nodiscard]] static Record parse(const std::string& text, std::string file);
 
-    /// A line for each check whose verdict or numbers are not those recorded, that is not recorded, or that is
-    /// recorded and was not made: "SECTION: CLAIM: 0.31, recorded 0.27". Of the sections given only.
+    /// A line for each check whose verdict or numbers are not those recorded, that is not recorded, or that
+    /// is recorded and was not made: "SECTION: CLAIM: 0.31, recorded 0.27". Of the sections given only.
     ///   effort   of the computation: what is recorded of the other one is not missed
     [[nodiscard]] std::vector<std::string> contradictions(const std::vector<Section>& sections,
                                                           Effort effort) const;

@@ -1,14 +1,9 @@
 # Measured dots and the model's lines, polar, in the plane of incidence.
 #   surface, model, legend         texts
 #   points, lines                  CSV files, with the number of the curve in column 1
-#   curve[], name[], fixed[]       numbers, names and angles of the curves that are shown
+#   curve[], name[], theta_i[]      numbers, names and angles of the curves that are shown
 #   largest, decades, ring[]       radius: the value at the outermost circle, decades from the middle or 0 if
 #                                  linear, labels
-apart = 1
-do for [i=1:|fixed|] { do for [j=1:i-1] {
-    if (angle_colour(fixed[i]) eq angle_colour(fixed[j])) { apart = 0 }
-} }
-colour(i) = apart ? angle_colour(fixed[i]) : word(curve_colours, i)
 L(v) = decades == 0 ? v / largest : v > 0 ? 1 + log10(v / largest) / decades : 0
 R(v) = L(v) < 0 ? 0 : L(v) > 1 ? 1 : L(v)
 set label surface at screen 0.03,0.965 left noenhanced font ',17' tc rgb '#111111'
@@ -42,7 +37,7 @@ do for [i=1:|ring|] {
 }
 do for [i=1:|curve|] {
     picked = sprintf(' every ::1 using ($1 == %d ? R(', curve[i])
-    style = sprintf(' lc rgb "%s" ', colour(i))
+    style = sprintf(' lc rgb "%s" ', curve_colour(i))
     dots = 'points' . picked . '$5)*sin($3) : NaN):(R($5)*cos($3)) with points pt 7 ps 0.42' . style . \
         'notitle, '
     line = 'lines' . picked . '$4)*sin($3) : NaN):(R($4)*cos($3)) with lines lw 2' . style
