@@ -5,13 +5,31 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <mutex>
+#include <optional>
 #include <string>
 
-#include "cli/answers/gain_warning.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
+
+/// Looks at the steepest incidence of those it is told, at the first of its wavelengths. From any thread;
+/// what it says does not depend on their order.
+class GainWarning {
+  public:
+    void note(const spectral::Reflectance& reflectance, const Direction& in);
+    ///   source   the material's file
+    void print(const std::string& source) const;
+
+  private:
+    struct Place {
+        spectral::Reflectance reflectance;
+        Direction in;
+    };
+    std::mutex mutex_;
+    std::optional<Place> place_;
+};
 
 /// Counts verdicts, from any thread; what it says does not depend on their order.
 class ValidityWarning {
