@@ -37,7 +37,7 @@ do for [i=1:|ring|] {
 }
 do for [i=1:|curve|] {
     picked = sprintf(' every ::1 using ($1 == %d ? R(', curve[i])
-    style = sprintf(' lc rgb "%s" ', curve_colour(i))
+    style = sprintf(' lc rgb "%s" ', curve_colour(i, |theta_i|))
     dots = 'points' . picked . '$5)*sin($3) : NaN):(R($5)*cos($3)) with points pt 7 ps 0.42' . style . \
         'notitle, '
     line = 'lines' . picked . '$4)*sin($3) : NaN):(R($4)*cos($3)) with lines lw 2' . style

@@ -43,7 +43,7 @@ set label 'mirror side' at 1.32,0.03 right tc rgb '#666666' font ',13'
 do for [i=1:|theta_i|] {
     x = sin(-theta_i[i])
     y = cos(-theta_i[i])
-    set arrow from 1.29*x,1.29*y to 1.17*x,1.17*y head filled size 0.035,20,60 lc rgb curve_colour(i) lw 2.2
+    set arrow from 1.29*x,1.29*y to 1.17*x,1.17*y head filled size 0.035,20,60 lc rgb curve_colour(i, |theta_i|) lw 2.2
 }
 
 set label title at -1.3,1.39 left noenhanced tc rgb '#000000' font ',17'
@@ -59,4 +59,4 @@ plot sample \
   for [i=2:|ring|] [a=0:180] '+' using (r(i)*cos(a)):(r(i)*sin(a)) with lines lw 1 \
       lc rgb ring_colour(i) notitle, \
   for [i=1:|theta_i|] data every ::first[i]::last[i] using (R($6)*sin($2)):(R($6)*cos($2)) \
-      with lines lw 2.4 lc rgb curve_colour(i) title sprintf('θ_i = %.15g°', theta_i[i])
+      with lines lw 2.4 lc rgb curve_colour(i, |theta_i|) title sprintf('θ_i = %.15g°', theta_i[i])

@@ -18,7 +18,7 @@ set rmargin at screen 0.97
 set tmargin at screen 0.87
 set bmargin at screen 0.13
 set key bottom left samplen 2.5 opaque
-plot for [i=1:|theta_i|] data every ::first[i]::(middle[i]-1) using 4:7 with lines lw 2.4 lc rgb curve_colour(i) \
+plot for [i=1:|theta_i|] data every ::first[i]::(middle[i]-1) using 4:7 with lines lw 2.4 lc rgb curve_colour(i, |theta_i|) \
         title sprintf('θ_i = %.15g°', theta_i[i]), \
     for [i=1:|theta_i|] data every ::middle[i]::last[i] using 4:7 with lines lw 2.4 dt (8,5) \
-        lc rgb curve_colour(i) notitle
+        lc rgb curve_colour(i, |theta_i|) notitle

@@ -13,6 +13,6 @@ angle_colour(degrees) = word(angle_colours, int(floor(abs(degrees) / 15. + 0.5))
 curve_colours = '#0072b2 #d55e00 #009e73 #aa4499 #000000 #e69f00 #56b4e9 #777777'
 alike(i, j) = angle_colour(theta_i[i]) eq angle_colour(theta_i[j])
 shared_colours(count) = (sum [i=1:count] (sum [j=1:i-1] alike(i, j)))
-# Of the i-th curve, where theta_i[] has the angles of all.
-curve_colour(i) = shared_colours(|theta_i|) == 0 ? angle_colour(theta_i[i]) : \
+# Of the i-th of so many curves, where theta_i[] has the angles of all.
+curve_colour(i, count) = shared_colours(count) == 0 ? angle_colour(theta_i[i]) : \
     word(curve_colours, (i - 1) % 8 + 1)
