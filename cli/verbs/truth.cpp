@@ -13,6 +13,7 @@
 #include "validation/scattering/dielectric_scattering.hpp"
 #include "validation/scattering/exact_scattering.hpp"
 #include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/further_studies.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 
 namespace hts::cli {
@@ -40,15 +41,24 @@ Examples:
   hts truth rays --quick --output out/truth
   hts truth moments --output out/truth)";
 
+using validation::Effort;
+
 struct Truth {
     const char* name;
-    validation::GroundTruth (*study)(validation::Effort);
+    /// The file that takes what is solved is for the studies that take long.
+    validation::GroundTruth (*study)(Effort, const std::string& unfinished);
 };
 
-constexpr std::array studies{Truth{"moments", validation::exact_scattering_study},
-                             Truth{"dielectric", validation::dielectric_scattering_study},
-                             Truth{"fourier", validation::fourier_study},
-                             Truth{"rays", validation::rays_study}};
+constexpr std::array studies{
+    Truth{"moments", validation::exact_scattering_study},
+    Truth{"dielectric", validation::dielectric_scattering_study},
+    Truth{"unseen", validation::unseen_study},
+    Truth{"metal", validation::metal_study},
+    Truth{"grazing", validation::grazing_study},
+    Truth{"refinement",
+          [](Effort effort, const std::string&) { return validation::refinement_study(effort); }},
+    Truth{"fourier", [](Effort effort, const std::string&) { return validation::fourier_study(effort); }},
+    Truth{"rays", [](Effort effort, const std::string&) { return validation::rays_study(effort); }}};
 
 struct TruthOptions {
     std::string study, folder;
@@ -69,9 +79,12 @@ bool report(const std::vector<validation::Check>& checks) {
 void run(const TruthOptions& options) {
     const fs::path folder{options.folder};
     validation::GroundTruth truth;
+    const std::string unfinished =
+        options.quick ? std::string{} : (folder / (options.study + ".unfinished")).string();
+    if (!unfinished.empty()) fs::create_directories(folder);
     for (const Truth& each : studies) {
         if (options.study == each.name)
-            truth = each.study(options.quick ? validation::Effort::quick : validation::Effort::full);
+            truth = each.study(options.quick ? Effort::quick : Effort::full, unfinished);
     }
     for (const validation::FigureTable& table : truth.tables) {
         const auto path = (folder / (table.stem + ".csv")).string();
@@ -80,6 +93,7 @@ void run(const TruthOptions& options) {
     }
     for (const validation::Figure& figure : truth.section.figures)
         std::cout << write_figure(folder, figure).string() << '\n';
+    if (!unfinished.empty()) fs::remove(unfinished);
     if (!report(truth.section.checks))
         throw CheckFailed{"truth " + options.study + ": a check failed, see above"};
 }

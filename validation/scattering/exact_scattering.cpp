@@ -249,7 +249,8 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
     FigureTable table{
         std::move(stem),
         {"sigma0_over_lambda", "tau_over_lambda", "theta_i_deg", "theta_r_deg", "exact_te", "exact_tm",
-         "kirchhoff_currents", "kirchhoff", "he_torrance", "smith", "ratio_error_db"},
+         "kirchhoff_currents", "kirchhoff", "he_torrance", "smith", "ratio_error_db", "kirchhoff_currents_te",
+         "kirchhoff_currents_tm", "ratio_error_te_db", "ratio_error_tm_db"},
         {}};
     const bool ground = results.front().of.index.has_value();
     if (ground) table.columns.insert(table.columns.end(), {"he_torrance_te", "he_torrance_tm"});
@@ -261,7 +262,8 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
             std::vector<double> row = row_head(entry.te.of);
             row.insert(row.end(), {te.theta_r_deg, te.exact, tm.exact, both.kirchhoff});
             row.insert(row.end(), both.model.begin(), both.model.end());
-            row.push_back(both.ratio_error_db);
+            row.insert(row.end(), {both.ratio_error_db, te.kirchhoff, tm.kirchhoff, te.ratio_error_db,
+                                   tm.ratio_error_db});
             if (ground) row.insert(row.end(), {te.model[own], tm.model[own]});
             table.rows.push_back(std::move(row));
         }
@@ -342,10 +344,12 @@ std::string moment_provenance(const std::string& what, const MomentSettings& set
            " points per wavelength, tapered beam g = length/4, seeds from " + std::to_string(settings.study);
 }
 
-GroundTruth exact_scattering_study(Effort effort) {
+GroundTruth exact_scattering_study(Effort effort, const std::string& unfinished) {
     MomentSettings settings;
     if (effort == Effort::quick) settings.realisations = 40;
-    const auto results = moment_results(moment_grid(effort), incidence_deg(), settings);
+    std::vector<LitSurface> lit;
+    for (const RoughnessStatistics& surface : moment_grid(effort)) lit.push_back({surface, incidence_deg()});
+    const auto results = moment_results(lit, settings, unfinished);
     return ground_truth(
         moment_provenance("perfectly conducting", settings) + regenerating("moments", effort),
         {moment_map_table(results, "moment-method-map"), moment_lobe_table(results, "moment-method-lobes")},

@@ -8,6 +8,7 @@
 #include "hts/error.hpp"
 #include "spectral/jobs/progress.hpp"
 #include "spectral/statistics.hpp"
+#include "validation/scattering/moment_log.hpp"
 #include "validation/scattering/profile_study.hpp"
 
 namespace hts::validation {
@@ -269,13 +270,14 @@ std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
     return results;
 }
 
-std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>& surfaces,
-                                         const std::vector<double>& theta_i_deg,
-                                         const MomentSettings& settings) {
+std::vector<MomentResult> moment_results(const std::vector<LitSurface>& surfaces,
+                                         const MomentSettings& settings, const std::string& unfinished) {
+    MomentLog log{unfinished, settings};
     std::vector<MomentResult> results;
     const spectral::Job job{"", surfaces.size()};
-    for (const RoughnessStatistics& surface : surfaces) {
-        const auto some = moment_results(surface, theta_i_deg, settings);
+    for (const auto& [surface, angles] : surfaces) {
+        auto some = log.found(surface, angles);
+        if (some.empty()) log.add(some = moment_results(surface, angles, settings));
         results.insert(results.end(), some.begin(), some.end());
         job.done();
     }
