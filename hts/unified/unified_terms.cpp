@@ -118,7 +118,13 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
     const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
     const double g = square(wave.k_sigma * change.vertical);
     const double t = lobe_argument.value_or(square(wave.k_tau * change.horizontal / 2));
-    UnifiedLobe result{{}, g, t, kicks(g, t, lobe, tolerance), 0};
+    return unified_lobe(in, out, wave, g, t, kicks(g, t, lobe, tolerance));
+}
+
+UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const UnifiedWave& wave, double g,
+                         double t, const Kicks& kicks) noexcept {
+    const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
+    UnifiedLobe result{{}, g, t, kicks, 0};
     const auto& [phi, beta, w, method] = result.kicks;
     const double c_i = in.direction.cos_theta(), c_r = out.direction.cos_theta();
     const double cosines = c_i * c_r;

@@ -115,6 +115,11 @@ struct UnifiedLobe {
                                        Tolerance tolerance = Tolerance{accuracy::finest_tolerance},
                                        std::optional<double> lobe_argument = {}) noexcept;
 
+/// The same with Phi and beta of the caller's, so that they may be those of another kind of surface.
+///   g, t   that the result says
+[[nodiscard]] UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const UnifiedWave& wave,
+                                       double g, double t, const Kicks& kicks) noexcept;
+
 /// The share of the lobe that polarisation_mixing mixes.
 [[nodiscard]] double mixed_share(const Surface& surface) noexcept;
 

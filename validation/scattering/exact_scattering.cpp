@@ -254,6 +254,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
         {}};
     const bool ground = results.front().of.index.has_value();
     if (ground) table.columns.insert(table.columns.end(), {"he_torrance_te", "he_torrance_tm"});
+    table.columns.insert(table.columns.end(), {"kirchhoff_currents_te", "kirchhoff_currents_tm"});
     constexpr auto own = static_cast<std::size_t>(ProfileModel::he_torrance);
     for (const MapEntry& entry : entries(results)) {
         for (std::size_t i = 0; i < entry.te.bins.size(); ++i) {
@@ -262,9 +263,9 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
             std::vector<double> row = row_head(entry.te.of);
             row.insert(row.end(), {te.theta_r_deg, te.exact, tm.exact, both.kirchhoff});
             row.insert(row.end(), both.model.begin(), both.model.end());
-            row.insert(row.end(), {both.ratio_error_db, te.kirchhoff, tm.kirchhoff, te.ratio_error_db,
-                                   tm.ratio_error_db});
+            row.push_back(both.ratio_error_db);
             if (ground) row.insert(row.end(), {te.model[own], tm.model[own]});
+            row.insert(row.end(), {te.kirchhoff, tm.kirchhoff});
             table.rows.push_back(std::move(row));
         }
     }

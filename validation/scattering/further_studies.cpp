@@ -99,7 +99,7 @@ std::vector<LitSurface> drawn_surfaces(std::uint64_t seed, std::size_t count) {
 }
 
 GroundTruth unseen_study(Effort effort, const std::string& unfinished) {
-    MomentSettings chosen = settings(effort, 150, 64, 10);
+    MomentSettings chosen = settings(effort, 150, 50, 10);
     chosen.study = 2026;
     return computed({"unseen", "perfectly conducting, surfaces drawn by chance", chosen,
                      first_of(drawn_surfaces(2026, 14), effort, 2)},
@@ -109,7 +109,6 @@ GroundTruth unseen_study(Effort effort, const std::string& unfinished) {
 GroundTruth metal_study(Effort effort, const std::string& unfinished) {
     MomentSettings chosen = settings(effort, 160, 24, 30);
     chosen.index = metal;
-    if (effort == Effort::quick) chosen.length = 8;
     const std::vector<double> angles{20, 40, 60};
     return computed({"metal", "a metal of refractive index 0.16 + 3.6i", chosen,
                      first_of({{{0.1, 1}, angles}, {{0.25, 1}, angles}, {{0.25, 2}, angles}}, effort, 1)},

@@ -11,7 +11,7 @@ namespace hts::validation {
 ///   seed   fixed before anything was evaluated on these surfaces: 2026
 [[nodiscard]] std::vector<LitSurface> drawn_surfaces(std::uint64_t seed, std::size_t count);
 
-/// 14 of drawn_surfaces, 150 realisations of 64 wavelengths; quick: 2 of them, 20 realisations.
+/// 14 of drawn_surfaces, 150 realisations of 50 wavelengths; quick: 2 of them, 20 realisations.
 [[nodiscard]] GroundTruth unseen_study(Effort effort, const std::string& unfinished = {});
 /// A metal of refractive index 0.16 + 3.6i: 3 surfaces at 20, 40 and 60 degrees, 160 realisations of 24 wavelengths.
 [[nodiscard]] GroundTruth metal_study(Effort effort, const std::string& unfinished = {});
