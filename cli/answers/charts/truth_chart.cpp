@@ -1,4 +1,4 @@
-#include "cli/answers/truth_chart.hpp"
+#include "cli/answers/charts/truth_chart.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "bench/charts/machine.hpp"
+#include "cli/answers/charts/timed_evaluator.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/output/script.hpp"
-#include "spectral/processor_time.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 
@@ -66,15 +66,7 @@ Distances over(const std::vector<Distances>& all, double tolerance, const Statis
 
 // ---- times
 
-using Evaluator = std::function<void(const DirectionPair& pair, std::span<double> values)>;
-constexpr std::size_t channels = 4;
-
-const spectral::WavelengthGrid& wavelengths() {
-    static const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.54, 0.62, 0.70});
-    return grid;
-}
-
-std::vector<DirectionPair> random_pairs(std::uint64_t seed) {
+std::vector<DirectionPair> timed_pairs(std::uint64_t seed) {
     constexpr double lowest = 0.1736;  // 80 deg
     Random random{seed};
     std::vector<DirectionPair> pairs;
@@ -85,33 +77,10 @@ std::vector<DirectionPair> random_pairs(std::uint64_t seed) {
     return pairs;
 }
 
-/// Median over passes of the time of a pair [ns].
-double nanoseconds(const Evaluator& method, std::span<const DirectionPair> pairs) {
-    constexpr std::size_t passes = 15;
-    std::array<double, channels> spectrum{};
-    double sum = 0;  // keeps the calls alive
-    std::array<double, passes> times{};
-    for (double& time : times) {
-        const double start = spectral::thread_seconds();
-        for (const DirectionPair& pair : pairs) {
-            method(pair, spectrum);
-            sum += spectrum[0];
-        }
-        time = (spectral::thread_seconds() - start) * 1e9 / static_cast<double>(pairs.size());
-    }
-    return std::isnan(sum) ? 0 : spectral::median({times.begin(), times.end()});
-}
-
 /// A surface of the panel at 0.58 um.
 Surface timed_surface(const RoughnessStatistics& of) {
     constexpr double micrometres = 0.58;
     return {of.rms_roughness * micrometres, of.correlation_length * micrometres};
-}
-
-Evaluator evaluator_of(spectral::Reflectance reflectance) {
-    return [reflectance = std::move(reflectance)](const DirectionPair& pair, std::span<double> values) {
-        reflectance.brdf(pair, values);
-    };
 }
 
 spectral::Material rough_surface(const spectral::RoughSurface& surface) {
@@ -134,7 +103,7 @@ spectral::Material microfacets(const Surface& surface, const char* distribution)
 /// What the library has not as a model: Kirchhoff's lobe, the same shadowed by correlated heights, and SSA-1, one wavelength
 /// after the other.
 Evaluator plain(const Surface& surface, TwinModel model, double tolerance) {
-    const spectral::Reflectance known = rough_surface({surface}).at(wavelengths());
+    const spectral::Reflectance known = rough_surface({surface}).at(chart_wavelengths());
     const std::vector<SpectralSample> samples{known.samples().begin(), known.samples().end()};
     return [=](const DirectionPair& pair, std::span<double> values) {
         const WaveVectorChange change = wave_vector_change(pair.in, pair.out);
@@ -198,7 +167,7 @@ double time_of(const Method& method, double tolerance, const Surface& surface,
     const spectral::Material material = rough_surface(by_model(surface, method.twin));
     const auto in_form = [&](DiffuseLobe lobe) {
         return nanoseconds(
-            evaluator_of(material.at(wavelengths(), {.tolerance = Tolerance{tolerance}, .lobe = lobe})),
+            evaluator_of(material.at(chart_wavelengths(), {.tolerance = Tolerance{tolerance}, .lobe = lobe})),
             pairs);
     };
     switch (method.way) {
@@ -209,11 +178,11 @@ double time_of(const Method& method, double tolerance, const Surface& surface,
         case Way::plain:
             return nanoseconds(plain(surface, method.twin, tolerance), pairs);
         case Way::beckmann:
-            return nanoseconds(evaluator_of(microfacets(surface, "beckmann").at(wavelengths())), pairs);
+            return nanoseconds(evaluator_of(microfacets(surface, "beckmann").at(chart_wavelengths())), pairs);
         case Way::ggx:
-            return nanoseconds(evaluator_of(microfacets(surface, "ggx").at(wavelengths())), pairs);
+            return nanoseconds(evaluator_of(microfacets(surface, "ggx").at(chart_wavelengths())), pairs);
         case Way::table: {
-            const auto exact = material.at(wavelengths());
+            const auto exact = material.at(chart_wavelengths());
             const tables::Table table =
                 tables::build_table(exact, {exact.name(), "", ""}, {.tolerance = tolerance});
             return nanoseconds(
@@ -233,7 +202,7 @@ std::vector<std::size_t> cases_of(const PanelKind& kind, const validation::Condu
     return chosen;
 }
 
-std::size_t surface_count(const validation::ConductorCases& cases, const std::vector<std::size_t>& chosen) {
+std::size_t surfaces_among(const validation::ConductorCases& cases, const std::vector<std::size_t>& chosen) {
     std::vector<std::pair<double, double>> different;
     for (const std::size_t i : chosen) {
         const auto& surface = cases[i].exact.surface;
@@ -255,9 +224,9 @@ TruthChart measured_truth(std::uint64_t seed, const std::function<void(const std
     std::vector<std::vector<std::size_t>> chosen;
     for (const PanelKind& kind : kinds) {
         chosen.push_back(cases_of(kind, cases));
-        chart.panels.push_back({kind.title, surface_count(cases, chosen.back()), chosen.back().size()});
+        chart.panels.push_back({kind.title, surfaces_among(cases, chosen.back()), chosen.back().size()});
     }
-    const auto pairs = random_pairs(seed);
+    const auto pairs = timed_pairs(seed);
     for (const Method& method : methods()) {
         progress(method.name);
         const auto all = all_distances(cases, method.twin);
