@@ -214,7 +214,7 @@ Distance distance_of(const MomentResult& result, const std::function<double(cons
     for (const AngularBin& bin : result.bins) brightest = std::max(brightest, bin.exact);
     std::vector<double> bright;
     for (const AngularBin& bin : result.bins) {
-        if (!(bin.exact > 0) || !(bin.kirchhoff > 0)) continue;
+        if (!(bin.exact > 0) || !(bin.kirchhoff > 0) || bin.model[0] < least_light) continue;
         const double difference = decibels(ratio(bin));
         if (bin.exact > brightest / 100) bright.push_back(std::fabs(difference));
         weight += bin.exact;

@@ -30,9 +30,11 @@ double distance(const ExactLobe& exact, const std::vector<ProfileLobe>& model,
     for (std::size_t i = 0; i < exact.exact.size(); ++i) {
         const double power = of(exact.exact[i], polarisation),
                      currents = of(exact.kirchhoff[i], polarisation);
-        if (std::fabs(exact.theta_r_deg[i]) > most_theta_r || !(power > 0) || !(currents > 0)) continue;
-        const double difference =
-            decibels(of(model[i], polarisation) / of(kirchhoff[i], polarisation) * currents / power);
+        const double closed = of(kirchhoff[i], polarisation);
+        if (std::fabs(exact.theta_r_deg[i]) > most_theta_r || !(power > 0) || !(currents > 0) ||
+            closed < least_light)
+            continue;
+        const double difference = decibels(of(model[i], polarisation) / closed * currents / power);
         weight += power;
         squares += power * difference * difference;
     }
@@ -287,6 +289,7 @@ void add_nothing(Section&, const std::vector<FigureTable>&, const std::string&) 
 const std::vector<KeptSet>& kept_sets() {
     static const std::vector<KeptSet> sets{
         {"moment-method", "conductor, first set", perfect_conductor(), TwinModel::he_unified},
+        {"unseen", "conductor, drawn by a seed", perfect_conductor(), TwinModel::he_unified},
         {"dielectric", "glass 1.5, mixing", {1.5, 0}, TwinModel::he_unified_mixing}};
     return sets;
 }

@@ -40,6 +40,12 @@ TEST_CASE("the kept rows of he beside he_unified are those that were found befor
     CHECK(has({glass, "12", "tm", "3.00", "0.56", "1.30", "6", "1.42", "0.27", "0.66", "8", "12", "11"}));
     CHECK(has(
         {glass, "12", "unpolarised", "0.87", "0.40", "0.49", "8", "0.45", "0.29", "0.30", "12", "10", "10"}));
+    // surfaces that were drawn by a seed before anything was evaluated on them
+    const std::string drawn = "conductor, drawn by a seed";
+    CHECK(has({drawn, "42", "te", "2.11", "0.58", "0.84", "15", "0.95", "0.26", "0.36", "37", "42", "42"}));
+    CHECK(has({drawn, "42", "tm", "2.24", "1.18", "1.21", "6", "0.55", "0.26", "0.30", "41", "42", "42"}));
+    CHECK(has({drawn, "42", "unpolarised", "1.61", "0.74", "0.82", "11", "0.64", "0.19", "0.25", "41", "42",
+               "31"}));
     const ReportTable& mirrors = table_named(truth, "model-mirrors");
     CHECK(mirrors.rows == std::vector<Row>{{"te", "0.062", "0.350", "0.013", "0.066"},
                                            {"tm", "0.051", "0.199", "0.006", "0.020"}});
@@ -69,7 +75,7 @@ TEST_CASE("distances of he, Kirchhoff and correlated Smith are those of the maps
     }
     std::printf("distances from tables of five digits against those of the study: %.1e dB at worst\n", worst);
     CHECK(rows == case_distances().size());
-    CHECK(worst < 2e-3);
+    CHECK(worst < 3e-4);
 }
 
 TEST_CASE(

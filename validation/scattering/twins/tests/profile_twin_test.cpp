@@ -47,7 +47,7 @@ TEST_CASE("every twin is reciprocal in TE and in TM, on conductors and on glass"
         for (const TwinModel model : models) {
             INFO(name(model));
             const ProfileTwin twin{model, {0.25, 1}, index, 0.4};
-            for (const auto [one, other] : {std::pair{0.5, 1.1}, {0.2, 0.9}, {1.2, 0.05}}) {
+            for (const auto& [one, other] : {std::pair{0.5, 1.1}, {0.2, 0.9}, {1.2, 0.05}}) {
                 const ProfileLobe a = twin.lobe(one, other), b = twin.lobe(other, one);
                 CHECK(a.te * std::cos(one) == Approx(b.te * std::cos(other)).epsilon(1e-10));
                 CHECK(a.tm * std::cos(one) == Approx(b.tm * std::cos(other)).epsilon(1e-10));
@@ -72,7 +72,7 @@ TEST_CASE("what a smooth conductor scatters by he_unified is what its mirror los
 TEST_CASE("he_unified is He-Torrance on gentle profiles, and SSA-1 on smooth ones") {
     const RoughnessStatistics gentle{0.3, 30}, smooth{2e-4, 0.7};
     const ProfileTwin he{TwinModel::he, gentle, {1.5, 0}}, unified{TwinModel::he_unified, gentle, {1.5, 0}};
-    for (const auto [in, away] : {std::pair{10, -1}, {30, 1}, {50, 2}}) {
+    for (const auto& [in, away] : {std::pair{10, -1}, {30, 1}, {50, 2}}) {
         const ProfileLobe a = he.lobe(in * degree, (in + away) * degree),
                           b = unified.lobe(in * degree, (in + away) * degree);
         CHECK(a.te == Approx(b.te).epsilon(1e-3));
