@@ -123,7 +123,9 @@ Evaluator plain(const Surface& surface, TwinModel model, double tolerance) {
                 matrix = 2 * ci * cr * ci * cr *
                          (std::norm(b.ss) + std::norm(b.sp) + std::norm(b.ps) + std::norm(b.pp));
             } else {
-                matrix = a * a * fresnel(change.cos_theta_d(), samples[i].index).unpolarised_reflectance();
+                matrix =
+                    a * a *
+                    fresnel(change.cos_theta_d(), samples[i].index.substrate()).unpolarised_reflectance();
             }
             values[i] = k_tau * k_tau * phi(g, t, Tolerance{tolerance}) * geometry * matrix;
         }
@@ -131,6 +133,9 @@ Evaluator plain(const Surface& surface, TwinModel model, double tolerance) {
 }
 
 // ---- methods
+
+/// Of the tables.
+constexpr double table_tolerance = 1e-2;
 
 /// How a method is timed.
 enum class Way { model, first_order, rough_limit, plain, beckmann, ggx, table };
@@ -149,10 +154,10 @@ const std::vector<Method>& methods() {
         {"he", TwinModel::he, Way::model, {1e-3, 1e-6, 1e-12}, "#0072b2", 7},
         {"he, first order", TwinModel::he_first_order, Way::first_order, {1e-3}, "#0072b2", 9},
         {"he, rough limit", TwinModel::he_rough_limit, Way::rough_limit, {1e-3}, "#0072b2", 5},
-        {"he, table", TwinModel::he, Way::table, {1e-2}, "#0072b2", 13},
+        {"he, table", TwinModel::he, Way::table, {table_tolerance}, "#0072b2", 13},
         {"he_unified", TwinModel::he_unified, Way::model, {1e-3, 1e-6, 1e-12}, "#d55e00", 7},
         {"he_unified, mixing", TwinModel::he_unified_mixing, Way::model, {1e-6}, "#d55e00", 6},
-        {"he_unified, table", TwinModel::he_unified, Way::table, {1e-2}, "#d55e00", 13},
+        {"he_unified, table", TwinModel::he_unified, Way::table, {table_tolerance}, "#d55e00", 13},
         {"Kirchhoff, not shadowed", TwinModel::kirchhoff, Way::plain, {1e-6}, "#009e73", 5},
         {"correlated Smith", TwinModel::smith, Way::plain, {1e-6}, "#009e73", 7},
         {"SSA-1", TwinModel::ssa1, Way::plain, {1e-6}, "#009e73", 9},
@@ -161,9 +166,9 @@ const std::vector<Method>& methods() {
     return all;
 }
 
-/// Of a table of the intermediate surface: that of others takes as long to look up and longer to build.
-double lookup_time(TwinModel model, double tolerance, std::span<const DirectionPair> pairs) {
-    const auto exact = rough_surface(by_model(timed_surface(kinds[1].timed), model)).at(chart_wavelengths());
+/// Of a table of he on the intermediate surface: tables of others are longer to build and as long to look up.
+double lookup_time(double tolerance, std::span<const DirectionPair> pairs) {
+    const auto exact = rough_surface({timed_surface(kinds[1].timed)}).at(chart_wavelengths());
     const tables::Table table = tables::build_table(exact, {exact.name(), "", ""}, {.tolerance = tolerance});
     return nanoseconds([&](const DirectionPair& pair, std::span<double> values) { table.brdf(pair, values); },
                        pairs);
@@ -226,11 +231,11 @@ TruthChart measured_truth(std::uint64_t seed, const std::function<void(const std
         chart.panels.push_back({kind.title, surfaces_among(cases, chosen.back()), chosen.back().size()});
     }
     const auto pairs = timed_pairs(seed);
+
+    const double lookup = lookup_time(table_tolerance, pairs);
     for (const Method& method : methods()) {
         progress(method.name);
         const auto all = all_distances(cases, method.twin);
-        const double lookup =
-            method.way == Way::table ? lookup_time(method.twin, method.tolerances.front(), pairs) : 0;
         for (std::size_t panel = 0; panel < kinds.size(); ++panel) {
             std::vector<Distances> here;
             for (const std::size_t i : chosen[panel]) here.push_back(all[i]);

@@ -9,6 +9,7 @@
 
 #include "hts/roughness.hpp"
 #include "hts/terms.hpp"
+#include "hts/unified/lobe_of_kicks.hpp"
 #include "validation/scattering/profile_scattering.hpp"
 
 namespace hts::validation {
@@ -25,7 +26,7 @@ Direction towards(double theta, double azimuth) {
     return Direction::from_angles(std::fabs(theta), theta < 0 ? azimuth + pi : azimuth);
 }
 
-/// The factors of unified_lobe that are those of profiles.
+/// The factors of the lobe that are those of profiles.
 UnifiedWave wave_of(const Surface& surface, const RefractiveIndex& index, double single) {
     UnifiedWave wave{surface, ReturnFactor{surface.slope_width() / 2}, Wavelength::from_micrometres(1),
                      index};
@@ -144,7 +145,7 @@ ProfileLobe ProfileTwin::unified(double theta_i, double theta_r) const {
         kicks.rest = 0;
         wave.lift = 0;
     }
-    const UnifiedLobe lobe = unified_lobe(in, out, wave, g, t, kicks);
+    const UnifiedLobe lobe = lobe_of_kicks(in, out, wave, g, t, kicks);
     const double cosine = std::cos(theta_r);
     double scale = 2 * std::sqrt(pi) * cosine / (k * statistics_.correlation_length);
     if (model_ == TwinModel::ssa1) scale /= 1 + in.masked / std::cos(theta_i) + out.masked / cosine;
