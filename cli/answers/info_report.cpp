@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/answers/distance_report.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 
@@ -223,8 +224,8 @@ Json error_json(spectral::ModelError error) {
     return known ? Json{known->least, known->most} : Json{};
 }
 
-/// The model whose distances from exact scattering are known.
-constexpr std::string_view model_measured = "he";
+/// The model whose assumptions the criteria judge.
+constexpr std::string_view judged_model = "he";
 
 std::vector<Criterion> criteria() {
     std::vector<Criterion> all;
@@ -273,9 +274,12 @@ std::string info_text(const MaterialInfo& info) {
             "surfaces up to "
             "70 deg, unpolarised)\n";
     text << length_note(info.surface);
-    if (info.material.model_name() != model_measured)
-        text << "Limits and errors are those of model " << model_measured << ": of "
-             << info.material.model_name() << " they are not measured yet.\n";
+    text << distance_text(info);
+    if (info.material.model_name() != judged_model)
+        text << "The limits above are those of the assumptions of " << judged_model << ". "
+             << info.material.model_name()
+             << " makes fewer: its mirror is not shadowed, light that is\nreflected again returns, and where "
+                "the surface curves within a wavelength it is perturbation theory.\n";
     return text.str();
 }
 
@@ -290,7 +294,7 @@ std::string info_json(const MaterialInfo& info) {
         wavelengths.push_back(micrometres(points[i]));
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
-                {"limits_and_errors_of_model", model_measured},
+                {"limits_of_model", judged_model},
                 {"rms_roughness_um", surface.rms_roughness()},
                 {"correlation_length_um", length_json(surface)},
                 {"rms_slope", spectral::rms_slope(surface)},
@@ -309,6 +313,7 @@ std::string info_json(const MaterialInfo& info) {
                 {"findings", findings},
                 {"perturbation_advised", info.validity.perturbation_advised()},
                 {"expected_error_db", error_json(info.validity.error())},
+                {"expected_distance_db", distance_json(info)},
                 {"prepared_bytes", info.prepared_bytes},
                 {"phi_table_bytes", info.phi_table_bytes}};
     if (!surface.isotropic()) {
@@ -322,9 +327,30 @@ std::string info_json(const MaterialInfo& info) {
 void write_info_table(Output& output, const MaterialInfo& info) {
     TableWriter table{output,
                       Format::csv,
-                      {"wavelength_um", "theta_deg", "n", "k", "diffuse_albedo", "g", "regime",
-                       "mirror_share", "tau_over_lambda", "curvature", "slope", "shadowing", "mirror_loss",
-                       "energy", "validity", "least_error_db", "most_error_db"}};
+                      {"wavelength_um",
+                       "theta_deg",
+                       "n",
+                       "k",
+                       "diffuse_albedo",
+                       "g",
+                       "regime",
+                       "mirror_share",
+                       "tau_over_lambda",
+                       "curvature",
+                       "slope",
+                       "shadowing",
+                       "mirror_loss",
+                       "energy",
+                       "validity",
+                       "least_error_db",
+                       "most_error_db",
+                       "studied",
+                       "he_te_db",
+                       "he_tm_db",
+                       "he_db",
+                       "he_unified_te_db",
+                       "he_unified_tm_db",
+                       "he_unified_db"}};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string text;
     for (const Point& point : info.validity.points()) {
@@ -335,7 +361,13 @@ void write_info_table(Output& output, const MaterialInfo& info) {
         row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));
         row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
         for (const Finding& finding : point.validity.findings) row.number(finding.measured);
-        row.word(name(point.validity.severity())).number(error.least).number(error.most).end();
+        row.word(name(point.validity.severity())).number(error.least).number(error.most);
+        const auto [distance, studied] = distance_at(info, point);
+        row.word(studied ? "yes" : "no");
+        for (const spectral::TrueDecibels& of : {distance.he, distance.unified}) {
+            for (const double value : {of.te, of.tm, of.unpolarised}) row.number(studied ? value : nan);
+        }
+        row.end();
     }
     table.add(text);
     table.finish();

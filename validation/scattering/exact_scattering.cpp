@@ -249,8 +249,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
     FigureTable table{
         std::move(stem),
         {"sigma0_over_lambda", "tau_over_lambda", "theta_i_deg", "theta_r_deg", "exact_te", "exact_tm",
-         "kirchhoff_currents", "kirchhoff", "he_torrance", "smith", "ratio_error_db", "kirchhoff_currents_te",
-         "kirchhoff_currents_tm", "ratio_error_te_db", "ratio_error_tm_db"},
+         "kirchhoff_currents", "kirchhoff", "he_torrance", "smith", "ratio_error_db"},
         {}};
     const bool ground = results.front().of.index.has_value();
     if (ground) table.columns.insert(table.columns.end(), {"he_torrance_te", "he_torrance_tm"});

@@ -76,7 +76,7 @@ struct MomentResult {
 
 inline constexpr double bin_width_deg = 5;
 /// Of a closed form [1/rad]: where it is less, what is computed of realisations is the beam's rest, and bins do not count.
-inline constexpr double least_light = 1e-20;
+inline constexpr double least_light = 1e-12;
 
 /// A surface at all angles of incidence, and at each in the three polarisations; the same bits for any number of threads.
 ///   cost   0.12 s a realisation on one core, whatever the number of angles; a ground four times as much

@@ -48,9 +48,10 @@ bool belongs(const PanelKind& kind, const RoughnessStatistics& surface) {
     return kind.has(phase * phase, surface.rms_roughness / surface.correlation_length);
 }
 
-/// Arithmetic adds to it.
+/// Arithmetic adds to it. Where a method has no light at all it is `no_light`.
 double with_arithmetic(double decibels, double tolerance) {
-    return std::hypot(decibels, 10 * std::log10(1 + tolerance));
+    constexpr double no_light = 999;
+    return std::fmin(no_light, std::hypot(decibels, 10 * std::log10(1 + tolerance)));
 }
 
 template <class Statistic>

@@ -270,6 +270,7 @@ FigureTable distance_table(const Cases& cases) {
     }
     for (const CaseDistances& each : cases) {
         const KeptSet& set = kept_sets()[each.set];
+        if (set.again) continue;
         std::vector<double> row{
             static_cast<double>(each.set),   set.index.n(),   set.index.k(), each.surface.rms_roughness,
             each.surface.correlation_length, each.theta_i_deg};
@@ -290,7 +291,9 @@ const std::vector<KeptSet>& kept_sets() {
     static const std::vector<KeptSet> sets{
         {"moment-method", "conductor, first set", perfect_conductor(), TwinModel::he_unified},
         {"unseen", "conductor, drawn by a seed", perfect_conductor(), TwinModel::he_unified},
-        {"dielectric", "glass 1.5, mixing", {1.5, 0}, TwinModel::he_unified_mixing}};
+        {"dielectric", "glass 1.5, mixing", {1.5, 0}, TwinModel::he_unified_mixing},
+        {"metal", "metal 0.16 + 3.6i", {0.16, 3.6}, TwinModel::he_unified},
+        {"grazing", "conductor, long profiles", perfect_conductor(), TwinModel::he_unified, true}};
     return sets;
 }
 
