@@ -269,7 +269,7 @@ std::string info_text(const MaterialInfo& info) {
     for (const Criterion criterion : criteria()) text << finding_text(info, criterion);
     if (info.validity.perturbation_advised())
         text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
-    text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
+    text << "Expected error of he against exact scattering: " << error_text(info.validity.error())
          << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
             "surfaces up to "
             "70 deg, unpolarised)\n";
