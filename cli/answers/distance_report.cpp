@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -67,8 +68,19 @@ spectral::ExpectedDistance distance_at(const MaterialInfo& info,
         {info.surface.rms_roughness() / lambda, info.surface.shortest_correlation_length() / lambda,
          std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi},
         point.sample.index.substrate());
-    if (point.sample.index.coated()) expected.studied = false;  // films were not
+    // neither films nor heights of another correlation were
+    if (point.sample.index.coated() || info.surface.correlation()) expected.studied = false;
     return expected;
+}
+
+void add_distance(TableWriter::Row& row, const MaterialInfo& info,
+                  const spectral::MaterialValidity::Point& point) {
+    const auto expected = distance_at(info, point);
+    row.word(expected.studied ? "yes" : "no");
+    for (const TrueDecibels& of : {expected.distance.he, expected.distance.unified}) {
+        for (const double value : {of.te, of.tm, of.unpolarised})
+            row.number(expected.studied ? value : std::numeric_limits<double>::quiet_NaN());
+    }
 }
 
 std::string distance_text(const MaterialInfo& info) {
@@ -90,6 +102,11 @@ std::string distance_text(const MaterialInfo& info) {
          << study.substance << ".\nA case that is left out is met within a factor of "
          << three(study.left_out.he) << " (he), " << three(study.left_out.unified) << " (he_unified), rms.\n";
     if (outside) text << "Studied are " << study.range << ";\nof what is outside nothing is known.\n";
+    if (info.material.model_name() != judged_model)
+        text << "The limits above are those of the assumptions of " << judged_model << ". "
+             << info.material.model_name()
+             << " makes fewer: its mirror is not shadowed, light that is\nreflected again returns, and where "
+                "the surface curves within a wavelength it is perturbation theory.\n";
     return text.str();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,9 +11,15 @@
 
 namespace hts::cli {
 
+/// The model whose assumptions the criteria of validity judge.
+inline constexpr std::string_view judged_model = "he";
+
 /// At a point of the material.
 [[nodiscard]] spectral::ExpectedDistance distance_at(const MaterialInfo& info,
                                                      const spectral::MaterialValidity::Point& point);
+/// Whether it is studied, and the distances in TE, TM and unpolarised light, as fields.
+void add_distance(TableWriter::Row& row, const MaterialInfo& info,
+                  const spectral::MaterialValidity::Point& point);
 /// A line per angle, the worst over the wavelengths that are studied, and what stands behind it.
 [[nodiscard]] std::string distance_text(const MaterialInfo& info);
 /// {"studied_points", "points", "cases", …, "by_angle": [{"theta_deg", "he": {"te", "tm", "unpolarised"}, …}, …]}

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/answers/distance_report.hpp"
+#include "cli/answers/roughness_report.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 
@@ -127,7 +128,8 @@ std::string verdict_text(const MaterialValidity& validity) {
 
 std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
     if (criterion != Criterion::slope) return "";
-    const double share = spectral::share_beyond_45_degrees(info.surface);
+    const double share = spectral::share_beyond_45_degrees(
+        info.surface.seen_by(info.validity.points().front().sample.wavelength));
     return ";\n           " + brief(100 * share, 3) +
            " % of the surface is steeper than 45 deg and reflects light from above further down";
 }
@@ -153,7 +155,30 @@ std::string slope_text(double slope) {
     return brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) + " deg)";
 }
 
+/// What the shortest wavelength sees: the steepest slopes.
+Surface steepest_of(const MaterialInfo& info) {
+    return info.surface.seen_by(info.validity.points().front().sample.wavelength);
+}
+
+std::vector<double> wavelengths_of(const MaterialInfo& info) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < info.validity.points().size(); i += info.theta.size())
+        all.push_back(micrometres(info.validity.points()[i]));
+    return all;
+}
+
+std::string correlated_surface_text(const Surface& surface) {
+    const auto& [along, across] = surface.correlation_lengths();
+    const std::string lengths = surface.isotropic() ? brief(along) + " um"
+                                                    : brief(along) + " um along the azimuth " +
+                                                          brief(azimuth_in_degrees(surface)) + " deg and " +
+                                                          brief(across) + " um across";
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " +
+           lengths;
+}
+
 std::string surface_text(const Surface& surface) {
+    if (surface.correlation()) return correlated_surface_text(surface);
     const std::string curvature =
         ", radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
     const std::string height = "sigma0 " + brief(surface.rms_roughness()) + " um, tau ";
@@ -169,8 +194,15 @@ std::string surface_text(const Surface& surface) {
 }
 
 std::string length_note(const Surface& surface) {
-    if (surface.isotropic()) return "";
-    return "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
+    const std::string shape =
+        surface.correlation()
+            ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. "
+              "Limits and "
+              "errors are those\nof Gaussian correlations: of others they are not measured yet.\n"
+            : "";
+    if (surface.isotropic()) return shape;
+    return shape +
+           "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
            "the tau of the\n"
            "findings. Limits and errors are those of isotropic surfaces: of others they are not measured "
            "yet.\n";
@@ -224,9 +256,6 @@ Json error_json(spectral::ModelError error) {
     return known ? Json{known->least, known->most} : Json{};
 }
 
-/// The model whose assumptions the criteria judge.
-constexpr std::string_view judged_model = "he";
-
 std::vector<Criterion> criteria() {
     std::vector<Criterion> all;
     for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
@@ -256,7 +285,8 @@ std::string info_text(const MaterialInfo& info) {
     text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
          << info.material.model_source() << ")\n"
          << "  surface      " << surface_text(info.surface) << '\n'
-         << "  index        " << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
+         << roughness_text(info.surface, wavelengths_of(info)) << "  index        "
+         << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
          << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text() << '\n'
          << "  wavelengths  " << range_of(points, micrometres).text() << " um, "
          << points.size() / info.theta.size() << " of them\n"
@@ -275,31 +305,25 @@ std::string info_text(const MaterialInfo& info) {
             "70 deg, unpolarised)\n";
     text << length_note(info.surface);
     text << distance_text(info);
-    if (info.material.model_name() != judged_model)
-        text << "The limits above are those of the assumptions of " << judged_model << ". "
-             << info.material.model_name()
-             << " makes fewer: its mirror is not shadowed, light that is\nreflected again returns, and where "
-                "the surface curves within a wavelength it is perturbation theory.\n";
     return text.str();
 }
 
 std::string info_json(const MaterialInfo& info) {
     const auto points = info.validity.points();
     const Surface& surface = info.surface;
+    const Surface steepest = steepest_of(info);
     const Range g = range_of(points, phase_variance);
     Json findings = Json::array();
     for (const Criterion criterion : criteria()) findings.push_back(finding_json(info, criterion));
-    Json wavelengths = Json::array();
-    for (std::size_t i = 0; i < points.size(); i += info.theta.size())
-        wavelengths.push_back(micrometres(points[i]));
+    const Json wavelengths = wavelengths_of(info);
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
                 {"limits_of_model", judged_model},
                 {"rms_roughness_um", surface.rms_roughness()},
                 {"correlation_length_um", length_json(surface)},
-                {"rms_slope", spectral::rms_slope(surface)},
-                {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
-                {"curvature_radius_um", spectral::curvature_radius(surface)},
+                {"rms_slope", spectral::rms_slope(steepest)},
+                {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(steepest)},
+                {"curvature_radius_um", spectral::curvature_radius(steepest)},
                 {"index", info.material.substance()},
                 {"n", range_of(points, n).json()},
                 {"k", range_of(points, k).json()},
@@ -316,8 +340,9 @@ std::string info_json(const MaterialInfo& info) {
                 {"expected_distance_db", distance_json(info)},
                 {"prepared_bytes", info.prepared_bytes},
                 {"phi_table_bytes", info.phi_table_bytes}};
+    add_roughness(result, info.surface, wavelengths_of(info));
     if (!surface.isotropic()) {
-        const auto slopes = spectral::rms_slopes(surface);
+        const auto slopes = spectral::rms_slopes(steepest);
         result["azimuth_deg"] = azimuth_in_degrees(surface);
         result["rms_slopes"] = {slopes.along, slopes.across};
     }
@@ -362,11 +387,7 @@ void write_info_table(Output& output, const MaterialInfo& info) {
         row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
         for (const Finding& finding : point.validity.findings) row.number(finding.measured);
         row.word(name(point.validity.severity())).number(error.least).number(error.most);
-        const auto [distance, studied] = distance_at(info, point);
-        row.word(studied ? "yes" : "no");
-        for (const spectral::TrueDecibels& of : {distance.he, distance.unified}) {
-            for (const double value : {of.te, of.tm, of.unpolarised}) row.number(studied ? value : nan);
-        }
+        add_distance(row, info, point);
         row.end();
     }
     table.add(text);

@@ -107,6 +107,7 @@ std::optional<spectral::Material> material(const EvalOptions& options) {
     if (options.material.path.empty()) return std::nullopt;
     auto described = options.material.read();
     if (options.compensate) require_rough_surface(described, "--compensate-energy");
+    options.tolerance.require_met_by(described);
     if (options.mueller) require_polarised(described, "--mueller");
     if (!options.polarisation.empty()) require_polarised(described, "--polarisation");
     return described;

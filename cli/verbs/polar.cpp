@@ -164,8 +164,9 @@ void write_drawn(const PolarOptions& options, const WriteTable& table, const Scr
         return table(options.output.path, format_of(options.output.path, options.output.json));
     output::require_gnuplot(options.output.path);
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
+    const std::string drawing = script(output::gnuplot_file(data.filename().string()));
     table(data.string(), Format::csv);
-    output::draw(options.output.path, script(output::gnuplot_file(data.filename().string())));
+    output::draw(options.output.path, drawing);
 }
 
 void write(const PolarOptions& options, const spectral::Reflectance& reflectance) {

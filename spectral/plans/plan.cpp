@@ -64,15 +64,18 @@ constexpr std::array whole_or_uniform{LobeForm{DiffuseLobe::none, 1e-12, 1},
                                       LobeForm{DiffuseLobe::full, 1e-12, 9}};
 
 /// All evaluators of a material, cheapest first.
-///   rough      whether it is a rough surface, whose lobe has limits and tolerances
+///   surface    of a rough surface, whose lobe has limits and tolerances
 ///   coarsest   tolerance of its full lobe that may be used
-std::vector<LadderStep> ladder(const Scene& scene, bool rough, double coarsest) {
+std::vector<LadderStep> ladder(const Scene& scene, const std::optional<RoughSurface>& surface,
+                               double coarsest) {
+    const bool rough = surface.has_value();
     std::vector<LadderStep> steps;
     const std::span<const LobeForm> forms =
         rough ? std::span<const LobeForm>{lobe_forms} : std::span<const LobeForm>{whole_or_uniform};
     for (const WavelengthGrid& grid : grids(scene)) {
         for (const LobeForm& form : forms) {
             if (form.lobe == DiffuseLobe::full && form.tolerance > coarsest) continue;
+            if (form.lobe == DiffuseLobe::rough_limit && surface->correlation()) continue;  // it has none
             for (const bool specular : {false, true}) {
                 if (specular && !rough) continue;
                 const double each = form.cost + (specular ? specular_cost : 0);
@@ -116,7 +119,7 @@ PlannedMaterial planned(const Scene& scene, const Material& material, const Plan
     const ErrorMeter meter{scene, material, forms, sampling};
     const double enough = plan_headroom * tolerance;
     std::vector<Rung> failed;
-    const auto steps = ladder(scene, material.properties().surface.has_value(), coarsest);
+    const auto steps = ladder(scene, material.properties().surface, coarsest);
     const Job job{"", steps.size()};
     for (const LadderStep& step : steps) {
         job.done();

@@ -11,6 +11,7 @@ set format x '10^{%T}'
 set format y '10^{%T}'
 set xlabel '|β − β_0| = |sin θ_r − sin θ_i|, in the plane of incidence'
 set ylabel 'BRDF [1/sr]'
+set xrange [*:2]
 set yrange [top*1e-8:top]
 set label title at screen 0.03,0.955 left noenhanced tc rgb '#111111' font ',17'
 set label 'solid: beyond the mirror direction, towards the horizon; dashed: on the side of the normal and of the light' \
