@@ -117,7 +117,7 @@ TEST_CASE("one line warns of values outside the model's validity, and only of th
 
 TEST_CASE("hts info says how far he and he_unified are to be expected from exact scattering") {
     const Workplace place;
-    place.write(
+    place.file(
         "m.json",
         R"({"model": "he_unified", "rms_roughness_um": 0.14, "correlation_length_um": 1.1, "index": "Al"})");
     const auto text = place.hts("info m.json --wavelengths 0.55 --theta 30,85");
