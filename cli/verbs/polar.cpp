@@ -84,7 +84,7 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     TableWriter table{output,
                       format,
                       {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
-                       "specular_average", "radius"}};
+                       "specular_average_per_sr", "radius"}};
     std::string text;
     for (const PolarCurve& curve : curves) {
         for (const PolarPoint& point : curve.points) {
@@ -153,7 +153,7 @@ void warn(const PolarOptions& options, const spectral::Reflectance& reflectance)
         const Direction in = Direction::from_degrees(degrees, 0);
         warning.note(reflectance, {in, in.mirror()});
     }
-    warning.print();
+    warning.print(options.material.path);
 }
 
 /// The numbers by `table`; of a picture beside it, with the script that `script` makes for their file.

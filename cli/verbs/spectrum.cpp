@@ -132,7 +132,7 @@ void run(const SpectrumOptions& options) {
     output.commit();
     ValidityWarning warning;
     warning.note(reflectance, pair);
-    warning.print();
+    warning.print(options.material.path);
     if (seen) std::cerr << title(material, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
         output::draw(options.plot, plot_script(title(material, options.directions), grid, spectrum));

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "hts/microfacet/ashikhmin.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/model_readers.hpp"
 #include "spectral/text/png.hpp"
 #include "spectral/text/text.hpp"

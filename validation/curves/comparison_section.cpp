@@ -126,7 +126,7 @@ Section comparison_section(const CurveSet& set, const spectral::Material& materi
     Section section{.stem = stem,
                     .title = set.surface,
                     .text = section_text(set, result, trial),
-                    .checks = criteria(set, result),
+                    .checks = criteria(set, result, trial.in_report),
                     .figures = {log_overlay(picture)},
                     .images = {},
                     .tables = {figures_table(set, result, stem)},
