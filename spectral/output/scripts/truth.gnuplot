@@ -20,7 +20,7 @@ set label 'Perfect conductors, profiles. Bars: unpolarised light, from the media
 set label 'Joined marks: the same model at tolerance 1e-3, 1e-6 and 1e-12 of its arithmetic. Microfacets with the width ' . \
     'that fits best. On the upper edge: 18 dB and more.' \
     at screen 0.03,0.91 left noenhanced font ',13' tc rgb '#111111'
-set label machine at screen 0.03,0.02 left noenhanced font ',11' tc rgb '#111111'
+set label machine at screen 0.03,0.02 left noenhanced font ',12' tc rgb '#111111'
 
 before = 0
 do for [i=0:|surface|-1] {
