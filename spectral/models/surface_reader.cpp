@@ -132,8 +132,9 @@ Shape spectrum_from(const JsonValue& shape, const std::filesystem::path& folder)
         if (!continued && outside->text() != "zero")
             throw outside->error(in_quotes(outside->text()) + " is not known; must be zero or power_law");
     }
-    const auto [columns, of_profile] = power_spectrum(shape, path);
-    const auto make = of_profile ? Correlation::of_profile_spectrum : Correlation::of_spectrum;
+    const PowerSpectrum spectrum = power_spectrum(shape, path);
+    const Columns& columns = spectrum.columns;
+    const auto make = spectrum.of_profile ? Correlation::of_profile_spectrum : Correlation::of_spectrum;
     const Correlation::Scaled made =
         located(path.string(), [&, &rows = columns] { return make(rows.first, rows.second, continued); });
     Shape result = scaled_shape(made);

@@ -135,7 +135,9 @@ TEST_CASE("Correlation: Matern 3/2 is its integral by direct quadrature") {
 
 TEST_CASE("Correlation: the table is the transform, and that is the same on a grid of twice the points") {
     using namespace correlation_detail;
-    for (const auto& [name, shape] : shapes()) {
+    for (const auto& named : shapes()) {
+        const std::string& name = named.first;
+        const Correlation& shape = named.second;
         const double bound = name == "two scales" || name == "nu 1/4" ? accuracy::correlation_two_scales
                                                                       : accuracy::correlation_lobe;
         const auto two = [&](const ShapePointer& pointer) {
@@ -194,7 +196,9 @@ TEST_CASE("Correlation: the first order is the spectrum, of rough and of smooth 
 }
 
 TEST_CASE("Correlation: all the light is there, and lobes are positive and fall") {
-    for (const auto& [name, shape] : shapes()) {
+    for (const auto& named : shapes()) {
+        const std::string& name = named.first;
+        const Correlation& shape = named.second;
         // beyond the table the power of q is that of its end, which nu = 1/4 is slow to reach
         WorstCase sum_rule{name + ", integral of D q dq", name == "nu 1/4" ? 2e-4 : 1e-7};
         for (const double g : {1e-4, 0.1, 1.0, 8.0, 40.0, 3e3}) {
