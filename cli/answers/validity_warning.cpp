@@ -49,18 +49,24 @@ std::optional<double> least_reflectance(const spectral::Reflectance& reflectance
 void GainWarning::note(const spectral::Reflectance& reflectance, const Direction& in) {
     if (in.cos_theta() < least_cosine) return;
     const std::scoped_lock lock{mutex_};
-    const auto order = [](const spectral::Reflectance& of, const Direction& from) {
-        return std::tuple{from.cos_theta(), of.wavelengths().micrometres()[0], from.cos_phi(),
+    const auto order = [](const spectral::Reflectance& of, const Direction& from, double sign) {
+        return std::tuple{sign * from.cos_theta(), of.wavelengths().micrometres()[0], from.cos_phi(),
                           from.sin_phi()};
     };
-    if (!place_ || order(reflectance, in) < order(place_->reflectance, place_->in))
-        place_.emplace(Place{reflectance, in});
+    const auto keep = [&](std::optional<Place>& place, double sign) {
+        if (!place || order(reflectance, in, sign) < order(place->reflectance, place->in, sign))
+            place.emplace(Place{reflectance, in});
+    };
+    keep(oblique_, 1);
+    keep(upright_, -1);
 }
 
 void GainWarning::print(const std::string& source) const {
-    if (!place_) return;
-    if (const auto least = least_reflectance(place_->reflectance, place_->in, 0))
-        warn_of_gain(source, *least);
+    double most = 0;
+    for (const std::optional<Place>& place : {oblique_, upright_}) {
+        if (place) most = std::max(most, least_reflectance(place->reflectance, place->in, 0).value_or(0));
+    }
+    warn_of_gain(source, most);
 }
 
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {

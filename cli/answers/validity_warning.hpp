@@ -14,8 +14,8 @@
 
 namespace hts::cli {
 
-/// Looks at the steepest incidence of those it is told, at the first of its wavelengths. From any thread;
-/// what it says does not depend on their order.
+/// Looks at the most oblique and the least oblique incidence of those it is told, at the first of their
+/// wavelengths. From any thread; what it says does not depend on their order.
 class GainWarning {
   public:
     void note(const spectral::Reflectance& reflectance, const Direction& in);
@@ -28,7 +28,7 @@ class GainWarning {
         Direction in;
     };
     std::mutex mutex_;
-    std::optional<Place> place_;
+    std::optional<Place> oblique_, upright_;
 };
 
 /// Counts verdicts, from any thread; what it says does not depend on their order.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -138,6 +139,47 @@ void append_rounded(std::string& svg, std::string_view number) {
     }
 }
 
+/// A place in tenths of a pixel, cut off the begin of a path's text; none where there is none.
+std::optional<std::array<long, 2>> take_place(std::string_view& text) {
+    constexpr std::string_view of_numbers = "0123456789.-";
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::size_t end = std::min(text.find_first_not_of(of_numbers, comma + 1), text.size());
+    if (comma == text.size() || text.find_first_not_of(of_numbers) != comma || end == comma + 1)
+        return std::nullopt;
+    const std::array<long, 2> place{std::lround(10 * leading_number(text)),
+                                    std::lround(10 * leading_number(text.substr(comma + 1)))};
+    text.remove_prefix(end);
+    return place;
+}
+
+std::string tenths(long count) {
+    return shortest(static_cast<double>(count) / 10);
+}
+
+/// A path of straight lines, "M1.04,2 L3,4 Z", in steps of tenths of a pixel, "M1,2l2,2Z"; none for others.
+std::optional<std::string> in_steps(std::string_view text) {
+    std::string path;
+    std::array<long, 2> at{};
+    bool stepping = false;
+    while (!(text = spectral::trimmed(text)).empty()) {
+        const char what = text.front();
+        text.remove_prefix(1);
+        if (what == 'Z') {
+            path += what;
+            stepping = false;
+            continue;
+        }
+        const auto next = what == 'M' || what == 'L' ? take_place(text) : std::nullopt;
+        if (!next) return std::nullopt;
+        const std::array<long, 2> from = what == 'M' ? std::array<long, 2>{} : at;
+        path += what == 'M' ? "M" : stepping ? " " : "l";
+        path.append(tenths((*next)[0] - from[0])).append(",").append(tenths((*next)[1] - from[1]));
+        stepping = what == 'L';
+        at = *next;
+    }
+    return path;
+}
+
 /// Coordinates of paths and polygons behind the definitions, rounded.
 std::string with_rounded_coordinates(std::string_view svg) {
     const auto is_part_of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; };
@@ -151,7 +193,11 @@ std::string with_rounded_coordinates(std::string_view svg) {
         const std::size_t open = std::min(svg.find('\'', begin), svg.size());
         const std::size_t close = std::min(svg.find('\'', std::min(open + 1, svg.size())), svg.size());
         result += svg.substr(0, open);
-        for (std::size_t at = open; at < close;) {
+        const auto steps = begin < svg.size() && svg[begin] == ' ' && open + 1 < close
+                               ? in_steps(svg.substr(open + 1, close - open - 1))
+                               : std::nullopt;
+        if (steps) result.append("'").append(*steps);
+        for (std::size_t at = open; at < close && !steps;) {
             std::size_t end = at;
             while (end < close && is_part_of_number(svg[end])) ++end;
             if (end > at) append_rounded(result, svg.substr(at, end - at));
@@ -220,6 +266,8 @@ std::string shortened(std::string_view svg) {
     std::string result = with_short_colours(with_rounded_coordinates(without_empty_groups(svg)));
     replace_all(result, " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", "");  // as it is anyway
     replace_all(result, " class=\"gridline\" ", "");
+    replace_all(result, " stroke-width=\"1.00\"", "");  // as it is anyway
+    replace_all(result, ".00\"", "\"");
     replace_all(result, " font-family=\"Helvetica\"", "");  // as the whole picture's
     replace_all(result, "<g id=\"gnuplot_canvas\">", "<g font-family=\"Helvetica, Arial, sans-serif\">");
     return result;

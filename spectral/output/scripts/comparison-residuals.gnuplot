@@ -18,6 +18,7 @@ set palette defined (0 '#0072b2', 0.5 '#009e73', 1 '#e69f00')
 set cblabel fixed
 set yrange [-3.1:3.1]
 r(v) = v > 3 ? 3 : v < -3 ? -3 : v
+set samples 2
 f(x) = 0.25
 g(x) = -0.25
 if (scattered) {

@@ -39,7 +39,7 @@ const std::string drawn =
     "\t<use xlink:href='#gpPt6' transform='translate(12,22) scale(1.91)' color='blue'/>\n"
     "</g>\n</g>\n"
     "<g id=\"gnuplot_plot_2\" ><title>exact</title>\n"
-    "<path stroke='red' fill='rgb(  0, 114, 178)'  d='M1.26,-2.04 L3,4.5  '/></g>\n</svg>\n";
+    "<path stroke='red' fill='rgb(  0, 114, 178)'  d='M1.26,-2.04 L3,4.5\n\t\tL4,4.46 Z  '/></g>\n</svg>\n";
 
 }  // namespace
 
@@ -60,7 +60,7 @@ TEST_CASE("a picture is the same in fewer bytes") {
     const std::string svg = finished_svg(drawn);
     CHECK(svg.find("stroke='red' stroke-width='3.82' d='M10.3,20.5h0 M11,21h0 '/>") != std::string::npos);
     CHECK(svg.find("stroke='blue' stroke-width='3.82' d='M12,22h0 '/>") != std::string::npos);
-    CHECK(svg.find("d='M1.3,-2 L3,4.5  '") != std::string::npos);
+    CHECK(svg.find("d='M1.3,-2l1.7,6.5 1,0Z'") != std::string::npos);
     CHECK(svg.find("d='M0,-1.33'") != std::string::npos);  // a shape, which is scaled
     CHECK(svg.find("stroke=\"red\">") == std::string::npos);
     CHECK(svg.find("fill='#0072b2'") != std::string::npos);
