@@ -82,6 +82,13 @@ WaveVectorChange wave_vector_change(const Direction& in, const Direction& out) n
     return {std::hypot(along, across), in.cos_theta() + out.cos_theta()};
 }
 
+HorizontalChange horizontal_change(const Direction& in, const Direction& out) noexcept {
+    const double difference = sine_difference(in, out) / 2;
+    const double sum = (in.sin_theta() + out.sin_theta()) / 2;
+    return {difference * (out.cos_phi() - in.cos_phi()) + sum * (out.cos_phi() + in.cos_phi()),
+            difference * (out.sin_phi() - in.sin_phi()) + sum * (out.sin_phi() + in.sin_phi())};
+}
+
 double sin_azimuth_between(const Direction& in, const Direction& out) noexcept {
     return out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi();
 }

@@ -91,6 +91,17 @@ struct WaveVectorChange {
 ///   error   |v_xy| keeps about 2e-16 absolute, also where both directions graze and nearly mirror each other
 [[nodiscard]] WaveVectorChange wave_vector_change(const Direction& in, const Direction& out) noexcept;
 
+/// v_xy by its components, in units of 2 pi / wavelength.
+struct HorizontalChange {
+    double x, y;
+};
+
+/// The horizontal part of the wave-vector change of a pair.
+///   formula   with u the unit vectors of both azimuths, half of
+///             (sin theta_r - sin theta_i) (u_r - u_i) + (sin theta_r + sin theta_i) (u_r + u_i)
+///   error     3e-16 absolute, also where both directions graze and nearly mirror each other
+[[nodiscard]] HorizontalChange horizontal_change(const Direction& in, const Direction& out) noexcept;
+
 /// Derivatives by the angles of a pair [1/rad]. Along the normal theta grows towards the azimuth that the
 /// direction keeps; phi is the azimuth of the outgoing direction less that of the incident one.
 template <class Value>

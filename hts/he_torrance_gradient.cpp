@@ -49,6 +49,61 @@ ByAngles<double> log_geometrical_factor(const WaveVectorChange& change, const Wa
             by.squared.phi * over_squared};
 }
 
+/// Of the logarithm of the slope width along the azimuth of a direction: by the axes, of which that by the azimuth of the direction is
+/// the negative of the last.
+ByAxes log_slope_by_axes(const Surface& surface, const Direction& direction) {
+    const auto& [along, across] = surface.correlation_lengths();
+    const Direction& axis = surface.axis();
+    const double c = direction.cos_phi() * axis.cos_phi() + direction.sin_phi() * axis.sin_phi();
+    const double s = direction.sin_phi() * axis.cos_phi() - direction.cos_phi() * axis.sin_phi();
+    const double x = c * (surface.correlation_length() / along);
+    const double y = s * (surface.correlation_length() / across);
+    const double sum = x * x + y * y;
+    const double turned =
+        x * s * (surface.correlation_length() / along) - y * c * (surface.correlation_length() / across);
+    return {-x * x / sum, -y * y / sum, surface.isotropic() ? 0 : turned / sum};
+}
+
+ByAxes operator*(double scale, const ByAxes& by) {
+    return {scale * by.x, scale * by.y, scale * by.azimuth};
+}
+ByAxes operator+(const ByAxes& a, const ByAxes& b) {
+    return {a.x + b.x, a.y + b.y, a.azimuth + b.azimuth};
+}
+
+/// v_xy along the axes, each component times tau_x/tau or tau_y/tau.
+struct StretchedChange {
+    HorizontalChange value;
+    double along, across;
+    const Direction& axis;
+
+    StretchedChange(const Surface& surface, const Direction& in, const Direction& out)
+        : value{},
+          along{surface.correlation_lengths().along / surface.correlation_length()},
+          across{surface.correlation_lengths().across / surface.correlation_length()},
+          axis{surface.axis()} {
+        value = of(horizontal_change(in, out));
+    }
+    [[nodiscard]] HorizontalChange of(const HorizontalChange& v) const {
+        return {along * (v.x * axis.cos_phi() + v.y * axis.sin_phi()),
+                across * (v.y * axis.cos_phi() - v.x * axis.sin_phi())};
+    }
+    /// Derivative of the squared length where v_xy moves so.
+    [[nodiscard]] double squared_by(const HorizontalChange& moved) const {
+        const HorizontalChange by = of(moved);
+        return 2 * (value.x * by.x + value.y * by.y);
+    }
+    [[nodiscard]] ByAngles<double> squared_by_angles(const Direction& in, const Direction& out) const {
+        return {squared_by({in.cos_theta() * in.cos_phi(), in.cos_theta() * in.sin_phi()}),
+                squared_by({out.cos_theta() * out.cos_phi(), out.cos_theta() * out.sin_phi()}),
+                squared_by({-out.sin_theta() * out.sin_phi(), out.sin_theta() * out.cos_phi()})};
+    }
+    [[nodiscard]] ByAxes squared_by_axes() const {
+        return {2 * square(value.x), 2 * square(value.y),
+                2 * value.x * value.y * (along / across - across / along)};
+    }
+};
+
 // ------------------------------------------------------------------------------------ Phi and the lobe
 
 /// Phi with g dPhi/dg and dPhi/dt.
@@ -77,22 +132,26 @@ BrdfGradient lobe_gradient(const PairGradient& pair, const Wavelength& wavelengt
     const PhiSlopes phi = phi_slopes(lobe_of, factors.phase_variance(wavelength), t);
     const double lobe = factors.lobe(phi.value, wavelength);
     if (lobe == 0 || is_at_horizon(pair.in()) || is_at_horizon(pair.out())) return {lobe, {}};
-    const double t_over_horizontal =
-        square(wavelength.wave_number() * pair.surface().correlation_length() / 2);
+    const double t_over_squared = square(wavelength.wave_number() * pair.surface().correlation_length() / 2);
     const double over_vertical = 1 / factors.change().vertical;
     const auto by_angle = [&](double log_roughness, double vertical, double horizontal, double log_geometry) {
         const double log_g = 2 * (log_roughness + vertical * over_vertical);
-        const double by_phi = phi.by_log_g * log_g + phi.by_t * (t_over_horizontal * horizontal);
+        const double by_phi = phi.by_log_g * log_g + phi.by_t * (t_over_squared * horizontal);
         return factors.lobe(by_phi, wavelength) + lobe * log_geometry;
     };
     const ByAngles<double>&roughness = pair.log_roughness(), &geometry = pair.log_geometry();
-    const WaveVectorChangeGradient& change = pair.change();
+    const ByAngles<double>&vertical = pair.change().vertical, &horizontal = pair.stretched_squared();
     Gradient<> by;
-    by.theta_i = by_angle(roughness.theta_i, change.vertical.theta_i, change.horizontal_squared.theta_i,
-                          geometry.theta_i);
-    by.theta_r = by_angle(roughness.theta_r, change.vertical.theta_r, change.horizontal_squared.theta_r,
-                          geometry.theta_r);
-    by.phi = by_angle(0, 0, change.horizontal_squared.phi, geometry.phi);
+    by.theta_i = by_angle(roughness.theta_i, vertical.theta_i, horizontal.theta_i, geometry.theta_i);
+    by.theta_r = by_angle(roughness.theta_r, vertical.theta_r, horizontal.theta_r, geometry.theta_r);
+    by.phi = by_angle(roughness.phi, 0, horizontal.phi, geometry.phi);
+    const ByAxes &rough = pair.log_roughness_by_axes(), &stretched = pair.stretched_squared_by_axes(),
+                 &shape = pair.log_geometry_by_axes();
+    const CorrelationLengths& lengths = pair.surface().correlation_lengths();
+    // besides, tau_x tau_y is a factor of the lobe
+    by.correlation_length_x = (lobe + by_angle(rough.x, 0, stretched.x, shape.x)) / lengths.along;
+    by.correlation_length_y = (lobe + by_angle(rough.y, 0, stretched.y, shape.y)) / lengths.across;
+    by.azimuth = by_angle(rough.azimuth, 0, stretched.azimuth, shape.azimuth);
     // sigma_0 and tau act by their ratio, sigma_0 in g besides, and tau in t and in tau^2
     const double by_log_g = factors.lobe(2 * phi.by_log_g, wavelength);
     const double by_log_slope =
@@ -121,6 +180,10 @@ BrdfGradient coherent_gradient(const Surface& surface, const ViewGradient& in, c
     Gradient<> by;
     by.rms_roughness = value * (by_log_slope - 2 * g) / surface.rms_roughness();
     by.correlation_length = -value * by_log_slope / surface.correlation_length();
+    const ByAxes slope = log_slope_by_axes(surface, in.direction);
+    by.correlation_length_x = value * by_log_slope * slope.x / surface.correlation_lengths().along;
+    by.correlation_length_y = value * by_log_slope * slope.y / surface.correlation_lengths().across;
+    by.azimuth = value * by_log_slope * slope.azimuth;
     by.theta_i =
         value * 2 * (seen.log_shadowing_by_theta - g * (log_slope * seen.log_obstruction_by_theta - tangent));
     return {value, by};
@@ -167,7 +230,8 @@ PairGradient::PairGradient(const Surface& surface, const ViewGradient& in, const
       factors_{surface, in.view(), out.view()},
       change_{wave_vector_change_gradient(in.direction, out.direction)},
       cos_theta_d_{cos_theta_d_gradient(factors_.cos_theta_d(), change_.squared)},
-      log_geometry_{log_geometrical_factor(factors_.change(), change_)} {
+      log_geometry_{log_geometrical_factor(factors_.change(), change_)},
+      stretched_squared_{change_.horizontal_squared} {
     const VisibilityGradient &i = in.visibility, &r = out.visibility;
     const double slope = log_slope(surface, factors_.effective_roughness());
     const double of_in = slope * share(i.value.obstruction, r.value.obstruction);
@@ -178,6 +242,17 @@ PairGradient::PairGradient(const Surface& surface, const ViewGradient& in, const
     log_geometry_.theta_i += i.log_quotient_by_theta;
     log_geometry_.theta_r += r.log_quotient_by_theta;
     log_geometry_by_log_slope_ = i.log_shadowing_by_log_slope + r.log_shadowing_by_log_slope;
+    const ByAxes slope_i = log_slope_by_axes(surface, in_), slope_r = log_slope_by_axes(surface, out_);
+    const double rough_i = of_in * i.log_obstruction_by_log_slope;
+    const double rough_r = of_out * r.log_obstruction_by_log_slope;
+    log_roughness_by_axes_ = rough_i * slope_i + rough_r * slope_r;
+    log_geometry_by_axes_ = i.log_shadowing_by_log_slope * slope_i + r.log_shadowing_by_log_slope * slope_r;
+    const StretchedChange stretched{surface, in_, out_};
+    stretched_squared_by_axes_ = stretched.squared_by_axes();
+    if (surface.isotropic()) return;
+    log_roughness_.phi = -rough_r * slope_r.azimuth;
+    log_geometry_.phi -= r.log_shadowing_by_log_slope * slope_r.azimuth;
+    stretched_squared_ = stretched.squared_by_angles(in_, out_);
 }
 
 BrdfGradient directional_diffuse_gradient(const PairGradient& pair, const Wavelength& wavelength,
@@ -191,6 +266,9 @@ BrdfGradient directional_diffuse_gradient(const PairGradient& pair, const Wavele
     Gradient<> by;
     by.rms_roughness = reflectance * lobe.by.rms_roughness;
     by.correlation_length = reflectance * lobe.by.correlation_length;
+    by.correlation_length_x = reflectance * lobe.by.correlation_length_x;
+    by.correlation_length_y = reflectance * lobe.by.correlation_length_y;
+    by.azimuth = reflectance * lobe.by.azimuth;
     by.n = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_n);
     by.k = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_k());
     by.theta_i = reflectance * lobe.by.theta_i + by_cosine * cosine.theta_i;
@@ -225,6 +303,9 @@ MuellerGradient directional_diffuse_mueller_gradient(const PairGradient& pair, c
     MuellerGradient result{term.value(), {}};
     result.by.rms_roughness = term.by_scale(lobe.by.rms_roughness);
     result.by.correlation_length = term.by_scale(lobe.by.correlation_length);
+    result.by.correlation_length_x = term.by_scale(lobe.by.correlation_length_x);
+    result.by.correlation_length_y = term.by_scale(lobe.by.correlation_length_y);
+    result.by.azimuth = term.by_scale(lobe.by.azimuth);
     result.by.n = term.by_jones(facet(amplitudes.by_n));
     result.by.k = term.by_jones(facet(amplitudes.by_k()));
     result.by.theta_i = by_angle(lobe.by.theta_i, cosine.theta_i, turned.theta_i);
@@ -245,6 +326,9 @@ SpecularGradient specular_reflectance_gradient(const Surface& surface, const Vie
     Gradient<> by;
     by.rms_roughness = reflectance * coherent.by.rms_roughness;
     by.correlation_length = reflectance * coherent.by.correlation_length;
+    by.correlation_length_x = reflectance * coherent.by.correlation_length_x;
+    by.correlation_length_y = reflectance * coherent.by.correlation_length_y;
+    by.azimuth = reflectance * coherent.by.azimuth;
     by.n = by_fresnel(amplitudes.by_n);
     by.k = by_fresnel(amplitudes.by_k());
     by.theta_i =
@@ -262,6 +346,9 @@ MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGrad
     MuellerGradient result{term.value(), {}};
     result.by.rms_roughness = term.by_scale(coherent.by.rms_roughness);
     result.by.correlation_length = term.by_scale(coherent.by.correlation_length);
+    result.by.correlation_length_x = term.by_scale(coherent.by.correlation_length_x);
+    result.by.correlation_length_y = term.by_scale(coherent.by.correlation_length_y);
+    result.by.azimuth = term.by_scale(coherent.by.azimuth);
     result.by.n = term.by_jones(diagonal(amplitudes.by_n));
     result.by.k = term.by_jones(diagonal(amplitudes.by_k()));
     result.by.theta_i = term.by_scale(coherent.by.theta_i) +

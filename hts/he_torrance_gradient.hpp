@@ -13,7 +13,7 @@
 ///
 /// Where a derivative needs a convention:
 ///   theta = 0      along the azimuth that the direction keeps, on both sides alike
-///   phi            of the outgoing azimuth less the incident one. In the plane of incidence every derivative
+///   phi            of the outgoing azimuth, the incident one being kept. Of isotropic surfaces, in the plane of incidence every derivative
 ///                  by phi is 0 but those of the eight Mueller elements that change sign with phi, which are
 ///                  0 there
 ///   theta = 90 deg a rough surface's lobe falls to 0 there with infinite slope: where cos theta < 1e-100 all
@@ -42,12 +42,15 @@ inline constexpr double specular_mueller_gradient = 5e-13;
 template <class Value = double>
 struct Gradient {
     Value rms_roughness{};       ///< sigma_0 [1/um]
-    Value correlation_length{};  ///< tau [1/um]
+    Value correlation_length{};  ///< tau, of an anisotropic surface with tau_x/tau_y kept [1/um]
     Value n{}, k{};              ///< refractive index [1]
     Value diffuse_albedo{};      ///< a [1]
     Value theta_i{};             ///< polar angles [1/rad]; the specular term has theta_i alone
     Value theta_r{};
     Value phi{};  ///< azimuth of the outgoing less that of the incident direction [1/rad]
+    Value correlation_length_x{},
+        correlation_length_y{};  ///< tau_x and tau_y along the axes of the surface [1/um]
+    Value azimuth{};  ///< of the first axis; turning both directions instead gives its negative [1/rad]
 };
 
 /// A BRDF with its derivatives [1/sr, 1/sr per unit of the parameter].
@@ -66,6 +69,11 @@ struct SpecularGradient {
 struct MuellerGradient {
     Mueller value;
     Gradient<Mueller> by;
+};
+
+/// Derivatives by the axes of a surface: by ln tau_x, ln tau_y and the azimuth of the first axis.
+struct ByAxes {
+    double x, y, azimuth;
 };
 
 /// A direction, what a given surface lets it see, and how that changes.
@@ -97,6 +105,14 @@ class PairGradient {
     /// Those of ln(G S/(cos theta_i cos theta_r)).
     [[nodiscard]] double log_geometry_by_log_slope() const noexcept { return log_geometry_by_log_slope_; }
     [[nodiscard]] const ByAngles<double>& log_geometry() const noexcept { return log_geometry_; }
+    /// Both by the axes of the surface.
+    [[nodiscard]] const ByAxes& log_roughness_by_axes() const noexcept { return log_roughness_by_axes_; }
+    [[nodiscard]] const ByAxes& log_geometry_by_axes() const noexcept { return log_geometry_by_axes_; }
+    /// Those of stretched_horizontal squared, of which t is k^2 tau^2/4 times as much; by the axes with tau kept.
+    [[nodiscard]] const ByAngles<double>& stretched_squared() const noexcept { return stretched_squared_; }
+    [[nodiscard]] const ByAxes& stretched_squared_by_axes() const noexcept {
+        return stretched_squared_by_axes_;
+    }
     /// Those of v.
     [[nodiscard]] const WaveVectorChangeGradient& change() const noexcept { return change_; }
     /// Those of cos theta_d.
@@ -107,7 +123,8 @@ class PairGradient {
     Direction in_, out_;
     PairFactors factors_;
     WaveVectorChangeGradient change_;
-    ByAngles<double> cos_theta_d_, log_roughness_, log_geometry_;
+    ByAngles<double> cos_theta_d_, log_roughness_, log_geometry_, stretched_squared_;
+    ByAxes log_roughness_by_axes_, log_geometry_by_axes_, stretched_squared_by_axes_;
     double log_roughness_by_log_slope_, log_geometry_by_log_slope_;
 };
 

@@ -28,16 +28,17 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
     const double tau_squared = square(surface.correlation_length());
     const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
     Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
-                tau_squared * std::numbers::inv_pi},
+                tau_squared * std::numbers::inv_pi, evaluation_detail::axis_terms(surface)},
                samples.size(),
                padded,
                std::vector<double>(Prepared::columns * padded)};
     for (std::size_t i = 0; i < padded; ++i) {
         const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
-        const double n = s.index.n();
-        const double k = s.index.k();
-        const double d_real = (n - 1) * (n + 1) - k * k;
-        const double d_imaginary_squared = square(2 * n * k);
+        const double n = s.index.substrate().n();
+        const double k = s.index.substrate().k();
+        // N = i, which reflects everything at every angle, stands for what has films
+        const double d_real = s.index.coated() ? -2 : (n - 1) * (n + 1) - k * k;
+        const double d_imaginary_squared = s.index.coated() ? 0 : square(2 * n * k);
         const double wave_squared = square(s.wavelength.wave_number());
         const auto set = [&p, padded, i](Prepared::Column column, double value) {
             p.data[column * padded + i] = value;
@@ -47,7 +48,7 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
         set(Prepared::d_real, d_real);
         set(Prepared::d_imaginary_squared, d_imaginary_squared);
         set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
-        set(Prepared::uniform, s.uniform_diffuse);
+        set(Prepared::uniform, s.index.coated() ? 0 : s.uniform_diffuse);
     }
     return p;
 }
@@ -57,6 +58,7 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
 struct HeTorranceSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
+    bool lack_films;
 };
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
@@ -68,7 +70,9 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
         return;
     const Forms forms = evaluation_detail::forms(tolerance, lobe);
     if (forms.brdf_one == nullptr) return;
-    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_)});
+    const bool coated =
+        std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
+    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_), coated});
 }
 
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
@@ -95,7 +99,7 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
+    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return add_films(pair, result);
     exact_brdf(pair, result);
 }
 
@@ -103,22 +107,27 @@ void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<do
     const std::size_t count = samples_.size();
     require_size("brdf", result.size(), count, pairs.size());
     const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
-    if (lanes_take_all) return;
+    if (lanes_take_all && !lanes_->lack_films) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (lanes_ && evaluation_detail::is_ordinary(pairs[i])) continue;
-        exact_brdf(pairs[i], result.subspan(i * count, count));
+        const auto values = result.subspan(i * count, count);
+        if (lanes_ && evaluation_detail::is_ordinary(pairs[i]))
+            add_films(pairs[i], values);
+        else
+            exact_brdf(pairs[i], values);
     }
 }
 
 void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     require_size("specular_reflectance", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.specular_one(lanes_->prepared, in, result.data())) return;
+    if (lanes_ && !lanes_->lack_films && lanes_->forms.specular_one(lanes_->prepared, in, result.data()))
+        return;
     exact_specular_reflectance(in, result);
 }
 
 void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
     require_size("mueller", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
+    if (lanes_ && !lanes_->lack_films && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data()))
+        return;
     exact_mueller(pair, result);
 }
 
@@ -135,7 +144,7 @@ ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
     const HeTorranceSpectrum lobe{
         surface_, {{sample.wavelength, sample.index, 0}}, Tolerance{accuracy::finest_lane_tolerance}};
     return {.wave_number = sample.wavelength.wave_number(),
-            .correlation_length = surface_.correlation_length(),
+            .surface = surface_,
             .diffuse_albedo = sample.uniform_diffuse * std::numbers::pi,
             .brdf =
                 [lobe](const DirectionPair& pair) {
@@ -154,6 +163,18 @@ ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
                     return surface.rms_roughness() *
                            effective_roughness_ratio(2 * visibility(surface, in).obstruction);
                 }};
+}
+
+/// What the lanes leave out, where they took the pair.
+void HeTorranceSpectrum::add_films(const DirectionPair& pair, std::span<double> result) const noexcept {
+    if (!lanes_->lack_films) return;
+    const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SpectralSample& sample = samples_[i];
+        if (!sample.index.coated()) continue;
+        result[i] = sample.uniform_diffuse +
+                    result[i] * sample.index.amplitudes(cos_theta_d).unpolarised_reflectance();
+    }
 }
 
 void HeTorranceSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {

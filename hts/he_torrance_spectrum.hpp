@@ -4,6 +4,8 @@
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
 /// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon take the
 /// exact path of terms.hpp.
+///
+/// Where there are films the lanes compute the lobe of facets that reflect everything, and the films' reflectance multiplies it.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +33,7 @@ struct DirectionPair {
 /// What a reflector is at one wavelength.
 struct SpectralSample {
     Wavelength wavelength;
-    RefractiveIndex index;
+    CoatedIndex index;
     double uniform_diffuse;  ///< BRDF [1/sr], see hts::uniform_diffuse
 };
 
@@ -86,6 +88,7 @@ class HeTorranceSpectrum {
 
   private:
     struct Lanes;
+    void add_films(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;

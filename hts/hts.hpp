@@ -3,6 +3,7 @@
 
 #include "hts/direction.hpp"
 #include "hts/error.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/fresnel.hpp"
 #include "hts/he_torrance.hpp"
 #include "hts/he_torrance_gradient.hpp"

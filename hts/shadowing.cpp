@@ -44,7 +44,7 @@ VisibilityGradient unhindered(const Direction& direction, const Visibility& valu
 }  // namespace
 
 Visibility visibility(const Surface& surface, const Direction& direction) noexcept {
-    const double width_sine = surface.slope_width() * direction.sin_theta();
+    const double width_sine = surface.slope_width(direction) * direction.sin_theta();
     if (width_sine == 0) return of_a_mirror(direction.cos_theta());
     return visibility(direction, width_sine, slant(direction.cos_theta() / width_sine));
 }
@@ -52,7 +52,7 @@ Visibility visibility(const Surface& surface, const Direction& direction) noexce
 VisibilityGradient visibility_gradient(const Surface& surface, const Direction& direction) noexcept {
     const double cosine = direction.cos_theta();
     const double sine = direction.sin_theta();
-    const double width_sine = surface.slope_width() * sine;
+    const double width_sine = surface.slope_width(direction) * sine;
     if (width_sine == 0) return unhindered(direction, of_a_mirror(cosine));
     const Slant s = slant(cosine / width_sine);
     const Visibility value = visibility(direction, width_sine, s);
@@ -61,7 +61,7 @@ VisibilityGradient visibility_gradient(const Surface& surface, const Direction& 
     const double extent = cosine + width_sine * s.ierfc / 2;
     const double turned = s.gaussian / (width_sine * sine * lit);  // -d ln(lit)/d theta
     const double steepness = 2 * s.c * s.gaussian / s.complement;
-    const double half_width = surface.slope_width() / 2;
+    const double half_width = surface.slope_width(direction) / 2;
     return {value,
             (1 + steepness) / (sine * cosine),
             steepness,

@@ -1,19 +1,71 @@
 #include "hts/surface.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "hts/error.hpp"
 #include "hts/wavelength.hpp"
 
 namespace hts {
+namespace {
+
+double checked_length(double length) {
+    if (length >= shortest_length && length <= longest_length) return length;
+    throw out_of_range("correlation length", length, "um", "> 0 (from 1e-24 to 1e+24 um)");
+}
+
+}  // namespace
 
 Surface::Surface(double rms_roughness, double correlation_length)
-    : rms_roughness_{rms_roughness}, correlation_length_{correlation_length} {
+    : rms_roughness_{rms_roughness},
+      correlation_length_{correlation_length},
+      lengths_{correlation_length, correlation_length} {
     const bool rough = rms_roughness >= shortest_length && rms_roughness <= longest_length;
     if (!rough && rms_roughness != 0) {
         throw out_of_range("rms roughness", rms_roughness, "um", ">= 0 (0, or from 1e-24 to 1e+24 um)");
     }
-    if (!(correlation_length >= shortest_length && correlation_length <= longest_length)) {
-        throw out_of_range("correlation length", correlation_length, "um", "> 0 (from 1e-24 to 1e+24 um)");
-    }
+    checked_length(correlation_length);
+}
+
+Surface Surface::anisotropic(double rms_roughness, const CorrelationLengths& lengths, const Direction& axis) {
+    Surface surface{rms_roughness, lengths.along};
+    if (checked_length(lengths.across) == lengths.along) return surface;
+    surface.correlation_length_ = std::sqrt(lengths.along * lengths.across);
+    surface.lengths_ = lengths;
+    surface.axis_ = axis;
+    return surface;
+}
+
+double Surface::shortest_correlation_length() const noexcept {
+    return std::min(lengths_.along, lengths_.across);
+}
+
+double Surface::azimuth() const noexcept {
+    return std::atan2(axis_.sin_phi(), axis_.cos_phi());
+}
+
+double Surface::correlation_length(const Direction& along) const noexcept {
+    if (isotropic()) return correlation_length_;
+    const double x = along.cos_phi() * axis_.cos_phi() + along.sin_phi() * axis_.sin_phi();
+    const double y = along.sin_phi() * axis_.cos_phi() - along.cos_phi() * axis_.sin_phi();
+    return 1 / std::hypot(x / lengths_.along, y / lengths_.across);
+}
+
+double Surface::slope_width(const Direction& along) const noexcept {
+    return isotropic() ? slope_width() : 2 * rms_roughness_ / correlation_length(along);
+}
+
+double Surface::stretched(const HorizontalChange& change) const noexcept {
+    if (isotropic()) return std::hypot(change.x, change.y);
+    const double x = change.x * axis_.cos_phi() + change.y * axis_.sin_phi();
+    const double y = change.y * axis_.cos_phi() - change.x * axis_.sin_phi();
+    return std::hypot(x * (lengths_.along / correlation_length_),
+                      y * (lengths_.across / correlation_length_));
+}
+
+double stretched_horizontal(const Surface& surface, const Direction& in, const Direction& out) noexcept {
+    return surface.isotropic() ? wave_vector_change(in, out).horizontal
+                               : surface.stretched(horizontal_change(in, out));
 }
 
 }  // namespace hts

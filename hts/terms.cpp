@@ -33,6 +33,8 @@ View view(const Surface& surface, const Direction& direction) noexcept {
 
 PairFactors::PairFactors(const Surface& surface, const View& in, const View& out) noexcept
     : change_{wave_vector_change(in.direction, out.direction)},
+      stretched_{surface.isotropic() ? change_.horizontal
+                                     : surface.stretched(horizontal_change(in.direction, out.direction))},
       cos_theta_d_{change_.cos_theta_d()},
       effective_roughness_{surface.rms_roughness() *
                            effective_roughness_ratio(in.visibility.obstruction + out.visibility.obstruction)},
@@ -45,7 +47,7 @@ double PairFactors::phase_variance(const Wavelength& wavelength) const noexcept 
 }
 
 double PairFactors::lobe_argument(const Wavelength& wavelength) const noexcept {
-    return square(wavelength.wave_number() * change_.horizontal * correlation_length_ / 2);
+    return square(wavelength.wave_number() * stretched_ * correlation_length_ / 2);
 }
 
 double PairFactors::lobe(double phi, const Wavelength& wavelength) const noexcept {
@@ -71,11 +73,11 @@ const char* name(DiffuseLobe lobe) noexcept {
 }
 
 DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                       const RefractiveIndex& index, DiffuseLobe lobe_of) noexcept {
+                                       const CoatedIndex& index, DiffuseLobe lobe_of) noexcept {
     const double g = pair.phase_variance(wavelength);
     const double t = pair.lobe_argument(wavelength);
     const Phi roughness = phi(lobe_of, g, t);
-    const FresnelAmplitudes amplitudes = fresnel(pair.cos_theta_d(), index);
+    const FresnelAmplitudes amplitudes = index.amplitudes(pair.cos_theta_d());
     const double lobe = pair.lobe(roughness.value, wavelength);
     return {amplitudes.unpolarised_reflectance() * lobe, lobe, amplitudes, g, t, roughness.method};
 }
@@ -93,14 +95,14 @@ double coherent_fraction(const Surface& surface, const View& in, const Wavelengt
 }
 
 SpecularReflectance specular_reflectance(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                         const RefractiveIndex& index) noexcept {
-    return SpecularReflectance{fresnel(in.direction.cos_theta(), index).unpolarised_reflectance() *
+                                         const CoatedIndex& index) noexcept {
+    return SpecularReflectance{index.amplitudes(in.direction.cos_theta()).unpolarised_reflectance() *
                                coherent_fraction(surface, in, wavelength)};
 }
 
 Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                         const RefractiveIndex& index) noexcept {
-    const FresnelAmplitudes f = fresnel(in.direction.cos_theta(), index);
+                         const CoatedIndex& index) noexcept {
+    const FresnelAmplitudes f = index.amplitudes(in.direction.cos_theta());
     return coherent_fraction(surface, in, wavelength) * Mueller::from_jones({f.s, 0.0, 0.0, f.p});
 }
 

@@ -19,7 +19,7 @@
 #pragma once
 
 #include "hts/direction.hpp"
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/phi.hpp"
 #include "hts/polarisation.hpp"
 #include "hts/shadowing.hpp"
@@ -61,13 +61,14 @@ class PairFactors {
     [[nodiscard]] double shadowing() const noexcept { return shadowing_; }
     /// g [He91 (79)].
     [[nodiscard]] double phase_variance(const Wavelength& wavelength) const noexcept;
-    /// t = v_xy^2 tau^2 / 4.
+    /// t = v_xy^2 tau^2 / 4, of an anisotropic surface (v_x'^2 tau_x^2 + v_y'^2 tau_y^2) / 4.
     [[nodiscard]] double lobe_argument(const Wavelength& wavelength) const noexcept;
     /// The lobe for |F|^2 = 1 [1/sr], from Phi(g, t) at that wavelength.
     [[nodiscard]] double lobe(double phi, const Wavelength& wavelength) const noexcept;
 
   private:
     WaveVectorChange change_;
+    double stretched_;  // what |v_xy| counts for in t
     double cos_theta_d_;
     double effective_roughness_;
     double shadowing_;
@@ -98,7 +99,7 @@ struct DirectionalDiffuse {
 /// Directional-diffuse term for unpolarised light.
 ///   error   accuracy::brdf
 [[nodiscard]] DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index,
+                                                     const CoatedIndex& index,
                                                      DiffuseLobe lobe = DiffuseLobe::full) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp; element 00 is the unpolarised BRDF.
@@ -128,11 +129,11 @@ class SpecularReflectance {
 ///   error   accuracy::specular_reflectance
 [[nodiscard]] SpecularReflectance specular_reflectance(const Surface& surface, const View& in,
                                                        const Wavelength& wavelength,
-                                                       const RefractiveIndex& index) noexcept;
+                                                       const CoatedIndex& index) noexcept;
 
 /// Its Mueller matrix [1]: that of diag(F_s, F_p), times exp(-g) S.
 [[nodiscard]] Mueller specular_mueller(const Surface& surface, const View& in, const Wavelength& wavelength,
-                                       const RefractiveIndex& index) noexcept;
+                                       const CoatedIndex& index) noexcept;
 
 /// Uniform-diffuse BRDF, albedo / pi [1/sr].
 ///   albedo   a, 0 ... 1, else hts::Error

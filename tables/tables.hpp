@@ -3,6 +3,7 @@
 
 #include "tables/formats/brdf_file.hpp"
 #include "tables/formats/channels.hpp"
+#include "tables/formats/glsl/glsl.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/frames.hpp"

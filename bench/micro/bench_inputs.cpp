@@ -83,8 +83,8 @@ MetalIndices bench_indices(int wavelengths) {
     const auto reflectance = bench_he_torrance(wavelengths);
     MetalIndices indices;
     for (const SpectralSample& sample : reflectance.samples()) {
-        indices.n.push_back(sample.index.n());
-        indices.k.push_back(sample.index.k());
+        indices.n.push_back(sample.index.substrate().n());
+        indices.k.push_back(sample.index.substrate().k());
     }
     return indices;
 }

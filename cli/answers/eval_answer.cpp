@@ -19,7 +19,19 @@ void append_detail(TableWriter::Row& row, const Evaluation& value) {
     row.number(term.shadowing).number(term.fresnel).word(name(term.method));
 }
 
+double quantity(const std::string& name, const Evaluation& value) {
+    const double f = value.directional_diffuse + value.uniform_diffuse;
+    if (name == "brf") return std::numbers::pi * f;
+    if (name == "sigma0") return 4 * std::numbers::pi * f * value.cos_theta_i * value.cos_theta_r;
+    return f * value.cos_theta_r;
+}
+
 }  // namespace
+
+const std::vector<std::string>& eval_quantities() {
+    static const std::vector<std::string> names{"brf", "sigma0", "ars"};
+    return names;
+}
 
 std::vector<std::string> mueller_columns() {
     std::vector<std::string> names;
@@ -42,6 +54,7 @@ std::vector<std::string> EvalAnswer::columns() const {
         return names;
     }
     add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
+    names.insert(names.end(), quantities.begin(), quantities.end());
     if (mueller) {
         for (std::string& name : mueller_columns()) names.push_back(std::move(name));
     }
@@ -63,6 +76,7 @@ void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
     }
     row.number(value.directional_diffuse).number(value.uniform_diffuse);
     row.number(value.directional_diffuse + value.uniform_diffuse).number(value.specular_reflectance);
+    for (const std::string& name : quantities) row.number(quantity(name, value));
     if (mueller) append_mueller(row, value.mueller, value.specular_mueller);
     if (detail) append_detail(row, value);
     if (incident) append_polarisation(row, value);

@@ -24,11 +24,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr Tolerance prepared_tolerance{accuracy::finest_lane_tolerance};
 
-std::vector<Direction> directions(const std::vector<double>& theta) {
+/// Along the steepest slopes of the surface.
+std::vector<Direction> directions(const Surface& surface, const std::vector<double>& theta) {
+    const auto& [along, across] = surface.correlation_lengths();
+    const double azimuth = surface.azimuth() + (along <= across ? 0 : std::numbers::pi / 2);
     std::vector<Direction> result;
     result.reserve(theta.size());
-    for (const double degrees : theta) result.push_back(Direction::from_degrees(degrees, 0));
+    for (const double degrees : theta) {
+        const Direction in = Direction::from_degrees(degrees, 0);
+        result.push_back(surface.isotropic()
+                             ? in
+                             : Direction::from_vector({in.sin_theta() * std::cos(azimuth),
+                                                       in.sin_theta() * std::sin(azimuth), in.cos_theta()}));
+    }
     return result;
+}
+
+double azimuth_in_degrees(const Surface& surface) {
+    return surface.azimuth() * 180 / std::numbers::pi;
 }
 
 struct Range {
@@ -60,10 +73,10 @@ double mirror_share(const Point& point) {
     return std::exp(-point.validity.phase_variance);
 }
 double n(const Point& point) {
-    return point.sample.index.n();
+    return point.sample.index.substrate().n();
 }
 double k(const Point& point) {
-    return point.sample.index.k();
+    return point.sample.index.substrate().k();
 }
 double albedo(const Point& point) {
     return point.sample.uniform_diffuse * std::numbers::pi;
@@ -135,11 +148,36 @@ std::string finding_text(const MaterialInfo& info, Criterion criterion) {
     return text.str();
 }
 
+std::string slope_text(double slope) {
+    return brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) + " deg)";
+}
+
 std::string surface_text(const Surface& surface) {
-    const double slope = spectral::rms_slope(surface);
-    return "sigma0 " + brief(surface.rms_roughness()) + " um, tau " + brief(surface.correlation_length()) +
-           " um; rms slope " + brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) +
-           " deg), radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
+    const std::string curvature =
+        ", radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
+    const std::string height = "sigma0 " + brief(surface.rms_roughness()) + " um, tau ";
+    if (surface.isotropic()) {
+        return height + brief(surface.correlation_length()) + " um; rms slope " +
+               slope_text(spectral::rms_slope(surface)) + curvature;
+    }
+    const auto& [along, across] = surface.correlation_lengths();
+    const auto slopes = spectral::rms_slopes(surface);
+    return height + brief(along) + " um along the azimuth " + brief(azimuth_in_degrees(surface)) +
+           " deg and " + brief(across) + " um across;\n               rms slopes " +
+           slope_text(slopes.along) + " along and " + slope_text(slopes.across) + " across" + curvature;
+}
+
+std::string length_note(const Surface& surface) {
+    if (surface.isotropic()) return "";
+    return "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
+           "the tau of the\n"
+           "findings. Limits and errors are those of isotropic surfaces: of others they are not measured "
+           "yet.\n";
+}
+
+Json length_json(const Surface& surface) {
+    if (surface.isotropic()) return surface.correlation_length();
+    return {surface.correlation_lengths().along, surface.correlation_lengths().across};
 }
 
 /// A line per angle, each over all wavelengths.
@@ -206,7 +244,7 @@ MaterialInfo::MaterialInfo(spectral::Material of, std::vector<double> theta_deg,
     : material{std::move(of)},
       surface{*prepared.properties().surface},
       theta{std::move(theta_deg)},
-      validity{surface, prepared.samples(), directions(theta)},
+      validity{surface, prepared.samples(), directions(surface, theta)},
       prepared_bytes{prepared.bytes()},
       phi_table_bytes{hts::phi_table_bytes(prepared_tolerance)} {}
 
@@ -234,6 +272,7 @@ std::string info_text(const MaterialInfo& info) {
          << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
             "surfaces up to "
             "70 deg, unpolarised)\n";
+    text << length_note(info.surface);
     if (info.material.model_name() != model_measured)
         text << "Limits and errors are those of model " << model_measured << ": of "
              << info.material.model_name() << " they are not measured yet.\n";
@@ -249,29 +288,34 @@ std::string info_json(const MaterialInfo& info) {
     Json wavelengths = Json::array();
     for (std::size_t i = 0; i < points.size(); i += info.theta.size())
         wavelengths.push_back(micrometres(points[i]));
-    const Json result{{"name", info.material.name()},
-                      {"model", info.material.model_name()},
-                      {"limits_and_errors_of_model", model_measured},
-                      {"rms_roughness_um", surface.rms_roughness()},
-                      {"correlation_length_um", surface.correlation_length()},
-                      {"rms_slope", spectral::rms_slope(surface)},
-                      {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
-                      {"curvature_radius_um", spectral::curvature_radius(surface)},
-                      {"index", info.material.substance()},
-                      {"n", range_of(points, n).json()},
-                      {"k", range_of(points, k).json()},
-                      {"diffuse_albedo", range_of(points, albedo).json()},
-                      {"wavelengths_um", wavelengths},
-                      {"theta_deg", info.theta},
-                      {"phase_variance", g.json()},
-                      {"regimes", regimes(g)},
-                      {"mirror_share", range_of(points, mirror_share).json()},
-                      {"validity", name(info.validity.severity())},
-                      {"findings", findings},
-                      {"perturbation_advised", info.validity.perturbation_advised()},
-                      {"expected_error_db", error_json(info.validity.error())},
-                      {"prepared_bytes", info.prepared_bytes},
-                      {"phi_table_bytes", info.phi_table_bytes}};
+    Json result{{"name", info.material.name()},
+                {"model", info.material.model_name()},
+                {"limits_and_errors_of_model", model_measured},
+                {"rms_roughness_um", surface.rms_roughness()},
+                {"correlation_length_um", length_json(surface)},
+                {"rms_slope", spectral::rms_slope(surface)},
+                {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
+                {"curvature_radius_um", spectral::curvature_radius(surface)},
+                {"index", info.material.substance()},
+                {"n", range_of(points, n).json()},
+                {"k", range_of(points, k).json()},
+                {"diffuse_albedo", range_of(points, albedo).json()},
+                {"wavelengths_um", wavelengths},
+                {"theta_deg", info.theta},
+                {"phase_variance", g.json()},
+                {"regimes", regimes(g)},
+                {"mirror_share", range_of(points, mirror_share).json()},
+                {"validity", name(info.validity.severity())},
+                {"findings", findings},
+                {"perturbation_advised", info.validity.perturbation_advised()},
+                {"expected_error_db", error_json(info.validity.error())},
+                {"prepared_bytes", info.prepared_bytes},
+                {"phi_table_bytes", info.phi_table_bytes}};
+    if (!surface.isotropic()) {
+        const auto slopes = spectral::rms_slopes(surface);
+        result["azimuth_deg"] = azimuth_in_degrees(surface);
+        result["rms_slopes"] = {slopes.along, slopes.across};
+    }
     return result.dump(1) + "\n";
 }
 

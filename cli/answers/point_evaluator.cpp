@@ -25,6 +25,9 @@ const std::vector<std::string> known_columns{"wavelength_um",
                                              "k",
                                              "rms_roughness_um",
                                              "correlation_length_um",
+                                             "correlation_length_x_um",
+                                             "correlation_length_y_um",
+                                             "azimuth_deg",
                                              "albedo"};
 
 // The column of wavelengths, in either unit.
@@ -84,10 +87,14 @@ PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
       k{points.find_column("k")},
       rms_roughness{points.find_column("rms_roughness_um")},
       correlation_length{points.find_column("correlation_length_um")},
+      correlation_length_x{points.find_column("correlation_length_x_um")},
+      correlation_length_y{points.find_column("correlation_length_y_um")},
+      azimuth{points.find_column("azimuth_deg")},
       albedo{points.find_column("albedo")} {}
 
 bool PointEvaluator::Columns::any_of_material() const noexcept {
-    return n || k || rms_roughness || correlation_length || albedo;
+    return n || k || rms_roughness || correlation_length || correlation_length_x || correlation_length_y ||
+           azimuth || albedo;
 }
 
 PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spectral::Material>& material,
@@ -102,6 +109,7 @@ PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spec
         throw UsageError{"wavelength given twice: must be either the column " +
                          points.columns()[*columns_.wavelength] + " or an option"};
     }
+    require_whole_surfaces(points);
     if (!material) require_material(points);
     if (!of_rough_surfaces()) require_no_material_columns(points);
     if (wavelengths_ && !columns_.any_of_material()) same_for_all_ = material_.at(*wavelengths_, how_);
@@ -114,7 +122,8 @@ void PointEvaluator::require_material(const CsvReader& points) const {
         {{"n", columns_.n},
          {"k", columns_.k},
          {"rms_roughness_um", columns_.rms_roughness},
-         {"correlation_length_um", columns_.correlation_length}}};
+         {"correlation_length_um",
+          columns_.correlation_length ? columns_.correlation_length : columns_.correlation_length_x}}};
     const auto absent = [](const auto& column) { return !column.second; };
     if (std::all_of(needed.begin(), needed.end(), absent)) {
         throw UsageError{
@@ -126,8 +135,27 @@ void PointEvaluator::require_material(const CsvReader& points) const {
                 " missing: must be in the header where no --material is given"};
 }
 
+// Both lengths together, or one; an azimuth where there are axes.
+void PointEvaluator::require_whole_surfaces(const CsvReader& points) const {
+    const Columns& c = columns_;
+    const auto wrong = [&](const char* column, const char* why) {
+        return Error{points.where_header() + "column " + column + why};
+    };
+    if (c.correlation_length_x && !c.correlation_length_y)
+        throw wrong("correlation_length_y_um",
+                    " missing: must be in the header beside correlation_length_x_um");
+    if (c.correlation_length_y && !c.correlation_length_x)
+        throw wrong("correlation_length_x_um",
+                    " missing: must be in the header beside correlation_length_y_um");
+    if (!c.correlation_length) return;
+    if (c.correlation_length_x)
+        throw wrong("correlation_length_um", ": must not be in the header beside correlation_length_x_um");
+    if (c.azimuth) throw wrong("azimuth_deg", ": must not be in the header beside correlation_length_um");
+}
+
 void PointEvaluator::require_no_material_columns(const CsvReader& points) const {
-    for (const char* name : {"n", "k", "rms_roughness_um", "correlation_length_um", "albedo"}) {
+    for (const char* name : {"n", "k", "rms_roughness_um", "correlation_length_um", "correlation_length_x_um",
+                             "azimuth_deg", "albedo"}) {
         if (!points.find_column(name)) continue;
         throw Error{points.where_header() + "column " + name +
                     ": must not be in the header where the material's model is not he"};
@@ -155,6 +183,8 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
     const auto terms = reflected_terms(of, pair);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = {.wavelength = of.wavelengths().micrometres()[i],
+                     .cos_theta_i = pair.in.cos_theta(),
+                     .cos_theta_r = pair.out.cos_theta(),
                      .directional_diffuse = terms.directional_diffuse[i],
                      .uniform_diffuse = terms.uniform_diffuse[i],
                      .specular_reflectance = terms.specular_reflectance[i]};
@@ -205,10 +235,15 @@ spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const
     const auto value = [&](const Column& column, const char* name) {
         return column ? std::optional{cell(row, *column, name)} : std::nullopt;
     };
+    const auto degrees = value(columns_.azimuth, "azimuth_deg");
+    const auto axis = degrees ? std::optional{Direction::from_degrees(90, *degrees)} : std::nullopt;
     return {.n = value(columns_.n, "n"),
             .k = value(columns_.k, "k"),
             .rms_roughness = value(columns_.rms_roughness, "rms_roughness_um"),
             .correlation_length = value(columns_.correlation_length, "correlation_length_um"),
+            .correlation_length_x = value(columns_.correlation_length_x, "correlation_length_x_um"),
+            .correlation_length_y = value(columns_.correlation_length_y, "correlation_length_y_um"),
+            .axis = axis,
             .diffuse_albedo = value(columns_.albedo, "albedo")};
 }
 

@@ -21,6 +21,7 @@ using spectral::CsvRow;
 /// The three terms at one pair and wavelength.
 struct Evaluation {
     double wavelength;                             ///< [um]
+    double cos_theta_i = 0, cos_theta_r = 0;       ///< of the pair
     double directional_diffuse = 0;                ///< [1/sr]
     double uniform_diffuse = 0;                    ///< [1/sr]
     double specular_reflectance = 0;               ///< [1]
@@ -42,8 +43,8 @@ class PairColumns {
     std::size_t theta_i_, phi_i_, theta_r_, phi_r_;
 };
 
-/// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um and albedo go
-/// before the material's; they are those of rough surfaces.
+/// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um (or correlation_length_x_um,
+/// correlation_length_y_um and azimuth_deg) and albedo go before the material's; they are those of rough surfaces.
 class PointEvaluator {
   public:
     ///   points        its header is looked at here, its rows are not
@@ -83,11 +84,13 @@ class PointEvaluator {
         PairColumns directions;
         Column wavelength;
         double wavelength_unit = 1;  ///< of the column [um]
-        Column n, k, rms_roughness, correlation_length, albedo;
+        Column n, k, rms_roughness, correlation_length, correlation_length_x, correlation_length_y, azimuth,
+            albedo;
     };
 
     void require_material(const CsvReader& points) const;
     void require_no_material_columns(const CsvReader& points) const;
+    void require_whole_surfaces(const CsvReader& points) const;
     [[nodiscard]] spectral::RoughSurfaceValues own_values(const CsvRow& row) const;
     [[nodiscard]] spectral::WavelengthGrid wavelengths(const CsvRow& row) const;
     /// What the row is of.

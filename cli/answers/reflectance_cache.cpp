@@ -25,8 +25,8 @@ std::vector<spectral::EnergyCompensation> CompensationCache::at(const spectral::
 const spectral::EnergyCompensation& CompensationCache::at(const spectral::RoughSurface& surface,
                                                           const Wavelength& wavelength) {
     std::unique_lock lock{mutex_};
-    Entry& entry =
-        entries_[{surface.rms_roughness(), surface.correlation_length(), wavelength.micrometres()}];
+    const auto& [along, across] = surface.correlation_lengths();
+    Entry& entry = entries_[{surface.rms_roughness(), along, across, wavelength.micrometres()}];
     lock.unlock();
     std::call_once(entry.once, [&] { entry.solved.emplace(surface, wavelength); });
     return *entry.solved;

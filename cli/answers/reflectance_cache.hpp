@@ -44,7 +44,7 @@ class CompensationCache {
                                                          const Wavelength& wavelength);
 
     std::mutex mutex_;
-    std::map<std::array<double, 3>, Entry> entries_;
+    std::map<std::array<double, 4>, Entry> entries_;
 };
 
 }  // namespace hts::cli

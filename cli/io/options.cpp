@@ -151,6 +151,18 @@ CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<st
     });
 }
 
+CLI::Option* more_columns(CLI::App& verb, std::vector<std::string>& columns, std::vector<std::string> known,
+                          const std::string& description) {
+    const auto checked = [&columns, known](const std::string& piece) {
+        if (std::ranges::find(known, piece) == known.end())
+            throw Error{spectral::in_quotes(piece) + ": " + spectral::must_be_one_of(piece, known)};
+        if (std::ranges::find(columns, piece) != columns.end())
+            throw Error{spectral::in_quotes(piece) + ": must be there once"};
+        return piece;
+    };
+    return offers(list_option(verb, "--columns", columns, description, checked), std::move(known));
+}
+
 CLI::Option* reads(CLI::Option* option) {
     return option->each([](const std::string& path) { run_files().will_read(path); });
 }

@@ -103,6 +103,10 @@ CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<do
 CLI::Option* comma_list(CLI::App& verb, const std::string& names, std::vector<std::string>& values,
                         const std::string& description);
 
+/// --columns: of which columns an answer has more; each must be one of `known`, once.
+CLI::Option* more_columns(CLI::App& verb, std::vector<std::string>& columns, std::vector<std::string> known,
+                          const std::string& description);
+
 // One interface for all verbs: the first name is the one in the help text, the others are taken, too.
 
 inline constexpr auto material_names = "material,--material,-m";

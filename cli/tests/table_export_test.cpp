@@ -115,6 +115,25 @@ TEST_CASE("hts table export names what is wrong and leaves nothing behind") {
           "--solid-angle: solid angle");
     wrong(aluminium + " --format pbsdf --output x --wavelengths 0.5,0.6", 1, "must be 5");
     wrong(aluminium + " --format pbsdf --output x --specular box", 1, "has no Mueller matrix");
-    wrong(satin + " --format rgl --output x --wavelengths 0.5", 1, "is anisotropic");
+    wrong(satin + " --format pbsdf --output x --wavelengths 0.45:0.65:5", 1, "is anisotropic");
     wrong("missing.json --format rgl --output x", 1, "missing.json");
+}
+
+TEST_CASE("hts table export writes shaders, and refuses what a shader cannot hold") {
+    const Workplace place;
+    const auto shader =
+        place.hts("table export " + aluminium + " --format glsl --pairs 2000 --json --output al.glsl");
+    INFO(shader.errors);
+    REQUIRE(shader.exit_code == 0);
+    CHECK(nlohmann::json::parse(shader.output)["worst"]["error_of_peak"] < 1e-3);
+    CHECK(place.read("al.glsl").find("vec3 hts_brdf_rgb(vec3 wi, vec3 wo)") != std::string::npos);
+    const auto refused = place.hts("table export " HTS_SOURCE_DIR
+                                   "/cli/data/rough-gold.json --format glsl --output gold.glsl");
+    CHECK(refused.exit_code == 1);
+    CHECK(refused.errors.find("format glsl: must be a material of model \"he\"") != std::string::npos);
+    const auto boxed =
+        place.hts("table export " + aluminium + " --format glsl --specular box --output box.glsl");
+    CHECK(boxed.exit_code == 2);
+    CHECK(boxed.errors.find("--specular box: must not come with --format glsl") != std::string::npos);
+    CHECK(place.names() == std::vector<std::string>{"al.glsl", "al.glsl.json"});
 }

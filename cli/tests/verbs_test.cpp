@@ -124,8 +124,8 @@ TEST_CASE("hts sample names what is wrong") {
 TEST_CASE("hts materials lists the collection and describes one") {
     const Workplace place;
     const auto list = place.hts("materials");
-    for (const std::string name : {"Al", "Cu", "Au", "Ag", "Cr", "Fe", "Ni", "Ti", "W", "MgO", "Al2O3", "SiC",
-                                   "SiO2", "BK7", "PMMA", "polycarbonate", "polystyrene"}) {
+    for (const std::string name : {"Al", "Cu", "Au", "Ag", "Cr", "Fe", "Ni", "Ti", "W", "MgF2", "MgO",
+                                   "Al2O3", "SiC", "SiO2", "BK7", "PMMA", "polycarbonate", "polystyrene"}) {
         INFO(name);
         CHECK(list.output.find("\n" + name + ",") != std::string::npos);
     }

@@ -18,9 +18,11 @@ namespace {
 constexpr auto eval_help = R"(
 Points are CSV (semicolons, tabs or blanks between fields and decimal commas are read too)
 with the columns wavelength_um (or wavelength_nm), theta_i_deg, phi_i_deg, theta_r_deg,
-phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um,
-albedo, which go before the material's (model he alone). Without wavelength_um every row
-is evaluated at --wavelength or --wavelengths. Other columns are repeated and not used.
+phi_r_deg in any order, and optionally n, k, rms_roughness_um, correlation_length_um (or
+correlation_length_x_um and correlation_length_y_um, with azimuth_deg of the first from x)
+and albedo, which go before the material's (models he and he_unified). Without
+wavelength_um every row is evaluated at --wavelength or --wavelengths. Other columns are
+repeated and not used.
 The answer repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr]
 and specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of
@@ -41,6 +43,7 @@ Examples:
   hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv --output values.csv --detail
   hts eval --material cli/data/rough-aluminium.json --points - --wavelengths 0.4:0.7:31 < cli/data/pairs.csv
   hts eval --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
+  hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv --columns brf,sigma0,ars
   hts plan cli/data/figure-14.json --output plan.json
   hts eval --plan plan.json --material "copper sphere" --points cli/data/pairs.csv)";
 
@@ -52,6 +55,7 @@ struct EvalOptions {
     std::string wavelengths, points, polarisation, plan;
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
+    std::vector<std::string> columns;
     bool mueller = false, detail = false, transmission = false, compensate = false;
     ToleranceOption tolerance;
 
@@ -125,12 +129,12 @@ CsvReader points_of(const EvalOptions& options) {
 }
 
 void evaluate_as_planned(const EvalOptions& options) {
-    if (wavelengths(options) || options.random_pairs || options.detail ||
+    if (wavelengths(options) || options.random_pairs || options.detail || !options.columns.empty() ||
         options.material.policy() != spectral::OutsideRange::error || options.compensate ||
         !options.polarisation.empty() || options.tolerance.value) {
         throw UsageError{
-            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --outside, "
-            "--compensate-energy, --polarisation, --tolerance"};
+            "--plan: must not come with --wavelength, --wavelengths, --random-pairs, --detail, --columns, "
+            "--outside, --compensate-energy, --polarisation, --tolerance"};
     }
     CsvReader points = points_of(options);
     evaluate_planned({options.plan, options.material.path, options.mueller}, points, options.output);
@@ -145,7 +149,7 @@ void evaluate_points(const EvalOptions& options) {
     const PointEvaluator evaluator{points, described, grid, options.evaluation()};
     warn_of_unused(points);
     EvalAnswer answer{grid.has_value(), options.mueller, options.detail && evaluator.of_rough_surfaces(),
-                      options.transmission};
+                      options.transmission, options.columns};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -203,11 +207,14 @@ void run(const EvalOptions& options) {
     require_one_of(options.detail, options.tolerance.value.has_value(), "--detail and --tolerance");
     require_one_of(options.mueller || !options.polarisation.empty(), options.random_pairs.has_value(),
                    "--random-pairs and --mueller or --polarisation");
+    require_one_of(!options.columns.empty(), options.random_pairs.has_value(),
+                   "--random-pairs and --columns");
     if (options.transmission &&
-        (options.mueller || options.detail || options.compensate || !options.polarisation.empty() ||
-         !options.plan.empty() || options.random_pairs)) {
+        (options.mueller || options.detail || !options.columns.empty() || options.compensate ||
+         !options.polarisation.empty() || !options.plan.empty() || options.random_pairs)) {
         throw UsageError{
-            "--transmission: must not come with --mueller, --detail, --compensate-energy, --polarisation, "
+            "--transmission: must not come with --mueller, --detail, --columns, --compensate-energy, "
+            "--polarisation, "
             "--plan, --random-pairs"};
     }
     if (!options.plan.empty()) return evaluate_as_planned(options);
@@ -233,6 +240,10 @@ void add_eval(CLI::App& program) {
     verb->add_flag("--detail", options->detail,
                    "add g, t, effective_roughness_um, shadowing, fresnel, method;\na summary of the speed "
                    "goes to standard error");
+    more_columns(*verb, options->columns, eval_quantities(),
+                 "the BRDF f in other terms: brf (bidirectional reflectance factor, pi f),\n"
+                 "sigma0 (radar's scattering coefficient, 4 pi f cos theta_i cos theta_r),\n"
+                 "ars (angle-resolved scatter, f cos theta_r [1/sr])");
     verb->add_flag(
         "--compensate-energy", options->compensate,
         "with the optional energy compensation, which is not part of the published model he;\nsome "

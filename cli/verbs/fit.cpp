@@ -47,7 +47,7 @@ Examples:
 
 struct FitOptions {
     std::vector<std::string> curves, fixed, freed, starts;
-    std::string model = "he", index, residual = "log", loss = "squares", output, report;
+    std::string model = "he", index, films, residual = "log", loss = "squares", output, report;
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
@@ -95,6 +95,7 @@ FitRequest request(const FitOptions& options, const CurveSet& set) {
     FitRequest result{.model = options.model,
                       .lobes = options.lobes,
                       .index = json_of(options.index),
+                      .films = options.films,
                       .freed = options.freed,
                       .residual = residual(options),
                       .loss = choice("--loss", options.loss, {squares, huber, cauchy}),
@@ -241,6 +242,9 @@ void add_fit(CLI::App& program) {
         writes(verb->add_option("--report", options->report, "everything about the fit (JSON)"))};
     verb->add_option("--index", options->index,
                      "optical constants: a built-in name, or JSON as in a material file");
+    of_one.push_back(verb->add_option("--films", options->films,
+                                      "films that cover it, held: JSON as in a material file, "
+                                      R"([{"index": "Al2O3", "thickness_um": 0.004}])"));
     verb->add_option("--residual", options->residual, "log, relative, weighted or cosine")
         ->capture_default_str();
     options->outside.add_to(*verb);

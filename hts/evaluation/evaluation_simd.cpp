@@ -41,8 +41,10 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Su
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
                                 HWY_ATTR { return hn::InterleaveLower(hn::Set(two, a), hn::Set(two, b)); };
-    const auto s = seen(both, in_and_out(in.cos_theta(), out.cos_theta()),
-                        in_and_out(in.sin_theta(), out.sin_theta()), both.real(surface.slope_width));
+    const auto s =
+        seen(both, in_and_out(in.cos_theta(), out.cos_theta()), in_and_out(in.sin_theta(), out.sin_theta()),
+             slope_width(both, surface.axes, surface.slope_width, in_and_out(in.cos_phi(), out.cos_phi()),
+                         in_and_out(in.sin_phi(), out.sin_phi())));
     const auto swapped = [two](auto v) HWY_ATTR { return hn::Reverse2(two, v); };
     const double v = hn::GetLane(lambert_coordinate(both, s.obstruction + swapped(s.obstruction)));
     const double shadowing = hn::GetLane((s.lit * swapped(s.lit)) / (s.reach * swapped(s.reach)));
@@ -299,12 +301,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hts::evaluation_detail {
 
+AxisTerms axis_terms(const Surface& surface) noexcept {
+    const auto& [along, across] = surface.correlation_lengths();
+    const double height = 2 * surface.rms_roughness(), mean = surface.correlation_length();
+    return {surface.isotropic(), surface.axis().cos_phi(), surface.axis().sin_phi(),
+            height / along,      height / across,          along / mean,
+            across / mean};
+}
+
 bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
     const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
-    return length(surface.rms_roughness()) && length(surface.correlation_length()) &&
+    const auto& [along, across] = surface.correlation_lengths();
+    return length(surface.rms_roughness()) && length(along) && length(across) &&
            std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
-               return length(s.wavelength.micrometres()) && s.index.n() >= 1e-3 && s.index.n() <= 1e6 &&
-                      s.index.k() <= 1e6;
+               return length(s.wavelength.micrometres()) && s.index.substrate().n() >= 1e-3 &&
+                      s.index.substrate().n() <= 1e6 && s.index.substrate().k() <= 1e6;
            });
 }
 

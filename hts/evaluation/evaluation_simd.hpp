@@ -9,6 +9,16 @@
 
 namespace hts::evaluation_detail {
 
+/// The axes of a surface of two correlation lengths.
+struct AxisTerms {
+    bool isotropic;                        // then none of the rest is read
+    double cosine, sine;                   // of the azimuth of the first
+    double width_along, width_across;      // 2 sigma_0 / tau_x, 2 sigma_0 / tau_y
+    double stretch_along, stretch_across;  // tau_x / tau, tau_y / tau
+};
+
+[[nodiscard]] AxisTerms axis_terms(const Surface& surface) noexcept;
+
 /// What the lanes need of a surface.
 struct SurfaceTerms {
     double slope_width;  // 2 sigma_0 / tau
@@ -16,6 +26,7 @@ struct SurfaceTerms {
     double inverse_variance;
     double quarter_tau_squared;
     double tau_squared_over_pi;
+    AxisTerms axes;
 };
 
 /// A surface and its optical constants, one column per quantity, each padded to whole vectors with its last value.

@@ -97,17 +97,53 @@ struct PairAngles {
     V cos_out, sin_out, cos_phi_out, sin_phi_out;
 };
 
-/// |v_xy|^2 as hts::wave_vector_change has it.
+/// sin theta_r - sin theta_i
 template <class Lanes, class V>
-HWY_INLINE V horizontal_squared(const Lanes& o, const PairAngles<V>& a) {
+HWY_INLINE V sine_difference(const Lanes& o, const PairAngles<V>& a) {
     const V one = o.real(1);
     const V sines = a.sin_in + a.sin_out;
     const V by_cosines = (a.cos_in - a.cos_out) * (a.cos_in + a.cos_out) / o.max(sines, one);
-    const V along = o.select(o.less(sines, one), a.sin_out - a.sin_in, by_cosines);
+    return o.select(o.less(sines, one), a.sin_out - a.sin_in, by_cosines);
+}
+
+/// |v_xy|^2 as hts::wave_vector_change has it.
+template <class Lanes, class V>
+HWY_INLINE V horizontal_squared(const Lanes& o, const PairAngles<V>& a) {
+    const V along = sine_difference(o, a);
     const V x = a.cos_phi_in + a.cos_phi_out;
     const V y = a.sin_phi_in + a.sin_phi_out;
     const V across = o.mul_add(x, x, y * y);
     return o.mul_add(along, along, a.sin_in * a.sin_out * across);
+}
+
+/// The square of (x', y'), a vector of the plane along the axes, each times its factor.
+template <class Lanes, class V>
+HWY_INLINE V squared_along_axes(const Lanes& o, const AxisTerms& axes, V x, V y, double along,
+                                double across) {
+    const V c = o.real(axes.cosine), s = o.real(axes.sine);
+    const V first = o.mul_add(x, c, y * s) * o.real(along);
+    const V second = o.neg_mul_add(x, s, y * c) * o.real(across);
+    return o.mul_add(first, first, second * second);
+}
+
+/// Surface::slope_width of a direction of an azimuth.
+///   mean   of all azimuths, which an isotropic surface has everywhere
+template <class Lanes, class V>
+HWY_INLINE V slope_width(const Lanes& o, const AxisTerms& axes, double mean, V cos_phi, V sin_phi) {
+    if (axes.isotropic) return o.real(mean);
+    return o.sqrt(squared_along_axes(o, axes, cos_phi, sin_phi, axes.width_along, axes.width_across));
+}
+
+/// The square of hts::stretched_horizontal.
+///   horizontal   |v_xy|^2
+template <class Lanes, class V>
+HWY_INLINE V stretched_squared(const Lanes& o, const AxisTerms& axes, const PairAngles<V>& a, V horizontal) {
+    if (axes.isotropic) return horizontal;
+    const V half = o.real(0.5);
+    const V difference = half * sine_difference(o, a), sum = half * (a.sin_in + a.sin_out);
+    const V x = o.mul_add(difference, a.cos_phi_out - a.cos_phi_in, sum * (a.cos_phi_out + a.cos_phi_in));
+    const V y = o.mul_add(difference, a.sin_phi_out - a.sin_phi_in, sum * (a.sin_phi_out + a.sin_phi_in));
+    return squared_along_axes(o, axes, x, y, axes.stretch_along, axes.stretch_across);
 }
 
 /// What a pair contributes, whatever the wavelength. With k the wave number: g = k^2 variance,
@@ -128,7 +164,7 @@ HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const SurfaceTerms& surface, 
     const V cos_squared = o.min((horizontal + vertical_squared) * o.real(0.25), o.real(1));
     return {o.real(surface.variance) * vertical_squared / one_plus_w,
             o.real(surface.inverse_variance) * inverse_vertical_squared * one_plus_w,
-            o.real(surface.quarter_tau_squared) * horizontal,
+            o.real(surface.quarter_tau_squared) * stretched_squared(o, surface.axes, a, horizontal),
             o.real(surface.tau_squared_over_pi) * (cos_squared * cos_squared) * inverse_vertical_squared *
                 shadowing_over_cosines,
             cos_squared};

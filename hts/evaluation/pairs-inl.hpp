@@ -57,9 +57,11 @@ struct PairBlock {
         constexpr Lanes o{};
         const auto at = [](const double* a, std::size_t i) HWY_ATTR { return hn::Load(d, a + i); };
         for (std::size_t i = 0; i < count; i += lanes) {
-            const V width = o.real(surface.slope_width);
-            const auto in = seen(o, at(cos_in, i), at(sin_in, i), width);
-            const auto out = seen(o, at(cos_out, i), at(sin_out, i), width);
+            const auto width = [&](const double* cosine, const double* sine) HWY_ATTR {
+                return slope_width(o, surface.axes, surface.slope_width, at(cosine, i), at(sine, i));
+            };
+            const auto in = seen(o, at(cos_in, i), at(sin_in, i), width(cos_phi_in, sin_phi_in));
+            const auto out = seen(o, at(cos_out, i), at(sin_out, i), width(cos_phi_out, sin_phi_out));
             hn::Store(lambert_coordinate(o, in.obstruction + out.obstruction), d, lambert + i);
             hn::Store((in.lit * out.lit) / (in.reach * out.reach), d, shadowing + i);
         }

@@ -60,8 +60,8 @@ FacetFresnel FacetFresnel::schlick(double f0) {
     return {checked_reflectance("f0", f0), std::nullopt};
 }
 
-FacetFresnel FacetFresnel::exact(const RefractiveIndex& index) {
-    return {fresnel(1, index).unpolarised_reflectance(), index};
+FacetFresnel FacetFresnel::exact(const CoatedIndex& index) {
+    return {index.amplitudes(1).unpolarised_reflectance(), index};
 }
 
 double FacetFresnel::operator()(double cosine) const noexcept {

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/microfacet/normals/normal_density.hpp"
 #include "hts/microfacet/spectrum.hpp"
 
@@ -32,8 +32,8 @@ class FacetFresnel {
   public:
     /// f0 + (1 - f0)(1 - cos)^5 [Ashikhmin00 (31)].    f0   reflectance at normal incidence, 0 ... 1, else hts::Error
     [[nodiscard]] static FacetFresnel schlick(double f0);
-    /// The reflectance of a plane interface for unpolarised light.
-    [[nodiscard]] static FacetFresnel exact(const RefractiveIndex& index);
+    /// The reflectance of a plane interface for unpolarised light, under its films.
+    [[nodiscard]] static FacetFresnel exact(const CoatedIndex& index);
 
     /// Reflectance [1].   cosine   of the local angle of incidence, 0 ... 1
     [[nodiscard]] double operator()(double cosine) const noexcept;
@@ -41,10 +41,10 @@ class FacetFresnel {
     [[nodiscard]] bool is_schlick() const noexcept { return !index_; }
 
   private:
-    FacetFresnel(double f0, std::optional<RefractiveIndex> index) : f0_{f0}, index_{index} {}
+    FacetFresnel(double f0, std::optional<CoatedIndex> index) : f0_{f0}, index_{index} {}
 
     double f0_;
-    std::optional<RefractiveIndex> index_;
+    std::optional<CoatedIndex> index_;
 };
 
 /// Whether a facet that is lit is the more likely to be seen.

@@ -103,11 +103,15 @@ void lobe_spectrum(std::span<const Model> alike, const Direction& in, const Dire
         std::array<double, block> n, k;
         const std::size_t count = std::min(block, alike.size() - first);
         for (std::size_t j = 0; j < count; ++j) {
-            n[j] = alike[first + j].index().n();
-            k[j] = alike[first + j].index().k();
+            n[j] = alike[first + j].index().substrate().n();
+            k[j] = alike[first + j].index().substrate().k();
         }
         for (std::size_t j = 0; j < count; ++j)
             result[first + j] = lobe.value * reflectance(lobe.cos_in, n[j], k[j]);
+        for (std::size_t j = first; j < first + count; ++j) {
+            const CoatedIndex& index = alike[j].index();
+            if (index.coated()) result[j] = lobe.value * facet_reflectance(lobe.cos_in, index);
+        }
     }
 }
 
@@ -124,8 +128,9 @@ Facet mirror_facet(const Direction& in, const Direction& out) noexcept {
     return drawn_mirror_facet(1 / length * sum, std::min(1.0, length / 2));
 }
 
-double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept {
-    return reflectance(cos_in, index.n(), index.k());
+double facet_reflectance(double cos_in, const CoatedIndex& index) noexcept {
+    if (index.coated()) return index.amplitudes(cos_in).unpolarised_reflectance();
+    return reflectance(cos_in, index.substrate().n(), index.substrate().k());
 }
 
 FacetLobe facet_lobe(const FacetDistribution& facets, const Direction& in, const Direction& out) noexcept {
@@ -181,32 +186,49 @@ WalterBsdf::WalterBsdf(const FacetDistribution& facets, double front_index, doub
     back_.relative = {front_index / back_index, 0};
 }
 
-/// F or 1 - F: what a facet sends the way of the pair.
+WalterBsdf::WalterBsdf(const FacetDistribution& facets, double front_index, const CoatedIndex& back,
+                       NormalDraw normals)
+    : WalterBsdf{facets, front_index, back.substrate().n(), normals} {
+    if (!back.coated()) return;
+    front_.relative = back.seen_from(front_index);
+    back_.relative = front_.relative.turned_over();
+}
+
+/// F or T: what a facet sends the way of the pair.
 double WalterBsdf::share(const Facet& facet, const Media& media, bool reflected) const noexcept {
+    if (!reflected && media.relative.coated())
+        return media.relative.transmittance(std::min(1.0, facet.cos_in));
     if (!reflected) return transmittance(facet.cos_in, facet.cos_out, media.eta_in, media.eta_out);
     return facet_reflectance(std::min(1.0, facet.cos_in), media.relative);
 }
 
+/// F or 1 - F: how often `sample` sends light that way.
+double WalterBsdf::chance(const Facet& facet, const Media& media, bool reflected) const noexcept {
+    if (reflected || !media.relative.coated()) return share(facet, media, reflected);
+    return 1 - share(facet, media, true);
+}
+
 WalterBsdf::Event WalterBsdf::event(const SidedDirection& in, const SidedDirection& out) const noexcept {
-    if (!lit_and_seen(in.direction, out.direction)) return {no_facet, 0};
+    if (!lit_and_seen(in.direction, out.direction)) return {no_facet, 0, 0};
     const Media& here = media(in.side);
     const bool reflected = in.side == out.side;
     const Vector3 o = out.direction.vector();
     const Facet facet =
         reflected ? mirror_facet(in.direction, out.direction)
                   : refracting_facet(in.direction.vector(), {o.x, o.y, -o.z}, here.eta_in, here.eta_out);
-    return {facet, facet.normal.z > 0 ? share(facet, here, reflected) : 0};
+    if (!(facet.normal.z > 0)) return {no_facet, 0, 0};
+    return {facet, share(facet, here, reflected), chance(facet, here, reflected)};
 }
 
 double WalterBsdf::bsdf(const SidedDirection& in, const SidedDirection& out) const noexcept {
-    const auto [facet, share] = event(in, out);
+    const auto [facet, share, chance] = event(in, out);
     return share > 0 ? share * lobe(facets_, facet, in.direction, out.direction) : 0;
 }
 
 double WalterBsdf::pdf(const SidedDirection& known, const SidedDirection& out) const noexcept {
-    const auto [facet, share] = event(known, out);
-    return share > 0 ? share * facet.jacobian * facets_.normal_pdf(known.direction, facet.normal, normals_)
-                     : 0;
+    const auto [facet, share, chance] = event(known, out);
+    return chance > 0 ? chance * facet.jacobian * facets_.normal_pdf(known.direction, facet.normal, normals_)
+                      : 0;
 }
 
 DrawnScattering WalterBsdf::sample(const SidedDirection& known, const Uniforms& uniforms,
@@ -228,14 +250,16 @@ DrawnScattering WalterBsdf::sample(const SidedDirection& known, const Uniforms& 
     const SidedDirection drawn{reflected ? known.side : opposite(known.side),
                                Direction::from_unit_vector(reflected ? out : Vector3{-out.x, -out.y, out.z})};
     const double ratio = from == PathFrom::eye && !reflected ? here.eta_in / here.eta_out : 1;
-    return {drawn, ratio * ratio * weight(facets_, facet, in, drawn.direction, normal_pdf),
-            share(facet, here, reflected) * normal_pdf * facet.jacobian};
+    const double drawn_as_often = chance(facet, here, reflected);
+    const double kept = here.relative.coated() ? share(facet, here, reflected) / drawn_as_often : 1;
+    return {drawn, kept * ratio * ratio * weight(facets_, facet, in, drawn.direction, normal_pdf),
+            drawn_as_often * normal_pdf * facet.jacobian};
 }
 
-WalterInterface::WalterInterface(const FacetDistribution& facets, const RefractiveIndex& index,
+WalterInterface::WalterInterface(const FacetDistribution& facets, const CoatedIndex& index,
                                  double exterior_index)
-    : WalterBrdf{facets, {index.n() / exterior_index, index.k() / exterior_index}} {
-    if (index.k() == 0) glass_.emplace(facets, exterior_index, index.n());
+    : WalterBrdf{facets, index.seen_from(exterior_index)} {
+    if (index.substrate().k() == 0) glass_.emplace(facets, exterior_index, index);
 }
 
 void WalterInterface::brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,

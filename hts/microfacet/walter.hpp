@@ -20,7 +20,7 @@
 #include <optional>
 #include <span>
 
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/microfacet/distribution.hpp"
 #include "hts/microfacet/spectrum.hpp"
 
@@ -47,7 +47,7 @@ struct Facet {
 /// What a facet reflects of unpolarised light, `fresnel(...).unpolarised_reflectance()` in real arithmetic, which is quicker.
 ///   cos_in   0 ... 1    range   0 ... 1; 1 in total reflection
 ///   error    accuracy::facet_reflectance, absolute, away from the critical angle
-[[nodiscard]] double facet_reflectance(double cos_in, const RefractiveIndex& index) noexcept;
+[[nodiscard]] double facet_reflectance(double cos_in, const CoatedIndex& index) noexcept;
 
 /// Reflection by one side of a rough surface, times facet_reflectance(cos_in, index) at each wavelength.
 struct FacetLobe {
@@ -64,8 +64,8 @@ struct FacetLobe {
 ///     const double f = gold.brdf(hts::Direction::from_degrees(30, 0), hts::Direction::from_degrees(40, 170));
 class WalterBrdf {
   public:
-    ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0 of glass
-    WalterBrdf(const FacetDistribution& facets, const RefractiveIndex& index,
+    ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0 of glass; with its films
+    WalterBrdf(const FacetDistribution& facets, const CoatedIndex& index,
                NormalDraw normals = NormalDraw::visible) noexcept
         : facets_{facets}, index_{index}, normals_{normals} {}
 
@@ -84,7 +84,7 @@ class WalterBrdf {
     /// NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction falls below the horizon.
     [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
 
-    [[nodiscard]] const RefractiveIndex& index() const noexcept { return index_; }
+    [[nodiscard]] const CoatedIndex& index() const noexcept { return index_; }
     /// Of the facets alone.
     [[nodiscard]] FacetLobe lobe(const Direction& in, const Direction& out) const noexcept {
         return facet_lobe(facets_, in, out);
@@ -92,7 +92,7 @@ class WalterBrdf {
 
   private:
     FacetDistribution facets_;
-    RefractiveIndex index_;
+    CoatedIndex index_;
     NormalDraw normals_;
 };
 
@@ -140,6 +140,11 @@ class WalterBsdf {
     ///                             greater, else hts::Error; the error of refraction grows as 1/(their difference)
     WalterBsdf(const FacetDistribution& facets, double front_index, double back_index,
                NormalDraw normals = NormalDraw::visible);
+    /// With films between the two media, which reflect F and let T through in place of 1 - F. `sample` draws reflection with
+    /// probability F, so its weight of refraction has a factor T/(1 - F) where films absorb.
+    ///   back   the medium behind, k = 0, and the films, relative to vacuum
+    WalterBsdf(const FacetDistribution& facets, double front_index, const CoatedIndex& back,
+               NormalDraw normals = NormalDraw::visible);
 
     /// Radiance that leaves along `out` per irradiance from `in` [1/sr]: f_r on one side, f_t across. 0 on the horizon.
     ///   reciprocity   f_r(i, o) = f_r(o, i);  f_t(i, o)/eta_o^2 = f_t(o, i)/eta_i^2. The adjoint, for importance carried
@@ -162,18 +167,20 @@ class WalterBsdf {
     /// The media as one direction meets them.
     struct Media {
         double eta_in, eta_out;
-        RefractiveIndex relative;  // eta_out/eta_in
+        CoatedIndex relative;  // eta_out/eta_in, under the films
     };
     [[nodiscard]] const Media& media(Side side) const noexcept {
         return side == Side::front ? front_ : back_;
     }
-    /// What sends one direction into another: a facet, and F or 1 - F there; a share of 0 where there is none.
+    /// What sends one direction into another: a facet, F or T there, and the probability with which it is drawn; all 0 where
+    /// there is none.
     struct Event {
         Facet facet;
-        double share;
+        double share, chance;
     };
     [[nodiscard]] Event event(const SidedDirection& in, const SidedDirection& out) const noexcept;
     [[nodiscard]] double share(const Facet& facet, const Media& media, bool reflected) const noexcept;
+    [[nodiscard]] double chance(const Facet& facet, const Media& media, bool reflected) const noexcept;
 
     FacetDistribution facets_;
     Media front_, back_;
@@ -185,7 +192,7 @@ class WalterInterface : public WalterBrdf {
   public:
     ///   index            of the material, transparent if k = 0: then as WalterBsdf wants it
     ///   exterior_index   of the transparent medium in front
-    WalterInterface(const FacetDistribution& facets, const RefractiveIndex& index, double exterior_index);
+    WalterInterface(const FacetDistribution& facets, const CoatedIndex& index, double exterior_index);
 
     using WalterBrdf::brdf;
     static void brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,

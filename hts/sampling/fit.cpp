@@ -34,7 +34,7 @@ double cosine_of(std::size_t index) {
 /// The widths that follow Phi: those of the mean m of its Poisson sum. At grazing light cos theta_i understates v_z over
 /// the lobe, whose extent in v_xy is 2/(k tau) at least.
 Mixture scales(const ScatteringLobe& lobe, const Direction& in) {
-    const double k_tau = lobe.wave_number * lobe.correlation_length;
+    const double k_tau = lobe.wave_number * lobe.surface.correlation_length();
     const double c = in.cos_theta();
     const double s = in.sin_theta();
     const double vertical = 2 * std::min(1.0, std::sqrt(c * c + std::min(1.0, s / k_tau)));
@@ -104,21 +104,24 @@ struct Trials {
 
 /// The same number of draws from each component.
 Trials tried(const ScatteringLobe& lobe, const Direction& in, const Mixture& scales) {
+    const bool isotropic = lobe.surface.isotropic();
     const Light light{in.cos_theta(), in.sin_theta()};
+    const StretchedLight stretched{lobe.surface, in};
     const std::array<Mixture, components> each = alone(scales);
     Trials result{{}, 0};
     result.each.reserve(trials);
     for (std::size_t i = 0; i < trials; ++i) {
-        const Vector3 out =
-            forms().drawn_from(scales, light, i % components,
-                               {golden_fraction(i, 0), golden_fraction(i, 1), golden_fraction(i, 2)});
+        const Uniforms u{golden_fraction(i, 0), golden_fraction(i, 1), golden_fraction(i, 2)};
+        const Vector3 out = isotropic ? forms().drawn_from(scales, light, i % components, u)
+                                      : forms().stretched_drawn_from(scales, stretched, i % components, u);
         if (!(out.z > 0)) continue;
         Trial trial{};
         for (std::size_t k = 0; k < components; ++k)
-            trial.densities[k] = forms().density(each[k], light, out);
+            trial.densities[k] = isotropic ? forms().density(each[k], light, out)
+                                           : forms().stretched_density(each[k], stretched, out);
         const double mean =
             std::accumulate(trial.densities.begin(), trial.densities.end(), 0.0) / std::size_t{components};
-        trial.reflected = lobe.brdf({in, Direction::from_vector(out)}) * (out.z / mean);
+        trial.reflected = lobe.brdf({in, Direction::from_vector(out_of_frame(in, out))}) * (out.z / mean);
         if (!(trial.reflected > 0 && std::isfinite(trial.reflected))) continue;
         for (double& density : trial.densities) density /= mean;
         result.each.push_back(trial);
@@ -158,10 +161,9 @@ void set_shares(Mixture& mixture, const std::array<double, parts>& shares) {
     std::partial_sum(shares.begin(), shares.end(), mixture.sums.begin());
 }
 
-/// The mixture at one angle; all shares 0 where nothing is reflected.
+/// The mixture of one light; all shares 0 where nothing is reflected.
 ///   of_lobe  shares of its components, in place of those of an angle near by
-Mixture fitted(const ScatteringLobe& lobe, double cosine_in, Components& of_lobe) {
-    const Direction in = Direction::from_vector({std::sqrt((1 - cosine_in) * (1 + cosine_in)), 0, cosine_in});
+Mixture fitted(const ScatteringLobe& lobe, const Direction& in, Components& of_lobe) {
     Mixture mixture = scales(lobe, in);
     const Trials results = tried(lobe, in, mixture);
     const double mirror = lobe.mirror(in);
@@ -179,13 +181,44 @@ Mixture fitted(const ScatteringLobe& lobe, double cosine_in, Components& of_lobe
     return mixture;
 }
 
+/// A direction in the middle of a part of the azimuths.
+Direction plane_of(const Surface& surface, std::size_t azimuth) {
+    if (surface.isotropic()) return surface.axis();
+    const double turn = std::numbers::pi / 2 * (static_cast<double>(azimuth) + 0.5) / azimuth_count;
+    const double c = std::cos(turn), s = std::sin(turn);
+    return Direction::from_unit_vector({surface.axis().cos_phi() * c - surface.axis().sin_phi() * s,
+                                        surface.axis().sin_phi() * c + surface.axis().cos_phi() * s, 0});
+}
+
 }  // namespace
 
+std::size_t azimuth_index(const Surface& surface, const Direction& in) noexcept {
+    static const std::array<double, azimuth_count - 1> cosines = [] {
+        std::array<double, azimuth_count - 1> c{};
+        for (std::size_t i = 0; i < c.size(); ++i)
+            c[i] = std::cos(std::numbers::pi / 2 * static_cast<double>(i + 1) / azimuth_count);
+        return c;
+    }();
+    const double cosine =
+        std::abs(in.cos_phi() * surface.axis().cos_phi() + in.sin_phi() * surface.axis().sin_phi());
+    return static_cast<std::size_t>(
+        std::count_if(cosines.begin(), cosines.end(), [&](double limit) { return cosine < limit; }));
+}
+
 std::vector<Mixture> fitted_mixtures(const ScatteringLobe& lobe) {
+    const std::size_t azimuths = lobe.surface.isotropic() ? 1 : azimuth_count;
     std::vector<Mixture> result;
-    result.reserve(mixture_count);
-    Components shares{};
-    for (std::size_t i = 0; i < mixture_count; ++i) result.push_back(fitted(lobe, cosine_of(i), shares));
+    result.reserve(azimuths * mixture_count);
+    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) {
+        const Direction plane = plane_of(lobe.surface, azimuth);
+        Components shares{};
+        for (std::size_t i = 0; i < mixture_count; ++i) {
+            const double cosine = cosine_of(i), sine = std::sqrt((1 - cosine) * (1 + cosine));
+            const Direction in =
+                Direction::from_vector({sine * plane.cos_phi(), sine * plane.sin_phi(), cosine});
+            result.push_back(fitted(lobe, in, shares));
+        }
+    }
     return result;
 }
 

@@ -76,6 +76,66 @@ HWY_INLINE PlanePoint on_circle(double u) {
     return {1 - 2 * s2 * s2, 2 * s2 * c2};
 }
 
+// --- stretching ------------------------------------------------------------------------------------------
+
+/// |S v|^2; S is 1 above an isotropic surface.
+///   squared   |v|^2
+HWY_INLINE double stretched_squared(const Light& /*light*/, PlanePoint /*v*/, double squared) {
+    return squared;
+}
+HWY_INLINE double stretched_squared(const StretchedLight& light, PlanePoint v, double /*squared*/) {
+    const double x = o.mul_add(light.xx, v.x, light.xy * v.y);
+    const double y = o.mul_add(light.xy, v.x, light.yy * v.y);
+    return o.mul_add(x, x, y * y);
+}
+
+/// What a normal density of slopes becomes when it is cut in two by q_x = 0 and weighted by q_x.
+HWY_INLINE double over_reach(const Light& /*light*/, double density) {
+    return density;
+}
+HWY_INLINE double over_reach(const StretchedLight& light, double density) {
+    return density / light.reach;
+}
+
+/// S^-1 p
+HWY_INLINE PlanePoint unstretched(const Light& /*light*/, PlanePoint p) {
+    return p;
+}
+HWY_INLINE PlanePoint unstretched(const StretchedLight& light, PlanePoint p) {
+    return {light.yy * p.x - light.xy * p.y, light.xx * p.y - light.xy * p.x};
+}
+
+/// S^-1 of a point given along the direction in which S^-1 reaches farthest in x, and across it.
+HWY_INLINE PlanePoint unstretched_forward(const Light& /*light*/, PlanePoint p) {
+    return p;
+}
+HWY_INLINE PlanePoint unstretched_forward(const StretchedLight& light, PlanePoint p) {
+    const double c = light.yy / light.reach, s = -light.xy / light.reach;
+    return unstretched(light, {c * p.x - s * p.y, s * p.x + c * p.y});
+}
+
+/// |v|^2
+///   squared   the same before it was unstretched
+HWY_INLINE double unstretched_squared(const Light& /*light*/, PlanePoint /*v*/, double squared) {
+    return squared;
+}
+HWY_INLINE double unstretched_squared(const StretchedLight& /*light*/, PlanePoint v, double /*squared*/) {
+    return o.mul_add(v.x, v.x, v.y * v.y);
+}
+
+/// The point or its partner, which has the opposite x and the same density: mirrored above an isotropic surface, else the point
+/// across the centre.
+HWY_INLINE PlanePoint partner(const Light& /*light*/, PlanePoint v) {
+    return {-v.x, v.y};
+}
+HWY_INLINE PlanePoint partner(const StretchedLight& /*light*/, PlanePoint v) {
+    return {-v.x, -v.y};
+}
+template <class AnyLight>
+HWY_INLINE PlanePoint forward(const AnyLight& light, PlanePoint v) {
+    return v.x >= 0 ? v : partner(light, v);
+}
+
 // --- densities -------------------------------------------------------------------------------------------
 
 /// `out` where the light is (sine, 0, cosine).
@@ -111,7 +171,8 @@ HWY_INLINE Skews skewed(const Mixture& m, const Light& light, double q_x, double
 
 /// Sum over all diffuse parts. Since every density is at least that of the uniform one, what lies below 2^-1021 of
 /// another is not missed.
-HWY_INLINE double density(const Mixture& m, const Light& light, Vector3 out) {
+template <class AnyLight>
+HWY_INLINE double density(const Mixture& m, const AnyLight& light, Vector3 out) {
     constexpr hn::CappedTag<double, lanes> d;
     constexpr hl::WideLanes<hn::CappedTag<double, lanes>> wide;
     const double v_x = light.sine + out.x;
@@ -123,8 +184,10 @@ HWY_INLINE double density(const Mixture& m, const Light& light, Vector3 out) {
     const Skews skews = skewed(m, light, q_x, q_squared, per_slopes);
     const auto lowered = hn::Set(d, skews.lowered);
     const auto raised = hn::Set(d, skews.raised);
-    const auto facets = hn::Set(d, q_squared);
-    const auto grazing = hn::Mul(hn::Max(hn::Set(d, q_x), hn::Zero(d)), hn::Set(d, per_slopes));
+    const double extent = stretched_squared(light, {v_x, out.y}, horizontal);
+    const auto facets = hn::Set(d, extent * (inverse_v_z * inverse_v_z));
+    const auto grazing =
+        hn::Mul(hn::Max(hn::Set(d, q_x), hn::Zero(d)), hn::Set(d, over_reach(light, per_slopes)));
     // the beam's, doubled where the point across its centre lies outside the circle of directions
     const double across = o.neg_mul_add(2 * light.sine, v_x, light.cosine * light.cosine) - horizontal;
     const auto z = hn::Set(d, out.z);
@@ -134,7 +197,7 @@ HWY_INLINE double density(const Mixture& m, const Light& light, Vector3 out) {
     HTS_UNROLL
     for (std::size_t i = 0; i < lanes; i += hn::MaxLanes(d)) {
         const auto at = [&](const Mixture::Lanes& values) HWY_ATTR { return hn::Load(d, values.data() + i); };
-        const auto variable = i == 0 ? hn::IfThenElse(first, hn::Set(d, horizontal), facets) : facets;
+        const auto variable = i == 0 ? hn::IfThenElse(first, hn::Set(d, extent), facets) : facets;
         const auto beside = i == 0 ? hn::IfThenElse(first, projected, grazing) : grazing;
         const auto exponent = hn::Max(hn::Mul(at(m.rate), variable), hn::Set(d, -1021.0));
         auto factor = hn::Mul(at(m.grazing), beside);
@@ -162,6 +225,10 @@ HWY_INLINE std::size_t chosen(const Mixture& m, double u) {
 HWY_INLINE double reversed(double x, double skew, double u) {
     return 2 * u < skew ? x : -x;
 }
+template <class AnyLight>
+HWY_INLINE PlanePoint reversed(const AnyLight& light, PlanePoint v, double skew, double u) {
+    return 2 * u < skew ? v : partner(light, v);
+}
 
 /// Where the facet of slopes q mirrors the light.
 HWY_INLINE Vector3 mirrored(const Light& light, PlanePoint q) {
@@ -170,15 +237,17 @@ HWY_INLINE Vector3 mirrored(const Light& light, PlanePoint q) {
     return {o.mul_add(k, q.x, -light.sine), k * q.y, k - light.cosine};
 }
 
-HWY_INLINE PlanePoint facet(const Mixture& m, const Light& light, std::size_t part, PlanePoint turn,
+template <class AnyLight>
+HWY_INLINE PlanePoint facet(const Mixture& m, const AnyLight& light, std::size_t part, PlanePoint turn,
                             const Uniforms& u) {
     const double alpha = roots_of_widths[part % 3] * m.alpha;
     const double radius = alpha * std::sqrt(minus_log(1 - u[1]));
-    if (part >= grazing_half) return {radius, alpha * std::sqrt(minus_log(1 - u[0])) * turn.y};
+    if (part >= grazing_half)
+        return unstretched_forward(light, {radius, alpha * std::sqrt(minus_log(1 - u[0])) * turn.y});
     // the more raised of the pair first: if one is above the horizon, it is
-    const double x = o.max(radius * turn.x, -radius * turn.x);
-    const Skews skews = skewed(m, light, x, radius * radius, 1);
-    return {reversed(x, part < raised_half ? skews.lowered : skews.raised, u[0]), radius * turn.y};
+    const PlanePoint q = forward(light, unstretched(light, {radius * turn.x, radius * turn.y}));
+    const Skews skews = skewed(m, light, q.x, unstretched_squared(light, q, radius * radius), 1);
+    return reversed(light, q, part < raised_half ? skews.lowered : skews.raised, u[0]);
 }
 
 HWY_INLINE Vector3 hemisphere_point(double z, PlanePoint turn) {
@@ -186,20 +255,23 @@ HWY_INLINE Vector3 hemisphere_point(double z, PlanePoint turn) {
     return {radius * turn.x, radius * turn.y, z};
 }
 
-/// v_x of the beam, or -v_x: either if both lie inside the circle of directions, else the one that does.
-HWY_INLINE double drawn_across(const Light& light, double v_x, double horizontal, double u) {
-    const double x = std::abs(v_x);
-    const double across = light.cosine * light.cosine - 2 * light.sine * x - horizontal;
-    return reversed(x, across > 0 ? 1 : 2, u);
+/// v_xy of the beam, or its partner: either if both lie inside the circle of directions, else the one that does.
+template <class AnyLight>
+HWY_INLINE PlanePoint drawn_across(const AnyLight& light, PlanePoint v, double horizontal, double u) {
+    const PlanePoint in_front = forward(light, v);
+    const double across = light.cosine * light.cosine - 2 * light.sine * in_front.x - horizontal;
+    return reversed(light, in_front, across > 0 ? 1 : 2, u);
 }
 
-HWY_INLINE Vector3 drawn_from(const Mixture& m, const Light& light, std::size_t part, const Uniforms& u) {
+template <class AnyLight>
+HWY_INLINE Vector3 drawn_from(const Mixture& m, const AnyLight& light, std::size_t part, const Uniforms& u) {
     const PlanePoint turn = on_circle(u[2]);
     if (part < beam) return mirrored(light, facet(m, light, part, turn, u));
     if (part == beam) {
         const double radius = m.beam_radius * std::sqrt(minus_log(1 - u[1]));
-        const double x = drawn_across(light, radius * turn.x, radius * radius, u[0]) - light.sine;
-        const double y = radius * turn.y;
+        const PlanePoint v = unstretched(light, {radius * turn.x, radius * turn.y});
+        const auto [v_x, y] = drawn_across(light, v, unstretched_squared(light, v, radius * radius), u[0]);
+        const double x = v_x - light.sine;
         return {x, y, std::sqrt(o.max(1 - x * x - y * y, 0.0))};
     }
     Vector3 out = hemisphere_point(part == uniform ? 1 - u[1] : std::sqrt(1 - u[1]), turn);
@@ -207,7 +279,8 @@ HWY_INLINE Vector3 drawn_from(const Mixture& m, const Light& light, std::size_t 
     return out;
 }
 
-HWY_INLINE Drawn draw(const Mixture& m, const Light& light, const Uniforms& u) {
+template <class AnyLight>
+HWY_INLINE Drawn draw(const Mixture& m, const AnyLight& light, const Uniforms& u) {
     const std::size_t part = chosen(m, u[0]);
     if (part >= diffuse_parts) return {{0, 0, 0}, part, 0};
     const double below = part > 0 ? m.sums[part - 1] : 0;

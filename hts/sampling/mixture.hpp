@@ -67,7 +67,13 @@ inline constexpr std::size_t mixture_count = 66;
     return index > 0 ? static_cast<std::size_t>(index) : 0;
 }
 
-/// Those of one surface at one wavelength.
+/// Of an anisotropic surface as many for each of these parts of a right angle between light and an axis, one of all azimuths else.
+inline constexpr std::size_t azimuth_count = 6;
+
+/// The part that a light is in, from the first axis on.
+[[nodiscard]] std::size_t azimuth_index(const Surface& surface, const Direction& in) noexcept;
+
+/// Those of one surface at one wavelength: mixture_count of each azimuth.
 [[nodiscard]] std::vector<Mixture> fitted_mixtures(const ScatteringLobe& lobe);
 
 }  // namespace hts::sampling_detail

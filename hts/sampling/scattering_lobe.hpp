@@ -8,8 +8,8 @@
 namespace hts {
 
 struct ScatteringLobe {
-    double wave_number;                                     ///< [1/um]
-    double correlation_length;                              ///< [um]
+    double wave_number;  ///< [1/um]
+    Surface surface;
     double diffuse_albedo;                                  ///< of the uniform diffuse term
     std::function<double(const DirectionPair& pair)> brdf;  ///< of the directional-diffuse term [1/sr]
     std::function<double(const Direction& in)> mirror;      ///< reflectance of the specular term

@@ -105,7 +105,7 @@ TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhe
     CHECK(drawn.lobe == Lobe::specular);
     CHECK(drawn.pdf == Approx(1));
     CHECK(drawn.weight ==
-          Approx(hts::fresnel(in.cos_theta(), metal().index).unpolarised_reflectance()).epsilon(1e-12));
+          Approx(metal().index.amplitudes(in.cos_theta()).unpolarised_reflectance()).epsilon(1e-12));
     CHECK(mirror.specular_probability(in) == Approx(1));
     CHECK(mirror.pdf(in, in.mirror()) == 0);
 

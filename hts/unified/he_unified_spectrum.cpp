@@ -5,8 +5,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "hts/error.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
 #include "hts/unified/lanes/unified_simd.hpp"
 #include "hts/unified/unified_mirror.hpp"
@@ -38,24 +40,64 @@ std::array<double, size> in_powers(const std::array<double, size>& chebyshev) {
     return sum;
 }
 
+using ReturnRow = std::array<double, ReturnFactor::terms>;
+
+/// The factor m of all azimuths for the lanes: see SurfaceTerms.
+struct ReturnRows {
+    std::vector<ReturnRow> rows;
+    double centre = 0, scale = 0;
+};
+
+/// By Chebyshev's interpolation between the least and the greatest width, the terms left out that count for nothing.
+ReturnRows return_rows(const Surface& surface) {
+    if (surface.isotropic()) return {};
+    constexpr std::size_t nodes = 32;
+    constexpr double nothing = 1e-10;
+    const auto axes = evaluation_detail::axis_terms(surface);
+    const double least = std::min({axes.width_along, axes.width_across, 2.0});
+    const double most = std::min(std::max(axes.width_along, axes.width_across), 2.0);
+    ReturnRows result{std::vector<ReturnRow>(nodes), (least + most) / 2,
+                      most > least ? 2 / (most - least) : 0};
+    for (std::size_t k = 0; k < nodes; ++k) {
+        const double turn = std::numbers::pi * (static_cast<double>(k) + 0.5) / nodes;
+        const ReturnFactor m{(result.centre + (most - least) / 2 * std::cos(turn)) / 2};
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double weight = (i == 0 ? 1.0 : 2.0) / nodes * std::cos(static_cast<double>(i) * turn);
+            for (std::size_t j = 0; j < ReturnFactor::terms; ++j)
+                result.rows[i][j] += weight * m.coefficients()[j];
+        }
+    }
+    const auto size = [](const ReturnRow& row) {
+        double sum = 0;
+        for (const double c : row) sum += std::abs(c);
+        return sum;
+    };
+    while (result.rows.size() > 1 && size(result.rows.back()) < nothing) result.rows.pop_back();
+    for (ReturnRow& row : result.rows) row = in_powers(row);
+    return result;
+}
+
 Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
                  std::span<const SpectralSample> samples, std::span<const UnifiedWave> waves) {
     const double sigma_squared = square(surface.rms_roughness());
     const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
-    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared,
-                square(surface.correlation_length()) / 4, 2 * m.slope(), mixed, in_powers(m.coefficients())},
-               std::ranges::all_of(samples,
-                                   [](const SpectralSample& s) {
-                                       return std::hypot(s.index.n(), s.index.k()) >=
-                                              std::sqrt(unified_detail::dense_square);
-                                   }),
-               samples.size(),
-               padded,
-               std::vector<double>(Prepared::columns * padded)};
+    ReturnRows returned = return_rows(surface);
+    Prepared p{
+        {surface.slope_width(), sigma_squared, 1 / sigma_squared, square(surface.correlation_length()) / 4,
+         2 * m.slope(), mixed, in_powers(m.coefficients()), evaluation_detail::axis_terms(surface),
+         std::move(returned.rows), returned.centre, returned.scale},
+        std::ranges::all_of(samples,
+                            [](const SpectralSample& s) {
+                                return std::hypot(s.index.substrate().n(), s.index.substrate().k()) >=
+                                       std::sqrt(unified_detail::dense_square);
+                            }),
+        samples.size(),
+        padded,
+        std::vector<double>(Prepared::columns * padded)};
     for (std::size_t i = 0; i < padded; ++i) {
         const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
         const UnifiedWave& wave = waves[std::min(i, samples.size() - 1)];
-        const double n = s.index.n(), k = s.index.k();
+        const double n = s.index.substrate().n(), k = s.index.substrate().k();
         const double d_real = (n - 1) * (n + 1) - k * k, d_imaginary = 2 * n * k;
         const double wave_squared = square(s.wavelength.wave_number());
         const auto set = [&p, padded, i](Prepared::Column column, double value) {
@@ -83,7 +125,26 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
     return p;
 }
 
+/// What is known of isotropic surfaces alone.
+void require_theory(const Surface& surface, const UnifiedChoices& choices) {
+    if (surface.isotropic()) return;
+    const auto refusal = [](const char* choice, const char* why) {
+        return Error{std::string{choice} + " of a surface of two correlation lengths: " + why};
+    };
+    if (choices.mirror == UnifiedChoices::Mirror::second_order)
+        throw refusal("the second-order mirror term", R"(must be "closed")");
+    if (choices.polarisation_mixing)
+        throw refusal("polarisation mixing", "must be false (it was fitted to isotropic ones)");
+}
+
 }  // namespace
+
+void require_theory_of_films(const UnifiedChoices& choices) {
+    if (choices.mirror == UnifiedChoices::Mirror::second_order)
+        throw Error{"mirror second_order: must be closed where there are films"};
+    if (choices.polarisation_mixing)
+        throw Error{"polarisation_mixing true: must be false where there are films"};
+}
 
 struct HeUnifiedSpectrum::Lanes {
     Forms forms;
@@ -97,15 +158,19 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
       tolerance_{tolerance},
       lobe_{lobe},
       choices_{choices},
-      return_factor_{surface.slope_width() / 2},
+      return_factor_{surface},
       mixed_{choices.polarisation_mixing ? mixed_share(surface) : 0} {
+    const bool coated =
+        std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
+    if (coated) require_theory_of_films(choices);
+    require_theory(surface, choices);
     waves_.reserve(samples_.size());
     for (const SpectralSample& sample : samples_) {
         waves_.emplace_back(surface_, return_factor_, sample.wavelength, sample.index);
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
-            mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index);
+            mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
-    if (lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
+    if (coated || lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
     const Forms forms = unified_detail::forms(tolerance);
@@ -116,7 +181,10 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave));
-    if (lanes_) sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double);
+    if (lanes_) {
+        sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
+               lanes_->prepared.surface.return_rows.size() * sizeof(ReturnRow);
+    }
     for (const SecondOrderMirror& mirror : mirrors_) sum += mirror.bytes();
     return sum;
 }
@@ -184,7 +252,7 @@ ScatteringLobe HeUnifiedSpectrum::scattering_lobe() const {
                                 lobe_,
                                 choices_};
     return {.wave_number = sample.wavelength.wave_number(),
-            .correlation_length = surface_.correlation_length(),
+            .surface = surface_,
             .diffuse_albedo = sample.uniform_diffuse * std::numbers::pi,
             .brdf =
                 [one](const DirectionPair& pair) {

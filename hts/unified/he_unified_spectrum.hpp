@@ -13,6 +13,9 @@
 
 namespace hts {
 
+/// hts::Error for the second-order mirror and the mixing of polarisations, which no theory extends to films.
+void require_theory_of_films(const UnifiedChoices& choices);
+
 /// Surface, optical constants at each wavelength, tolerance and choices; the calls are those of HeTorranceSpectrum.
 ///
 ///     const hts::HeUnifiedSpectrum prepared{surface, samples, hts::Tolerance{1e-6}};
@@ -20,10 +23,11 @@ namespace hts {
 ///     prepared.brdf({in, out}, spectrum);
 ///
 /// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and where that takes the
-/// exact path so does this. Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits
+/// exact path so does this; so it does for surfaces with films. Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits
 /// alone, in any batch and at any place in it.
 class HeUnifiedSpectrum {
   public:
+    /// hts::Error for films with choices that have no theory of them: require_theory_of_films.
     HeUnifiedSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
                       DiffuseLobe lobe = DiffuseLobe::full, const UnifiedChoices& choices = {});
 

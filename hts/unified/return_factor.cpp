@@ -1,6 +1,8 @@
 #include "hts/unified/return_factor.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "hts/unified/return_factor_table.hpp"
 
@@ -28,6 +30,18 @@ ReturnFactor::ReturnFactor(double slope) noexcept : slope_{std::min(slope, 1.0)}
             chebyshev_sum<return_factor_slopes>(x, [j](std::size_t i) { return return_factor_table[i][j]; });
     single_reflection_ = std::min(1.0, chebyshev_sum<return_factor_slopes>(
                                            x, [](std::size_t i) { return single_reflection_table[i]; }));
+}
+
+ReturnFactor::ReturnFactor(const Surface& surface) noexcept : ReturnFactor{surface.slope_width() / 2} {
+    if (surface.isotropic()) return;
+    constexpr int azimuths = 64;  // of half a turn, after which everything is the same again
+    double sum = 0;
+    for (int i = 0; i < azimuths; ++i) {
+        const double azimuth = std::numbers::pi * (i + 0.5) / azimuths;
+        const Direction along = Direction::from_unit_vector({std::cos(azimuth), std::sin(azimuth), 0});
+        sum += ReturnFactor{surface.slope_width(along) / 2}.single_reflection_;
+    }
+    single_reflection_ = sum / azimuths;
 }
 
 double ReturnFactor::operator()(const Direction& direction) const noexcept {

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstddef>
 
-#include "hts/direction.hpp"
+#include "hts/surface.hpp"
 
 namespace hts {
 
@@ -28,6 +28,9 @@ class ReturnFactor {
 
     ///   slope   sigma_0/tau   >= 0
     explicit ReturnFactor(double slope) noexcept;
+    /// That of an isotropic surface. Of others sigma_0/tau is that of sqrt(tau_x tau_y), while the single reflection is the mean
+    /// over all azimuths, each with its own tau(alpha): what `returned` needs of them.
+    explicit ReturnFactor(const Surface& surface) noexcept;
 
     /// m(theta) [1]; 0.5 ... 4.5.
     [[nodiscard]] double operator()(const Direction& direction) const noexcept;

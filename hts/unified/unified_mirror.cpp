@@ -13,13 +13,17 @@ double square(double x) {
 
 FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) noexcept {
     const double c = in.cos_theta(), s_squared = square(in.sin_theta());
-    const double slanted = std::sqrt(std::hypot(c * c, std::sqrt(0.229 * s_squared) / wave.k_tau));
-    const std::complex<double> admittance = 1.0 / std::complex<double>{wave.index.n(), wave.index.k()};
-    const double below = std::norm(c + admittance);
+    const Surface& surface = wave.surface;
+    const double k_tau_along =
+        surface.isotropic() ? wave.k_tau
+                            : wave.k_tau * (surface.correlation_length(in) / surface.correlation_length());
+    const double slanted = std::sqrt(std::hypot(c * c, std::sqrt(0.229 * s_squared) / k_tau_along));
+    const std::complex<double> impedance = wave.index.normal_impedance();
+    const double below = std::norm(c + impedance);
     const double grazing =
         below > 0 ? 0.65 * square(s_squared) / (wave.k_tau * std::sqrt(wave.k_tau)) / below : 0;
     const double half = 2 * square(wave.k_sigma) * c;  // of 4 (k sigma_0)^2 c
-    const FresnelAmplitudes flat = fresnel(c, wave.index);
+    const FresnelAmplitudes flat = wave.index.amplitudes(c);
     return {flat.s * std::exp(-half * slanted), flat.p * std::exp(-half * (slanted + grazing))};
 }
 

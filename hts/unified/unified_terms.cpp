@@ -1,6 +1,7 @@
 #include "hts/unified/unified_terms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,29 @@ struct BraggRay {
     }
 };
 
+/// The sum over the interfaces, each with the step of N^2 there and the fields that both waves have there.
+JonesMatrix bragg_jones_of_films(const Direction& in, const Direction& out, const CoatedIndex& index,
+                                 double lift) {
+    std::array<CoatedIndex::Fields, CoatedIndex::most_films + 1> of_in, of_out;
+    index.fields(in.cos_theta(), lift, of_in);
+    index.fields(out.cos_theta(), lift, of_out);
+    const double cosine = -(in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi());
+    const double sine = -sin_azimuth_between(in, out);
+    const double sines = in.sin_theta() * out.sin_theta();
+    JonesMatrix sum{};
+    Complex above = 1;
+    for (std::size_t j = 0; j < index.interfaces(); ++j) {
+        const Complex below = index.square_below(j), step = below - above;
+        const auto &i = of_in[j], &o = of_out[j];
+        sum.ss -= cosine * step * i.s * o.s;
+        sum.sp -= sine * step * i.p_electric * o.s;
+        sum.ps -= sine * step * i.s * o.p_electric;
+        sum.pp += step * (cosine * i.p_electric * o.p_electric - sines * i.p * o.p / (above * below));
+        above = below;
+    }
+    return sum;
+}
+
 /// 1 - L
 double above_horizon(double k_sigma, double cosine) {
     return -std::expm1(-4 * std::log1p(1.25 * k_sigma * cosine));
@@ -51,14 +75,14 @@ JonesMatrix between(const JonesMatrix& a, double of_a, const JonesMatrix& b, dou
 
 }  // namespace
 
-double flat_reflectance(const RefractiveIndex& index) {
+double flat_reflectance(const CoatedIndex& index) {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
     constexpr unsigned levels = 12;
     constexpr double enough = 1e-13;
-    const auto reflected = [&](double c) { return 2 * c * fresnel(c, index).unpolarised_reflectance(); };
+    const auto reflected = [&](double c) { return 2 * c * index.amplitudes(c).unpolarised_reflectance(); };
+    const double n = index.substrate().n(), k = index.substrate().k();
     // sqrt(e - s^2) has a kink where total reflection begins, for a real index below 1
-    const double kink =
-        std::sqrt(std::clamp(1 - (index.n() - index.k()) * (index.n() + index.k()), 0.0, 1.0));
+    const double kink = std::sqrt(std::clamp(1 - (n - k) * (n + k), 0.0, 1.0));
     const auto below = [&](double u) { return 2 * u * kink * reflected(kink * (1 - u * u)); };
     const auto above = [&](double u) { return 2 * u * (1 - kink) * reflected(kink + (1 - kink) * u * u); };
     const double sum = (kink > 0 ? Rule::integrate(below, 0.0, 1.0, levels, enough) : 0) +
@@ -73,17 +97,19 @@ double bragg_lift(double k_sigma, double k_tau) noexcept {
     return 0.25 * k_sigma * std::min(k_sigma, roughest) / (held * std::sqrt(held)) * fade;
 }
 
-UnifiedWave::UnifiedWave(const Surface& surface, const ReturnFactor& m, const Wavelength& wavelength,
-                         const RefractiveIndex& of)
-    : index{of},
-      k_sigma{wavelength.wave_number() * surface.rms_roughness()},
-      k_tau{wavelength.wave_number() * surface.correlation_length()},
+UnifiedWave::UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
+                         const CoatedIndex& of)
+    : surface{rough},
+      index{of},
+      k_sigma{wavelength.wave_number() * rough.rms_roughness()},
+      k_tau{wavelength.wave_number() * rough.correlation_length()},
       lift{bragg_lift(k_sigma, k_tau)},
       returned{m.returned(flat_reflectance(index))} {}
 
-JonesMatrix bragg_jones(const Direction& in, const Direction& out, const RefractiveIndex& index,
+JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedIndex& index,
                         double lift) noexcept {
-    const double n = index.n(), k = index.k();
+    if (index.coated()) return bragg_jones_of_films(in, out, index, lift);
+    const double n = index.substrate().n(), k = index.substrate().k();
     const Complex square_of_index{(n - k) * (n + k), 2 * n * k}, excess{(n - 1) * (n + 1) - k * k, 2 * n * k};
     if (excess == 0.0) return {};
     const double cosine = -(in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi());
@@ -117,7 +143,11 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
                          std::optional<double> lobe_argument) noexcept {
     const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
     const double g = square(wave.k_sigma * change.vertical);
-    const double t = lobe_argument.value_or(square(wave.k_tau * change.horizontal / 2));
+    const double t = lobe_argument.value_or(
+        square(wave.k_tau *
+               (wave.surface.isotropic() ? change.horizontal
+                                         : stretched_horizontal(wave.surface, in.direction, out.direction)) /
+               2));
     UnifiedLobe result{{}, g, t, kicks(g, t, lobe, tolerance), 0};
     const auto& [phi, beta, w, method] = result.kicks;
     const double c_i = in.direction.cos_theta(), c_r = out.direction.cos_theta();
@@ -130,7 +160,7 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
     const double scale =
         wave.k_tau * (std::numbers::inv_sqrtpi / 2) * std::sqrt(phi) * std::sqrt(returned / spread);
     const JonesMatrix facet =
-        facet_jones(in.direction, out.direction, fresnel(change.cos_theta_d(), wave.index));
+        facet_jones(in.direction, out.direction, wave.index.amplitudes(change.cos_theta_d()));
     const JonesMatrix bragg = bragg_jones(in.direction, out.direction, wave.index, wave.lift);
     result.jones = between(facet, scale * kirchhoff * change.root_geometrical_factor() / 2, bragg,
                            scale * (1 - kirchhoff) * (2 * cosines / change.vertical));

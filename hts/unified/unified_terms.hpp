@@ -42,27 +42,31 @@ inline constexpr double quick_kicks = 1e-6;  ///< the finest tolerance that the 
 /// What a direction contributes, whatever the wavelength.
 struct UnifiedView {
     UnifiedView(const Surface& surface, const ReturnFactor& m, const Direction& along) noexcept
-        : direction{along}, masked{visibility(surface, along).masked}, return_factor{m(along)} {}
+        : direction{along},
+          masked{visibility(surface, along).masked},
+          return_factor{surface.isotropic() ? m(along)
+                                            : ReturnFactor{surface.slope_width(along) / 2}(along)} {}
 
     Direction direction;
     double masked;         ///< cos theta Lambda
-    double return_factor;  ///< m
+    double return_factor;  ///< m, of an anisotropic surface m(theta; sigma_0/tau(alpha)) of its azimuth
 };
 
 /// What a surface is at one wavelength, whatever the directions.
 struct UnifiedWave {
-    UnifiedWave(const Surface& surface, const ReturnFactor& m, const Wavelength& wavelength,
-                const RefractiveIndex& index);
+    UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
+                const CoatedIndex& of);
 
-    RefractiveIndex index;
-    double k_sigma, k_tau;
-    double lift;      ///< Z
-    double returned;  ///< R'
+    Surface surface;
+    CoatedIndex index;
+    double k_sigma, k_tau;  ///< of an anisotropic surface with sqrt(tau_x tau_y)
+    double lift;            ///< Z
+    double returned;        ///< R'
 };
 
 /// Reflectance of uniform unpolarised light by the flat surface, 2 times the integral of |F|^2 c dc [1].
 ///   error   1e-12, absolute
-[[nodiscard]] double flat_reflectance(const RefractiveIndex& index);
+[[nodiscard]] double flat_reflectance(const CoatedIndex& index);
 
 /// Z, which lifts cos theta in the denominators of Bragg's p: 0.25 (k sigma_0)^2 (k tau)^(-3/2).
 /// Fitted for k sigma_0 <= 6 and k tau >= 2; beyond, it fades with 6/(k sigma_0) and with (k tau/2)^(5/2), so that it vanishes in
@@ -74,7 +78,7 @@ struct UnifiedWave {
 ///             ss: -(e - 1) cos phi/((c_i + r_i)(c_r + r_r)),    pp: (e - 1)(r_i r_r cos phi - e s_i s_r)/(N_i N_r),
 ///             sp: -(e - 1) r_i sin phi/(N_i (c_r + r_r)),       ps: -(e - 1) r_r sin phi/((c_i + r_i) N_r)
 ///   limits    2 c_i c_r b is 2 cos^2 theta_d facet_jones in the mirror direction with Z = 0, and differs from it by O(v_xy^2)
-[[nodiscard]] JonesMatrix bragg_jones(const Direction& in, const Direction& out, const RefractiveIndex& index,
+[[nodiscard]] JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedIndex& index,
                                       double lift) noexcept;
 
 /// Phi, beta and w = 1 - beta.
@@ -115,7 +119,7 @@ struct UnifiedLobe {
                                        Tolerance tolerance = Tolerance{accuracy::finest_tolerance},
                                        std::optional<double> lobe_argument = {}) noexcept;
 
-/// The share of the lobe that polarisation_mixing mixes.
+/// The share of the lobe that polarisation_mixing mixes, of an isotropic surface.
 [[nodiscard]] double mixed_share(const Surface& surface) noexcept;
 
 /// Its Mueller matrix [1/sr] in the frames of polarisation.hpp: (1 - l) Mueller(M) + l Mueller(P M P), P exchanging s and p.

@@ -40,6 +40,22 @@ def index_function(index: Any) -> Index | None:
     return None
 
 
+def films_text(films: Any) -> list[Any]:
+    """The key "films", where an index may also be a complex number."""
+    if not isinstance(films, (list, tuple)):
+        raise Error("films: must be a list of {\"index\": …, \"thickness_um\": …}")
+    result = []
+    for i, film in enumerate(films):
+        if not isinstance(film, Mapping):
+            raise Error(f"films[{i}]: must be {{\"index\": …, \"thickness_um\": …}}")
+        index = film.get("index")
+        if index_function(index) is not None and not isinstance(index, complex):
+            raise Error(f"films[{i}].index: must be a name, a complex number or a dict of a material file")
+        known = {"n": index.real, "k": index.imag} if isinstance(index, complex) else index
+        result.append({**film, "index": known} if "index" in film else dict(film))
+    return result
+
+
 def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index | None]:
     """(JSON text, path, index function): the text is empty where the path is that of a file to read."""
     if source is not None and keywords:
@@ -55,6 +71,8 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     index = description.get("index")
     if isinstance(index, complex):
         description["index"] = {"n": index.real, "k": index.imag}
+    if "films" in description:
+        description["films"] = films_text(description["films"])
     function = None if isinstance(index, complex) else index_function(index)
     if function is not None:
         description["index"] = {"n": 1.5, "k": 0.0}

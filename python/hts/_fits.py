@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Error
+from ._description import films_text
 from ._material import Floats, Material
 
 
@@ -100,6 +101,7 @@ def fit(
     *,
     lobes: int = 1,
     index: str | complex | Mapping[str, Any] | None = None,
+    films: Sequence[Mapping[str, Any]] = (),
     free: Sequence[str] = (),
     fix: Mapping[str, float] | None = None,
     start: Mapping[str, float] | None = None,
@@ -114,6 +116,7 @@ def fit(
     curves   a curve set by name or path, or a mapping of arrays that broadcast: wavelength [um], theta_i, theta_r, phi, brdf
              [1/sr] and, if known, uncertainty
     index    known optical constants; without it n is fitted, and k is 0 unless freed
+    films    that cover the surface, as in a material file; they are held
     """
     if index is None:
         known = ""
@@ -136,8 +139,9 @@ def fit(
         unit = np.pi / 180 if degrees else 1.0
         angles = [unit * np.asarray(curves[key], dtype=float) for key in ("theta_i", "theta_r", "phi")]
         data = (curves["wavelength"], *angles, curves["brdf"], curves.get("uncertainty", 0.0))
+    covered = json.dumps(films_text(list(films))) if films else ""
     made = _core._fit(
-        data, model, lobes, known, list(free), dict(fix or {}), dict(start or {}), residual, loss, starts, largest_theta
+        data, model, lobes, known, covered, list(free), dict(fix or {}), dict(start or {}), residual, loss, starts, largest_theta
     )
     parameters = {row[0]: Parameter(*row) for row in made.pop("parameters")}
     material = Material(json.loads(made.pop("material")))

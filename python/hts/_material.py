@@ -132,6 +132,8 @@ class Material(_core.Material):
 
         error   1e-4: Gauss-Legendre rule of 24 angles
         """
+        if self._two_lengths:
+            raise Error("hemispherical_emissivity: of isotropic surfaces: this has two correlation lengths")
         x, w = np.polynomial.legendre.leggauss(24)
         mu, weight = (x + 1) / 2, w / 2
         angles = np.arccos(mu)
@@ -164,12 +166,12 @@ class Material(_core.Material):
 
     def validity(
         self, wavelength: ArrayLike, theta_i: ArrayLike, theta_r: ArrayLike | None = None, phi: ArrayLike = np.pi, *,
-        degrees: bool = False,
+        phi_i: ArrayLike = 0.0, degrees: bool = False,
     ) -> Validity:
         """Whether the model can be believed; in the mirror direction unless theta_r and phi say otherwise."""
         if theta_r is None:
             theta_r, phi = theta_i, (180.0 if degrees else np.pi)
-        verdicts = np.asarray(self._validity(wavelength, theta_i, theta_r, phi, degrees))
+        verdicts = np.asarray(self._validity(wavelength, theta_i, theta_r, phi, phi_i, degrees))
         names = np.array(["fine", "caution", "outside"])
         return Validity(names[verdicts[..., 0].astype(int)], verdicts[..., 1], verdicts[..., 2])
 

@@ -113,13 +113,15 @@ nb::dict as_dict(const Fit& fit) {
 
 /// The fit of a curve set by name or path, or of a tuple of arrays.
 nb::dict fit(nb::object data, const std::string& model, int lobes, const std::string& index,
-             const std::vector<std::string>& freed, const std::map<std::string, double>& fixed,
-             const std::map<std::string, double>& starts, const std::string& residual,
-             const std::string& loss, std::size_t followed_starts, double largest_theta) {
+             const std::string& films, const std::vector<std::string>& freed,
+             const std::map<std::string, double>& fixed, const std::map<std::string, double>& starts,
+             const std::string& residual, const std::string& loss, std::size_t followed_starts,
+             double largest_theta) {
     FitRequest request;
     request.model = model;
     request.lobes = lobes;
     request.index = index;
+    request.films = films;
     request.freed = freed;
     request.fixed = fixed;
     request.starts = starts;
@@ -153,12 +155,12 @@ void bind_fits(nb::module_& module) {
     module.def("_curves", &curves, HTS_ANY("_curves(name_or_path: str)"), nb::arg("name_or_path"));
     module.def(
         "_fit", &fit,
-        HTS_ANY(
-            "_fit(data: typing.Any, model: str, lobes: int, index: str, free: typing.Any, fix: typing.Any, "
-            "start: typing.Any, residual: str, loss: str, followed_starts: int, largest_theta: float)"),
-        nb::arg("data"), nb::arg("model"), nb::arg("lobes"), nb::arg("index"), nb::arg("free"),
-        nb::arg("fix"), nb::arg("start"), nb::arg("residual"), nb::arg("loss"), nb::arg("followed_starts"),
-        nb::arg("largest_theta"));
+        HTS_ANY("_fit(data: typing.Any, model: str, lobes: int, index: str, films: str, free: typing.Any, "
+                "fix: typing.Any, start: typing.Any, residual: str, loss: str, followed_starts: int, "
+                "largest_theta: float)"),
+        nb::arg("data"), nb::arg("model"), nb::arg("lobes"), nb::arg("index"), nb::arg("films"),
+        nb::arg("free"), nb::arg("fix"), nb::arg("start"), nb::arg("residual"), nb::arg("loss"),
+        nb::arg("followed_starts"), nb::arg("largest_theta"));
 }
 
 }  // namespace hts::python

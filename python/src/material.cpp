@@ -2,6 +2,7 @@
 #include "module.hpp"
 
 #include <numbers>
+#include <span>
 #include <tuple>
 
 #include <nanobind/stl/tuple.h>
@@ -70,8 +71,21 @@ nb::object mueller_of_pair(const PyMaterial& self, nb::handle wavelength, nb::ha
 
 // ------------------------------------------------------------------------------------------------ derivatives
 
-constexpr const char* parameters[]{
-    "rms_roughness_um", "correlation_length_um", "n", "k", "diffuse_albedo", "theta_i", "theta_r", "phi"};
+/// In the order of quantity::derivatives.
+constexpr const char* parameters[]{"rms_roughness_um",
+                                   "correlation_length_um",
+                                   "n",
+                                   "k",
+                                   "diffuse_albedo",
+                                   "theta_i",
+                                   "theta_r",
+                                   "phi",
+                                   "correlation_length_x_um",
+                                   "correlation_length_y_um",
+                                   "azimuth"};
+/// Those that a surface of one or of two correlation lengths has, and which of them are angles.
+constexpr std::size_t of_isotropic[]{0, 1, 2, 3, 4, 5, 6, 7}, of_anisotropic[]{0, 8, 9, 10, 2, 3, 4, 5, 6, 7};
+constexpr std::size_t first_angle = 5, theta_r_place = 6, phi_place = 7, azimuth_place = 10;
 
 /// Directional-hemispherical reflectance of light polarised along s or p.
 nb::object polarised_albedo(const PyMaterial& self, nb::handle wavelength, nb::handle theta, nb::handle phi,
@@ -107,10 +121,14 @@ nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle thet
                                     how_from(accuracy::default_tolerance, outside, false), nb::none());
     const nb::object moved = numpy().attr("moveaxis")(all, of == "mueller" ? -3 : -1, 0);
     nb::dict result;
-    // the mirror direction turns along with the light
-    for (std::size_t p = 0; p < (views ? 8U : 6U); ++p) {
+    const bool isotropic = !correlation_length.is_none() || self.material().properties().isotropic;
+    const auto known = isotropic ? std::span<const std::size_t>{of_isotropic} : std::span{of_anisotropic};
+    for (const std::size_t p : known) {
+        // the mirror direction turns along with the light
+        if (!views && (p == theta_r_place || p == phi_place)) continue;
         nb::object values = moved[p];
-        if (degrees && p >= 5) values = values * nb::float_(std::numbers::pi / 180);
+        const bool angle = (p >= first_angle && p <= phi_place) || p == azimuth_place;
+        if (degrees && angle) values = values * nb::float_(std::numbers::pi / 180);
         result[parameters[p]] = values;
     }
     return result;
@@ -120,11 +138,11 @@ nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle thet
 
 /// Severity, least and most error along a last axis of 3: quantity::validity.
 nb::object validity(const PyMaterial& self, nb::handle wavelength, nb::handle theta_i, nb::handle theta_r,
-                    nb::handle phi, bool degrees) {
+                    nb::handle phi, nb::handle phi_i, bool degrees) {
     if (!self.material().properties().surface)
         throw Error{"validity: known of models of rough surfaces: this is " + self.material().model_name()};
     return evaluate(self, quantity::validity,
-                    {wavelength, theta_i, theta_r, phi, nb::float_(0.0), {}, {}, {}, {}, {}, {}, {}, degrees},
+                    {wavelength, theta_i, theta_r, phi, phi_i, {}, {}, {}, {}, {}, {}, {}, degrees},
                     how_from(1e-6, "error", false), nb::none());
 }
 
@@ -266,7 +284,8 @@ void bind_material(nb::module_& module) {
         R"(Derivatives by every parameter of model he, a dict of arrays by name.
 
 of      "brdf", "mueller" (of the lobe) or "specular" (by theta_i alone, the mirror direction turns along)
-by      rms_roughness_um, correlation_length_um [1/um], n, k, diffuse_albedo [1], theta_i, theta_r, phi [1/rad, or 1/deg]
+by      rms_roughness_um, correlation_length_um [1/um], n, k, diffuse_albedo [1], theta_i, theta_r, phi [1/rad, or 1/deg];
+        of two correlation lengths correlation_length_x_um, correlation_length_y_um [1/um] and azimuth [1/rad, or 1/deg]
 error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_torrance_gradient.hpp)",
         nb::arg("wavelength"), nb::arg("theta_i"), nb::arg("theta_r") = nb::none(),
         nb::arg("phi") = nb::none(), nb::arg("phi_i") = 0.0, nb::arg("of") = "brdf",
@@ -274,9 +293,13 @@ error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_to
         nb::arg("threads") = 0);
     material.def("_validity", &validity,
                  HTS_ANY("_validity(self, wavelength: typing.Any, theta_i: typing.Any, theta_r: typing.Any, "
-                         "phi: typing.Any, degrees: bool)"),
+                         "phi: typing.Any, phi_i: typing.Any, degrees: bool)"),
                  nb::arg("wavelength"), nb::arg("theta_i"), nb::arg("theta_r"), nb::arg("phi"),
-                 nb::arg("degrees"));
+                 nb::arg("phi_i"), nb::arg("degrees"));
+    material.def_prop_ro("_two_lengths", [](const PyMaterial& self) {
+        const auto& surface = self.material().properties().surface;
+        return surface && !surface->isotropic();
+    });
 }
 
 }  // namespace hts::python

@@ -55,8 +55,10 @@ Quantity albedos(const char* name, Function f) {
     });
 }
 
+constexpr std::size_t derivative_count = 11;
+
 template <class Value>
-std::array<Value, 8> in_order(const Gradient<Value>& by) {
+std::array<Value, derivative_count> in_order(const Gradient<Value>& by) {
     return {by.rms_roughness,
             by.correlation_length,
             by.n,
@@ -64,7 +66,10 @@ std::array<Value, 8> in_order(const Gradient<Value>& by) {
             by.diffuse_albedo,
             by.theta_i,
             by.theta_r,
-            by.phi};
+            by.phi,
+            by.correlation_length_x,
+            by.correlation_length_y,
+            by.azimuth};
 }
 
 /// All derivatives that f(surface, pair, sample) gives.
@@ -79,6 +84,7 @@ Quantity gradient(Shape trailing, bool views, OfPair of_pair) {
                 double* to = out.data();
                 for (const Pair& pair : pairs) {
                     for (const SpectralSample& at : of.samples()) {
+                        if (at.index.coated()) throw Error{"gradient: must be of a surface without films"};
                         for (const auto& derivative : in_order(of_pair(*surface, pair, at))) {
                             if constexpr (std::is_same_v<decltype(derivative), const double&>) {
                                 *to++ = derivative;
@@ -153,18 +159,22 @@ const Quantity validity{"validity",
 Quantity derivatives(const std::string& of) {
     using At = SpectralSample;
     if (of == "brdf") {
-        return gradient({8}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return brdf_gradient({s, d.in, d.out}, at.wavelength, at.index, at.uniform_diffuse).by;
+        return gradient({derivative_count}, true, [](const Surface& s, const Pair& d, const At& at) {
+            return brdf_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate(), at.uniform_diffuse)
+                .by;
         });
     }
     if (of == "mueller") {
-        return gradient({8, 4, 4}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return directional_diffuse_mueller_gradient({s, d.in, d.out}, at.wavelength, at.index).by;
+        return gradient({derivative_count, 4, 4}, true, [](const Surface& s, const Pair& d, const At& at) {
+            return directional_diffuse_mueller_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate())
+                .by;
         });
     }
     if (of == "specular") {
-        return gradient({8}, false, [](const Surface& s, const Pair& d, const At& at) {
-            return specular_reflectance_gradient(s, view_gradient(s, d.in), at.wavelength, at.index).by;
+        return gradient({derivative_count}, false, [](const Surface& s, const Pair& d, const At& at) {
+            return specular_reflectance_gradient(s, view_gradient(s, d.in), at.wavelength,
+                                                 at.index.substrate())
+                .by;
         });
     }
     throw Error{"of \"" + of + "\": must be \"brdf\", \"mueller\" or \"specular\""};

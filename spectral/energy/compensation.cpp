@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "hts/error.hpp"
 #include "spectral/colour/spectrum_interpolation.hpp"
 #include "spectral/energy/lobe_integral.hpp"
 #include "spectral/parallel.hpp"
@@ -26,6 +27,12 @@ Direction direction_of_node(std::size_t node) {
 class ScalingEquation {
   public:
     ScalingEquation(const RoughSurface& surface, const Wavelength& wavelength) {
+        if (!surface.isotropic()) {
+            throw Error{
+                "energy compensation of a surface of two correlation lengths: must be one length (its "
+                "factors "
+                "are those of isotropic surfaces)"};
+        }
         const ReflectedLight reflected = reflected_light(surface, PerfectMirror{}, wavelength);
         for (std::size_t i = 0; i < node_count; ++i) {
             const Direction in = direction_of_node(i);

@@ -59,7 +59,8 @@ struct CompensationPair {
 class EnergyCompensation {
   public:
     /// Solves for s.
-    ///   cost   some 50 ms; 1 kB
+    ///   surface   isotropic, else hts::Error: s is a function of theta alone
+    ///   cost      some 50 ms; 1 kB
     EnergyCompensation(const RoughSurface& surface, const Wavelength& wavelength);
     /// The same for every wavelength of a grid, on all cores.
     [[nodiscard]] static std::vector<EnergyCompensation> of(const RoughSurface& surface,

@@ -64,7 +64,7 @@ HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurfac
 }
 
 HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
-                                                               const RefractiveIndex& index,
+                                                               const CoatedIndex& index,
                                                                const Wavelength& wavelength,
                                                                const Direction& in,
                                                                const Stokes& light) noexcept {
@@ -78,6 +78,11 @@ HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurfac
 
 HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface, const Facets& facets,
                                                      const Wavelength& wavelength) {
+    if (!surface.isotropic()) {
+        throw Error{
+            "bihemispherical reflectance of a surface of two correlation lengths: must be one length (it is "
+            "the mean over one azimuth)"};
+    }
     const auto mean = [&](auto&& part) {
         constexpr unsigned levels = 8;
         return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
@@ -97,11 +102,18 @@ DiffuseAlbedoLimit largest_diffuse_albedo(const RoughSurface& surface, const Fac
     }
     constexpr double step = right_angle / 30;
     const int intervals = std::max(1, static_cast<int>(std::ceil(steepest_theta / step - 1e-9)));
-    const Maximum most = maximum(0, steepest_theta, intervals, [&](double theta) {
-        return directional_hemispherical_reflectance(surface, facets, wavelength,
-                                                     Direction::from_angles(theta, 0))
-            .total();
-    });
+    const auto most_along = [&](double azimuth) {
+        return maximum(0, steepest_theta, intervals, [&](double theta) {
+            return directional_hemispherical_reflectance(surface, facets, wavelength,
+                                                         Direction::from_angles(theta, azimuth))
+                .total();
+        });
+    };
+    Maximum most = most_along(surface.azimuth());
+    if (!surface.isotropic()) {
+        const Maximum across = most_along(surface.azimuth() + right_angle);
+        if (across.value > most.value) most = across;
+    }
     return {std::max(0.0, 1 - most.value), most.value, most.place};
 }
 

@@ -39,16 +39,18 @@ struct HemisphericalReflectance {
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in) noexcept;
 
-/// The same of light in a state of polarisation. By the mirror symmetry of the surface only its s and p parts count.
+/// The same of light in a state of polarisation, of which only the s and p parts are taken: by the mirror symmetry of the surface
+/// nothing else counts, unless it is anisotropic.
 ///   light   of positive intensity
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurface& surface,
-                                                                             const RefractiveIndex& index,
+                                                                             const CoatedIndex& index,
                                                                              const Wavelength& wavelength,
                                                                              const Direction& in,
                                                                              const Stokes& light) noexcept;
 
 /// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta), of a surface
 /// without uniform diffuse term.
+///   surface isotropic, else hts::Error
 ///   error   accuracy::bihemispherical_reflectance      cost   some 30 of the above
 [[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface,
                                                                    const Facets& facets,
@@ -61,7 +63,7 @@ struct DiffuseAlbedoLimit {
     double theta;        ///< [rad] where they do
 };
 
-/// The constraint on a(lambda), for incidence up to an angle. Up to 90 deg no smooth surface leaves room for any: |F|^2 -> 1
+/// The constraint on a(lambda), for incidence up to an angle; of an anisotropic surface along either of its axes. Up to 90 deg no smooth surface leaves room for any: |F|^2 -> 1
 /// there.
 ///   steepest_theta   [rad]  0 ... pi/2, else hts::Error
 ///   error            1e-6 absolute where rho_dh has one maximum between neighbours 3 degrees apart

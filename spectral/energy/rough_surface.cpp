@@ -27,26 +27,26 @@ ReflectedLight by_published_model(const Surface& surface, const Facets& facets,
             }};
 }
 
-ReflectedLight by_published_model(const Surface& surface, const RefractiveIndex& index,
+ReflectedLight by_published_model(const Surface& surface, const CoatedIndex& index,
                                   const Wavelength& wavelength, const Polarisation& light) {
     const ReflectedLight lossless = by_published_model(surface, PerfectMirror{}, wavelength);
     return {[=](const Direction& in) {
-                const FresnelAmplitudes f = fresnel(in.cos_theta(), index);
+                const FresnelAmplitudes f = index.amplitudes(in.cos_theta());
                 return lossless.mirror(in) * (light.s * std::norm(f.s) + light.p * std::norm(f.p));
             },
             [=](const Direction& in) -> ReflectedLight::Lobe {
                 return [=, lobe = lossless.lobe(in)](const Direction& out, double t) {
                     const double cos_theta_d = wave_vector_change(in, out).cos_theta_d();
-                    return lobe(out, t) * reflected(facet_jones(in, out, fresnel(cos_theta_d, index)), light);
+                    return lobe(out, t) * reflected(facet_jones(in, out, index.amplitudes(cos_theta_d)), light);
                 };
             }};
 }
 
 ReflectedLight by_successor(const RoughSurface& surface, const Facets& facets, const Wavelength& wavelength,
                             const Polarisation& light) {
-    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    const auto* const index = std::get_if<CoatedIndex>(&facets);
     const HeUnifiedSpectrum model{surface,
-                                  {{wavelength, index == nullptr ? perfect_conductor() : *index, 0}},
+                                  {{wavelength, index == nullptr ? CoatedIndex{perfect_conductor()} : *index, 0}},
                                   Tolerance{hts::accuracy::quick_kicks},
                                   DiffuseLobe::full,
                                   *surface.unified()};
@@ -71,14 +71,14 @@ ReflectedLight by_successor(const RoughSurface& surface, const Facets& facets, c
 }  // namespace
 
 double facet_reflectance(const Facets& facets, double cos_theta) noexcept {
-    const auto* const index = std::get_if<RefractiveIndex>(&facets);
-    return index == nullptr ? 1 : fresnel(cos_theta, *index).unpolarised_reflectance();
+    const auto* const index = std::get_if<CoatedIndex>(&facets);
+    return index == nullptr ? 1 : index->amplitudes(cos_theta).unpolarised_reflectance();
 }
 
 ReflectedLight reflected_light(const RoughSurface& surface, const Facets& facets,
                                const Wavelength& wavelength, const Polarisation& light) {
     if (surface.unified()) return by_successor(surface, facets, wavelength, light);
-    const auto* const index = std::get_if<RefractiveIndex>(&facets);
+    const auto* const index = std::get_if<CoatedIndex>(&facets);
     if (index == nullptr || light.s == light.p) return by_published_model(surface, facets, wavelength);
     return by_published_model(surface, *index, wavelength, light);
 }

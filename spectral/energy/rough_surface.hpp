@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "hts/direction.hpp"
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/surface.hpp"
 #include "hts/unified/unified_choices.hpp"
 #include "hts/wavelength.hpp"
@@ -40,7 +40,7 @@ class RoughSurface : public Surface {
 /// perfect conductor.
 struct PerfectMirror {};
 /// What a facet of the surface reflects.
-using Facets = std::variant<PerfectMirror, RefractiveIndex>;
+using Facets = std::variant<PerfectMirror, CoatedIndex>;
 
 /// |F|^2 of a facet for unpolarised light.
 ///   cos_theta   cosine of the angle of incidence on the facet   [1]   0 ... 1

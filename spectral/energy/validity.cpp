@@ -31,7 +31,7 @@ double mirror_loss(const Surface& surface, const View& in, const Wavelength& wav
 
 double total_reflectance(const View& in, const SpectralSample& sample) {
     return sample.uniform_diffuse * std::numbers::pi +
-           fresnel(in.direction.cos_theta(), sample.index).unpolarised_reflectance();
+           sample.index.amplitudes(in.direction.cos_theta()).unpolarised_reflectance();
 }
 
 bool leaves_what_was_measured(const Finding& finding) {
@@ -56,19 +56,41 @@ ModelError model_error(const Surface& surface, const Validity& validity) {
     return length >= best_correlation_length && at_its_best(validity) ? ModelError::best : ModelError::good;
 }
 
+/// slope_width along the axis of the shorter correlation length.
+double steepest_width(const Surface& surface) {
+    return 2 * surface.rms_roughness() / surface.shortest_correlation_length();
+}
+
 }  // namespace
 
 double rms_slope(const Surface& surface) noexcept {
-    return surface.slope_width() / std::numbers::sqrt2;
+    return steepest_width(surface) / std::numbers::sqrt2;
+}
+
+RmsSlopes rms_slopes(const Surface& surface) noexcept {
+    const auto& [along, across] = surface.correlation_lengths();
+    const double height = std::numbers::sqrt2 * surface.rms_roughness();
+    return {height / along, height / across};
 }
 
 double share_beyond_45_degrees(const Surface& surface) noexcept {
-    const double width = surface.slope_width();
-    return std::exp(-1 / (width * width));
+    const double width = steepest_width(surface);
+    if (surface.isotropic()) return std::exp(-1 / (width * width));
+    const auto& [along, across] = surface.correlation_lengths();
+    const double height = 2 * surface.rms_roughness();
+    constexpr int azimuths = 256;  // of a quarter turn, which all others repeat
+    double sum = 0;
+    for (int i = 0; i < azimuths; ++i) {
+        const double azimuth = std::numbers::pi / 2 * (i + 0.5) / azimuths;
+        const double slope =
+            std::hypot(height / along * std::cos(azimuth), height / across * std::sin(azimuth));
+        sum += std::exp(-1 / (slope * slope));
+    }
+    return sum / azimuths;
 }
 
 double curvature_radius(const Surface& surface) noexcept {
-    return surface.correlation_length() / (std::numbers::sqrt3 * surface.slope_width());
+    return surface.shortest_correlation_length() / (std::numbers::sqrt3 * steepest_width(surface));
 }
 
 Regime regime(double phase_variance) noexcept {
@@ -147,14 +169,15 @@ Validity validity(const Surface& surface, const View& in, const View& out,
     const PairFactors factors{surface, in, out};
     const Wavelength& wavelength = sample.wavelength;
     const bool mirror = surface.rms_roughness() == 0;  // without a lobe, tau means nothing
-    const double length = mirror ? infinity : surface.correlation_length() / wavelength.micrometres();
+    const double length =
+        mirror ? infinity : surface.shortest_correlation_length() / wavelength.micrometres();
     const double cosine = factors.cos_theta_d();
     const double curvature =
         mirror ? infinity : wavelength.wave_number() * curvature_radius(surface) * (cosine * cosine * cosine);
     Validity result{factors.phase_variance(wavelength),
                     {{{Criterion::correlation_length, length},
                       {Criterion::curvature, curvature},
-                      {Criterion::slope, surface.rms_roughness() / surface.correlation_length()},
+                      {Criterion::slope, surface.rms_roughness() / surface.shortest_correlation_length()},
                       {Criterion::shadowing, least_shadowing(in, out)},
                       {Criterion::mirror, mirror_loss(surface, in, wavelength)},
                       {Criterion::energy, total_reflectance(in, sample)}}},

@@ -132,8 +132,8 @@ Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
     }
     if (const auto index = file.json.find("index")) {
         if (metal || file.json.find("f0")) throw index->error("must not come with f0 or metal");
-        const OpticalConstants constants = optical_constants_from(*index, file.folder);
-        warnings.insert(warnings.end(), constants.warnings().begin(), constants.warnings().end());
+        const CoatedConstants constants = coated_constants_from(file.json, file.folder);
+        for (const std::string& warning : constants.warnings()) warnings.push_back(warning);
         return material_of(
             [=](const Wavelength& wavelength, OutsideRange policy) {
                 return AshikhminBrdf{facets, FacetFresnel::exact(constants.index(wavelength, policy)),
@@ -141,6 +141,7 @@ Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
             },
             std::move(warnings));
     }
+    if (const auto films = file.json.find("films")) throw films->error("must come with index, not with f0");
     const SpectralNumber f0{file.json["f0"], checked_f0};
     return material_of(
         [=](const Wavelength& wavelength, OutsideRange policy) {
@@ -155,7 +156,7 @@ Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
 
 Material read_ashikhmin(const MaterialFile& file) {
     file.json.require_keys_among(
-        {"name", "model", "normals", "f0", "index", "metal", "diffuse_albedo", "correlated_shadowing"});
+        {"name", "model", "normals", "f0", "index", "films", "metal", "diffuse_albedo", "correlated_shadowing"});
     const NormalDensity density = normals_from(file.json["normals"], file.folder);
     const bool correlated = truth_or(file.json, "correlated_shadowing", false);
     const AshikhminFacets facets{density,

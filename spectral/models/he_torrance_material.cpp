@@ -9,7 +9,7 @@
 #include "hts/he_torrance.hpp"
 #include "hts/unified/he_unified.hpp"
 #include "spectral/energy/compensation.hpp"
-#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/spectral_number.hpp"
 #include "spectral/text/text.hpp"
@@ -21,7 +21,7 @@ constexpr auto published_source = "He, Torrance, Sillion, Greenberg 1991";
 constexpr auto unified_source = "hts, successor of He, Torrance, Sillion, Greenberg 1991";
 
 Properties properties_of(const RoughSurface& surface) {
-    return {.polarised = true, .specular_term = true, .isotropic = true, .surface = surface};
+    return {.polarised = true, .specular_term = true, .isotropic = surface.isotropic(), .surface = surface};
 }
 
 WavelengthGrid grid_of(const std::vector<SpectralSample>& samples) {
@@ -76,7 +76,7 @@ void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::spa
                      lobe.lobe_argument,
                      of.surface().rms_roughness(),
                      lobe.shadowing,
-                     fresnel(cos_theta_d, of.samples()[i].index).unpolarised_reflectance(),
+                     of.samples()[i].index.amplitudes(cos_theta_d).unpolarised_reflectance(),
                      lobe.kicks.method};
     }
 }
@@ -147,6 +147,12 @@ class RoughSurfaceEvaluator final : public Evaluator {
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
                                                   const Stokes& light) const override {
+        if (!surface_.isotropic() && (light[2] != 0 || light[3] != 0)) {
+            throw Error{
+                "albedo of a surface of two correlation lengths: the light must be polarised along s or p, "
+                "or "
+                "not at all"};
+        }
         const SpectralSample& sample = samples_[wavelength];
         auto result =
             directional_hemispherical_reflectance(surface_, sample.index, sample.wavelength, in, light);
@@ -178,8 +184,8 @@ class RoughSurfaceEvaluator final : public Evaluator {
 };
 
 /// What a caller knows better goes before the constants, which then need not be known there.
-RefractiveIndex index_of(const OpticalConstants& constants, const Wavelength& wavelength,
-                         const EvaluationOptions& options) {
+RefractiveIndex substrate_of(const OpticalConstants& constants, const Wavelength& wavelength,
+                             const EvaluationOptions& options) {
     const auto &n = options.instead.n, &k = options.instead.k;
     if (n && k) return {*n, *k};
     const RefractiveIndex own = constants.index(wavelength, options.outside);
@@ -195,10 +201,26 @@ double checked_albedo(double albedo) {
 Surface surface_from(const JsonValue& file) {
     const JsonValue roughness_key = file["rms_roughness_um"];
     const JsonValue correlation_key = file["correlation_length_um"];
+    const std::optional<JsonValue> azimuth = file.find("azimuth_deg");
     const double roughness = roughness_key.number();
-    const double correlation = correlation_key.number();
+    const auto with = [&](const JsonValue& length) {
+        const double value = length.number();
+        return located(length.place(), [&] { return Surface{roughness, value}; });
+    };
     located(roughness_key.place(), [&] { return Surface{roughness, longest_length}; });
-    return located(correlation_key.place(), [&] { return Surface{roughness, correlation}; });
+    if (!correlation_key.is_list()) {
+        if (azimuth) throw azimuth->error("must be left out where correlation_length_um is one number");
+        return with(correlation_key);
+    }
+    const std::vector<JsonValue> lengths = correlation_key.items();
+    if (lengths.size() != 2)
+        throw correlation_key.error("must be a number or a list of two, [along, across]");
+    const double along = with(lengths[0]).correlation_length();
+    const double across = with(lengths[1]).correlation_length();
+    const double degrees = azimuth ? azimuth->number() : 0;
+    const Direction axis = located(azimuth.value_or(correlation_key).place(),
+                                   [&] { return Direction::from_degrees(90, degrees); });
+    return Surface::anisotropic(roughness, {along, across}, axis);
 }
 
 DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
@@ -217,16 +239,40 @@ UnifiedChoices::Mirror mirror_from(const std::optional<JsonValue>& mirror) {
     throw mirror->error(in_quotes(mirror->text()) + " is not known; must be closed or second_order");
 }
 
+/// Lengths so different that the longer one all but leaves the lobe a line.
+bool is_grooved(const Surface& surface) {
+    constexpr double most_ratio = 100;
+    const auto& [along, across] = surface.correlation_lengths();
+    return std::max(along, across) >= most_ratio * std::min(along, across);
+}
+
+std::string groove_warning(const Surface& surface) {
+    const auto& [along, across] = surface.correlation_lengths();
+    return "correlation lengths " + shortest(along) + " and " + shortest(across) +
+           " um: grooves: nearly all light goes into the cone about them, where the BRDF grows as the longer "
+           "length";
+}
+
 const std::vector<std::string> shared_keys{
-    "name", "model", "rms_roughness_um", "correlation_length_um", "index", "diffuse_albedo"};
+    "name",  "model", "rms_roughness_um", "correlation_length_um", "azimuth_deg",
+    "index", "films", "diffuse_albedo"};
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
-    return he_torrance_material(file.default_name, surface,
-                                optical_constants_from(file.json["index"], file.folder),
+    return he_torrance_material(file.default_name, surface, coated_constants_from(file.json, file.folder),
                                 albedo_from(file.json.find("diffuse_albedo")));
 }
 
 }  // namespace
+
+Surface RoughSurfaceValues::of(const Surface& own) const {
+    const double roughness = rms_roughness.value_or(own.rms_roughness());
+    if (correlation_length) return {roughness, *correlation_length};
+    const CorrelationLengths lengths = own.correlation_lengths();
+    return Surface::anisotropic(
+        roughness,
+        {correlation_length_x.value_or(lengths.along), correlation_length_y.value_or(lengths.across)},
+        axis.value_or(own.axis()));
+}
 
 DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
 
@@ -240,18 +286,18 @@ double DiffuseAlbedo::operator()(const Wavelength& wavelength, OutsideRange poli
 }
 
 Material he_torrance_material(const std::string& name, const RoughSurface& surface,
-                              const OpticalConstants& constants, const DiffuseAlbedo& albedo) {
+                              const CoatedConstants& constants, const DiffuseAlbedo& albedo) {
     const auto prepare = [surface, constants, albedo](const std::string& of,
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
-        const RoughSurface rough =
-            surface.with({given.rms_roughness.value_or(surface.rms_roughness()),
-                          given.correlation_length.value_or(surface.correlation_length())});
+        const RoughSurface rough = surface.with(given.of(surface));
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-            const RefractiveIndex index = index_of(constants, wavelengths[i], options);
+            const CoatedIndex index =
+                constants.on(substrate_of(constants.substrate(), wavelengths[i], options), wavelengths[i],
+                             options.outside);
             const double own =
                 given.diffuse_albedo ? *given.diffuse_albedo : albedo(wavelengths[i], options.outside);
             samples.push_back({wavelengths[i], index, hts::uniform_diffuse(own)});
@@ -261,7 +307,9 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
         return options.compensate_energy ? compensated(model, EnergyCompensation::of(rough, wavelengths))
                                          : model;
     };
-    const Material material{prepare, properties_of(surface), constants.warnings(), constants.name()};
+    std::vector<std::string> warnings = constants.warnings();
+    if (is_grooved(surface)) warnings.push_back(groove_warning(surface));
+    const Material material{prepare, properties_of(surface), std::move(warnings), constants.name()};
     return surface.unified() ? material.named(name, "he_unified", unified_source)
                              : material.named(name, "he", published_source);
 }
@@ -292,6 +340,8 @@ Material read_he_unified(const MaterialFile& file) {
     file.json.require_keys_among(keys);
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
                                  .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
+    if (const auto films = file.json.find("films"); films && !films->items().empty())
+        located(file.json.place(), [&] { require_theory_of_films(choices); });
     return material_from(file, {surface_from(file.json), choices});
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "spectral/energy/rough_surface.hpp"
-#include "spectral/materials/optical_constants.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/materials/piecewise_linear.hpp"
 #include "spectral/models/material.hpp"
 
@@ -30,7 +30,7 @@ class DiffuseAlbedo {
 ///
 ///     const Material aluminium = he_torrance_material("rough aluminium", {0.28, 1.77}, built_in_optical_constants("Al"));
 [[nodiscard]] Material he_torrance_material(const std::string& name, const RoughSurface& surface,
-                                            const OpticalConstants& constants,
+                                            const CoatedConstants& constants,
                                             const DiffuseAlbedo& albedo = DiffuseAlbedo{0});
 
 /// A rough surface with what it is at each wavelength given.
@@ -44,8 +44,9 @@ class DiffuseAlbedo {
 /// Reads
 ///   {"name": "roughened aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
 ///    "index": "Al", "diffuse_albedo": 0.0}
+/// "correlation_length_um" may be [along, across] of two axes, with "azimuth_deg" of the first from x, 0 if left out;
 /// "index" is a built-in name, {"n": …, "k": …}, {"file": path relative to this file} or {"table": [[um, n, k], …]};
-/// "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out.
+/// "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out. "films" may cover it: coated_constants.hpp.
 [[nodiscard]] Material read_he_torrance(const MaterialFile& file);
 /// Reads the same keys of "model": "he_unified", and
 ///   "mirror": "closed" or "second_order", "polarisation_mixing": true or false       "closed" and false if left out

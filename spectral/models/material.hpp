@@ -28,11 +28,17 @@ namespace hts::spectral {
 struct RoughSurfaceValues {
     std::optional<double> n{}, k{};  ///< at every wavelength, where the material then need not be known
     std::optional<double> rms_roughness{}, correlation_length{};  ///< [um]
+    /// Along both axes [um], and a direction with the azimuth of the first; a single correlation_length goes before them.
+    std::optional<double> correlation_length_x{}, correlation_length_y{};
+    std::optional<Direction> axis{};
     std::optional<double> diffuse_albedo{};
 
     [[nodiscard]] bool any() const noexcept {
-        return n || k || rms_roughness || correlation_length || diffuse_albedo;
+        return n || k || rms_roughness || correlation_length || correlation_length_x ||
+               correlation_length_y || axis || diffuse_albedo;
     }
+    /// A surface with what is given here.
+    [[nodiscard]] Surface of(const Surface& own) const;
 };
 
 /// How a material is to be evaluated.

@@ -9,7 +9,7 @@
 #include "hts/microfacet/kurt.hpp"
 #include "hts/microfacet/walter.hpp"
 #include "hts/microfacet/ward.hpp"
-#include "spectral/materials/optical_constants_json.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/he_torrance_material.hpp"
 #include "spectral/text/text.hpp"
 
@@ -44,9 +44,9 @@ FacetDistribution facets_from(const JsonValue& file) {
 
 Material read_walter(const MaterialFile& file) {
     file.json.require_keys_among(
-        {"name", "model", "distribution", "alpha", "exponent", "index", "exterior_index"});
+        {"name", "model", "distribution", "alpha", "exponent", "index", "films", "exterior_index"});
     const FacetDistribution facets = facets_from(file.json);
-    const OpticalConstants constants = optical_constants_from(file.json["index"], file.folder);
+    const CoatedConstants constants = coated_constants_from(file.json, file.folder);
     const SpectralNumber exterior{file.json, "exterior_index", 1, [](double n) {
                                       return RefractiveIndex{n, 0}.n();
                                   }};

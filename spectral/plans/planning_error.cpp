@@ -58,7 +58,7 @@ class PairSource {
     }
 
   private:
-    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more.
+    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more; of an anisotropic surface `stretched`.
     [[nodiscard]] double lobe_width(const Direction& in, const Wavelength& wavelength) const {
         const Surface& surface = *surface_;
         const View light = view(surface, in);
@@ -69,8 +69,10 @@ class PairSource {
 
     /// About as far from the mirror direction as the lobe of a rough surface is wide.
     std::optional<Direction> about_mirror(const Direction& in, double width) {
-        const double away = width * std::sqrt(-2 * std::log1p(-random_.uniform()));
+        double away = width * std::sqrt(-2 * std::log1p(-random_.uniform()));
         const double azimuth = 2 * std::numbers::pi * random_.uniform();
+        if (surface_ && !surface_->isotropic())
+            away /= surface_->stretched({std::cos(azimuth), std::sin(azimuth)});
         const Vector3 mirror = in.mirror().vector();
         const double x = mirror.x + away * std::cos(azimuth), y = mirror.y + away * std::sin(azimuth);
         const double sine_squared = square(x) + square(y);
@@ -270,7 +272,7 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
         const double reflected =
-            fresnel(in.cos_theta(), samples[i].index).unpolarised_reflectance() * shadowing +
+            samples[i].index.amplitudes(in.cos_theta()).unpolarised_reflectance() * shadowing +
             samples[i].uniform_diffuse * std::numbers::pi;
         worst = std::max(worst, ratio(std::abs(value[i].value() - full[i].value()), reflected));
     }

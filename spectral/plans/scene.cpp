@@ -164,8 +164,10 @@ class Checksum {
 
 void add_samples(Checksum& checksum, const Reflectance& reflectance) {
     for (const SpectralSample& sample : reflectance.samples()) {
-        checksum.add(sample.index.n());
-        checksum.add(sample.index.k());
+        checksum.add(sample.index.substrate().n());
+        checksum.add(sample.index.substrate().k());
+        for (const auto& film : sample.index.film_numbers())
+            for (const double number : film) checksum.add(number);
         checksum.add(sample.uniform_diffuse);
     }
 }
@@ -199,6 +201,10 @@ void add_material(Checksum& checksum, const Material& material, const Scene& sce
     if (const auto& surface = material.properties().surface) {
         checksum.add(surface->rms_roughness());
         checksum.add(surface->correlation_length());
+        if (!surface->isotropic()) {
+            checksum.add(surface->correlation_lengths().along);
+            checksum.add(surface->azimuth());
+        }
         if (const auto& choices = surface->unified()) {
             checksum.add(static_cast<double>(choices->mirror));
             checksum.add(choices->polarisation_mixing ? 1.0 : 0.0);

@@ -220,7 +220,7 @@ void add_slope(Fit& fit, const Estimate& found, const std::optional<RoughLimit>&
     // a model that misses the data tells no surfaces apart that it misses by about as much
     constexpr double about = 2;
     fit.slope_alone = said != found.uncertainty.statements.end() ||
-                      (rough && within_noise(*rough, cost, found.scatter.residuals)) ||
+                      (rough && within_noise(*rough, cost, found)) ||
                       (rough && !fit.errors_hold && rough->cost <= about * cost);
     if (!fit.slope_alone) return;
     if (rough) {

@@ -59,6 +59,7 @@ struct FitRequest {
     std::string model = "he";
     int lobes = 1;
     std::string index{};  ///< JSON of the material file's key, where the optical constants are known
+    std::string films{};  ///< JSON of the material file's key; they are held
     /// Held at a value, by name or key: {"a", 0}, {"n", 1.5}. A name without channel or lobe means all of
     /// them.
     std::map<std::string, double> fixed{};

@@ -84,14 +84,18 @@ RoughLimit rough_limit(const FitProblem& problem, const RoughPlaces& at, const F
     return result;
 }
 
-bool within_noise(const RoughLimit& rough, double cost, const std::vector<double>& residuals) {
+bool within_noise(const RoughLimit& rough, double cost, const Estimate& best) {
+    const Noise &limit = rough.estimate.noise, &found = best.noise;
+    const double spread = 3 * std::sqrt(2 / limit.freedom + 2 / found.freedom);  // of ln of their ratio
+    if (limit.variance > std::exp(spread) * found.variance) return false;
     const Scatter& scatter = rough.estimate.scatter;
-    std::vector<double> apart(residuals.size());
-    for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = scatter.residuals[i] - residuals[i];
+    std::vector<double> apart(best.scatter.residuals.size());
+    for (std::size_t i = 0; i < apart.size(); ++i)
+        apart[i] = scatter.residuals[i] - best.scatter.residuals[i];
     const double length = std::sqrt(std::inner_product(apart.begin(), apart.end(), apart.begin(), 0.0));
     if (!(length > 0)) return true;
     for (double& x : apart) x /= length;
-    return 2 * (rough.cost - cost) <= 9 * rough.estimate.noise.along(apart, scatter);
+    return 2 * (rough.cost - cost) <= 9 * limit.along(apart, scatter);
 }
 
 }  // namespace hts::validation

@@ -44,8 +44,9 @@ struct RoughLimit {
                                      const std::vector<double>& from);
 
 /// Whether what the rough limit misses more than the best fit is within three standard deviations of the noise
-/// that it shows.
-///   cost, residuals   of the best fit
-[[nodiscard]] bool within_noise(const RoughLimit& rough, double cost, const std::vector<double>& residuals);
+/// that it shows, and that noise, errors of gain aside, is no larger than the best fit's, by three standard
+/// deviations of either: a limit that misses the shape of the curves is no alternative.
+///   cost   of the best fit, whose estimate is `best`
+[[nodiscard]] bool within_noise(const RoughLimit& rough, double cost, const Estimate& best);
 
 }  // namespace hts::validation

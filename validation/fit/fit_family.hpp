@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "hts/fresnel.hpp"
+#include "hts/films/coated_index.hpp"
 #include "hts/wavelength.hpp"
 #include "validation/curves/prediction.hpp"
 
@@ -46,7 +46,7 @@ struct ParameterRange {
 /// What a model is made of at one wavelength.
 struct ModelNumbers {
     Wavelength wavelength;
-    RefractiveIndex index;                   ///< of models that have one, else 1
+    CoatedIndex index;                       ///< of models that have one, else 1
     std::vector<double> own;                 ///< in the order of FitFamily::parameters
     std::vector<std::vector<double>> lobes;  ///< of each lobe, in the order of FitFamily::lobe
 };

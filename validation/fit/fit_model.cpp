@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "hts/error.hpp"
-#include "spectral/materials/optical_constants_json.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
@@ -72,7 +71,7 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
         throw RequestError{"fit: model " + spectral::in_quotes(family) +
                            " has no lobes: must be fitted with 1"};
     }
-    if (!family_.has_index && !layout_.index.empty()) {
+    if (!family_.has_index && !(layout_.index.empty() && layout_.films.empty())) {
         throw RequestError{"fit: model " + spectral::in_quotes(family) + " has no index"};
     }
     for (std::size_t i = 0; i < family_.parameters.size(); ++i) {
@@ -82,21 +81,28 @@ FitModel::FitModel(const std::string& family, FitLayout layout)
     for (std::size_t lobe = 0; lobe < lobe_count(); ++lobe) {
         for (std::size_t i = 0; i < family_.lobe.size(); ++i) place(family_.lobe[i], lobe, i);
     }
-    if (!layout_.index.empty()) read_index();
+    if (family_.has_index) read_substance();
 }
 
 std::size_t FitModel::lobe_count() const noexcept {
     return static_cast<std::size_t>(family_.lobe.empty() ? 0 : layout_.lobes);
 }
 
-void FitModel::read_index() {
+void FitModel::read_substance() {
     try {
-        static_cast<void>(
-            spectral::JsonValue::parse(layout_.index, "fit: index"));  // alone, for its own errors
-        const auto file = spectral::JsonValue::parse(R"({"index": )" + layout_.index + "}", "fit");
-        const auto constants = spectral::optical_constants_from(file["index"], {});
+        const auto alone = [](const std::string& key, const std::string& text) {  // for its own errors
+            if (!text.empty()) static_cast<void>(spectral::JsonValue::parse(text, "fit: " + key));
+            return text;
+        };
+        const std::string index = alone("index", layout_.index), films = alone("films", layout_.films);
+        const auto file =
+            spectral::JsonValue::parse(R"({"index": )" + (index.empty() ? R"({"n": 1, "k": 0})" : index) +
+                                           R"(, "films": )" + (films.empty() ? "[]" : films) + "}",
+                                       "fit");
+        substance_ = spectral::coated_constants_from(file, {});
+        if (index.empty()) return;
         for (const double um : layout_.wavelengths)
-            indices_.push_back(constants.index(Wavelength::from_micrometres(um), layout_.outside));
+            indices_.push_back(substance_->index(Wavelength::from_micrometres(um), layout_.outside));
     } catch (const Error& error) {
         throw RequestError{error.what()};
     }
@@ -148,8 +154,9 @@ std::vector<ModelNumbers> FitModel::numbers(const FitTrial& trial,
         numbers.wavelength = wavelengths[w];
         if (family_.has_index) {
             const std::size_t n = numbers.own.size() - 2;
-            numbers.index =
-                indices_.empty() ? RefractiveIndex{numbers.own[n], numbers.own[n + 1]} : indices_[at];
+            numbers.index = indices_.empty() ? substance_->on({numbers.own[n], numbers.own[n + 1]},
+                                                              wavelengths[w], layout_.outside)
+                                             : indices_[at];
         }
     }
     return result;
@@ -192,6 +199,7 @@ std::string FitModel::material_text(std::span<const double> values, const std::s
     ordered_json file{{"name", name}, {"model", family_.model}};
     for (const auto& [key, text] : family_.settings) file[key] = ordered_json::parse(text);
     if (!layout_.index.empty()) file["index"] = ordered_json::parse(layout_.index);
+    if (!layout_.films.empty()) file["films"] = ordered_json::parse(layout_.films);
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
         ordered_json& place = file[ordered_json::json_pointer{parameters_[i].pointer}];
         if (parameters_[i].channel) {

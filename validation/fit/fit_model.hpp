@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
-#include "spectral/materials/optical_constants.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/material.hpp"
 #include "spectral/wavelength_grid.hpp"
 #include "validation/fit/fit_family.hpp"
@@ -41,7 +41,9 @@ struct FitLayout {
     std::vector<std::size_t> channels;
     /// JSON of the key "index" where it is known, "\"Al\""; else n and k are parameters.
     std::string index{};
-    spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of the index
+    spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of the index and of films
+    /// JSON of the key "films"; none if empty.
+    std::string films{};
 
     [[nodiscard]] std::size_t channel_count() const noexcept;
 };
@@ -74,7 +76,7 @@ class FitModel {
 
   private:
     void place(const ParameterRange& range, std::optional<std::size_t> lobe, std::size_t number);
-    void read_index();
+    void read_substance();
     [[nodiscard]] std::size_t lobe_count() const noexcept;
     [[nodiscard]] std::size_t layout_place(double um) const;
     [[nodiscard]] std::vector<ModelNumbers> numbers(const FitTrial& trial,
@@ -83,7 +85,9 @@ class FitModel {
     FitFamily family_;
     FitLayout layout_;
     std::vector<FitParameter> parameters_;
-    std::vector<RefractiveIndex> indices_;  // of each wavelength of the layout, where the index is known
+    std::optional<spectral::CoatedConstants>
+        substance_;                     // of models that have an index; its own may be a place holder
+    std::vector<CoatedIndex> indices_;  // of each wavelength of the layout, where the index is known
 };
 
 }  // namespace hts::validation

@@ -57,7 +57,7 @@ double robust_slope(double residual, Loss loss, double scale) {
 
 FitLayout layout(const FitRequest& request, const FitData& data) {
     const auto um = data.wavelengths.micrometres();
-    return {request.lobes, {um.begin(), um.end()}, data.channels, request.index, data.outside};
+    return {request.lobes, {um.begin(), um.end()}, data.channels, request.index, data.outside, request.films};
 }
 
 }  // namespace

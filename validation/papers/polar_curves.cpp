@@ -85,4 +85,28 @@ PolarCurve polar_curve(const spectral::Reflectance& reflectance, double theta_i,
     return curve;
 }
 
+SineCurve sine_curve(const spectral::Reflectance& reflectance, double theta_i, double phi_i, double least) {
+    constexpr int steps_per_decade = 50;
+    const Direction in = Direction::from_degrees(theta_i, phi_i);
+    const double mirror = in.sin_theta();
+    const auto side = [&](double sign) {
+        const double most = sign > 0 ? 1 - mirror : 1 + mirror;
+        std::vector<SinePoint> points;
+        if (!(most > least)) return points;
+        const int steps =
+            std::max(1, static_cast<int>(std::ceil(std::log10(most / least) * steps_per_decade)));
+        for (int i = 0; i < steps; ++i) {  // short of the horizon itself
+            const double difference = least * std::pow(most / least, static_cast<double>(i) / steps);
+            const double beta = mirror + sign * difference;
+            const Direction out = Direction::from_angles(std::asin(std::min(1.0, std::abs(beta))),
+                                                         radians(beta < 0 ? phi_i : phi_i + 180));
+            const double sum = reflectance.brdf({in, out})[0];
+            points.push_back({beta, difference, reflectance.directional_diffuse({in, out})[0],
+                              std::min(sum, reflectance.uniform_diffuse()[0])});
+        }
+        return points;
+    };
+    return {theta_i, side(1), side(-1)};
+}
+
 }  // namespace hts::validation

@@ -96,4 +96,25 @@ std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle
     return set_curves(script, curves).with("polar");
 }
 
+std::string sine_script(const std::vector<SineCurve>& curves, const std::string& title,
+                        const std::string& data_file) {
+    std::vector<double> angles;
+    std::vector<std::size_t> first, middle, last;
+    std::size_t record = 1;  // 0 is the header
+    double largest = 0;
+    for (const SineCurve& curve : curves) {
+        angles.push_back(curve.theta_i);
+        first.push_back(record);
+        middle.push_back(record + curve.beyond.size());
+        last.push_back(middle.back() + curve.within.size() - 1);
+        record = last.back() + 1;
+        for (const auto* side : {&curve.beyond, &curve.within})
+            for (const SinePoint& point : *side) largest = std::max(largest, point.brdf());
+    }
+    const double top = std::pow(10, top_decade(largest > 0 ? largest : 1));
+    output::Script script;
+    script.set("title", title).set("data", data_file).set("theta_i", angles).set("top", top);
+    return script.set("first", first).set("middle", middle).set("last", last).with("sine");
+}
+
 }  // namespace hts::validation

@@ -39,8 +39,8 @@ std::string export_help() {
     for (const TableFormat& format : table_formats()) text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
 The source is a material file or a table (.htst), which has its own wavelengths. The file
-holds the diffuse terms; the specular term is left out and its reflectance written beside
-the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
+holds the diffuse terms; the specular term is left out (but of glsl) and its reflectance written
+beside the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
 --solid-angle instead: about the mirror direction, or of formats on half vectors over facets
 of as little tilt; a box that the grid of a format cannot hold is refused. Before anything is
 written, the files are read as the programs read them that know the format, and compared with
@@ -52,7 +52,8 @@ R, G, B.
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
-  hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf)";
+  hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf
+  hts table export cli/data/rough-aluminium.json --format glsl --output aluminium.glsl)";
 }
 
 const TableFormat& format_named(const std::string& name) {
@@ -69,6 +70,9 @@ ExportDetails details_of(const ExportOptions& options, const TableFormat& format
     require(options.colour, "--colour");
     require(!options.basis.empty(), "--basis");
     require(options.depth > 0, "--depth");
+    if (format.holds_specular && options.specular == "box")
+        throw UsageError{"--specular box: must not come with --format " + format.name +
+                         ", which holds the specular term as it is"};
     ExportDetails details{.colour = options.colour, .depth = options.depth};
     if (!options.basis.empty()) details.basis = options.basis;
     return details;

@@ -1,6 +1,7 @@
 #include "cli/verbs/table/formats.hpp"
 
 #include "tables/formats/channels.hpp"
+#include "tables/formats/glsl/glsl.hpp"
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
@@ -164,6 +165,14 @@ Exported pbsdf(const Reflectance& brdf, const std::string& path, const ExportDet
     return tables::exported_pbsdf(brdf, path);
 }
 
+Exported glsl(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
+    return tables::exported_glsl(brdf, path);
+}
+
+Reflectance read_glsl(const Exported& exported) {
+    return tables::glsl_brdf(only_file(exported).text, only_file(exported).path);
+}
+
 }  // namespace
 
 Reflectance as_colour(const Reflectance& brdf, Colour wanted, const std::vector<std::string>& channels) {
@@ -233,6 +242,17 @@ const std::vector<TableFormat>& table_formats() {
          false,
          {"--colour"}},
         {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", csv, read_csv},
+        {"glsl",
+         "shader functions for WebGL 2 and OpenGL: brdf, specular, sample, pdf, RGB; model he",
+         "0.40:0.70:8",
+         glsl,
+         read_glsl,
+         nullptr,
+         Colour::rgb,
+         false,
+         {},
+         SpecularSpread::facets,
+         true},
     };
     return formats;
 }

@@ -51,6 +51,7 @@ struct TableFormat {
     std::vector<std::string> takes{};
     /// How the specular term is spread, as the format's grid can hold it.
     SpecularSpread spread = SpecularSpread::facets;
+    bool holds_specular = false;  ///< as a function of its own, so that nothing need be spread
 };
 
 /// A reflectance as colour under D65: three wavelengths as blue, green and red, three channels as what they are, more wavelengths as

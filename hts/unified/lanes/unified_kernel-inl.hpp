@@ -28,17 +28,42 @@ struct UnifiedSeen {
     V return_factor;  // m
 };
 
+/// m in powers of x = 2 y - 1, of a row of coefficients.
 template <class Lanes, class V>
-HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surface, V cosine, V sine) {
-    const V width_sine = o.real(surface.return_width) * sine;
+HWY_INLINE V return_row(const Lanes& o, const std::array<double, ReturnFactor::terms>& row,
+                        const V (&powers)[4]) {
+    static_assert(ReturnFactor::terms == 20);
+    return o.mul_add(hl::estrin<16, 4>(o, row, powers), powers[3] * powers[3],
+                     hl::estrin<0, 16>(o, row, powers));
+}
+
+/// The same of all rows at a width, by Clenshaw's recurrence.
+template <class Lanes, class V>
+HWY_INLINE V return_rows(const Lanes& o, const SurfaceTerms& surface, V width, const V (&powers)[4]) {
+    const V z = (width - o.real(surface.return_centre)) * o.real(surface.return_scale), two_z = z + z;
+    V next = o.real(0), after = o.real(0);
+    for (std::size_t i = surface.return_rows.size(); i-- > 1;) {
+        const V here = o.mul_add(two_z, next, return_row(o, surface.return_rows[i], powers) - after);
+        after = next;
+        next = here;
+    }
+    return o.mul_add(z, next, return_row(o, surface.return_rows[0], powers) - after);
+}
+
+template <class Lanes, class V>
+HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surface, V cosine, V sine,
+                                       V cos_phi, V sin_phi) {
+    const V slope_width = evaluation::slope_width(o, surface.axes, surface.slope_width, cos_phi, sin_phi);
+    const V return_width =
+        surface.axes.isotropic ? o.real(surface.return_width) : o.min(slope_width, o.real(2));
+    const V width_sine = return_width * sine;
     const V y = width_sine / (width_sine + cosine);
     const V x = o.mul_add(y, o.real(2), o.real(-1));
     const V x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
     const V powers[4]{x, x2, x4, x8};
-    static_assert(ReturnFactor::terms == 20);
-    return {evaluation::seen(o, cosine, sine, o.real(surface.slope_width)).masked,
-            o.mul_add(hl::estrin<16, 4>(o, surface.return_factor, powers), x8 * x8,
-                      hl::estrin<0, 16>(o, surface.return_factor, powers))};
+    return {evaluation::seen(o, cosine, sine, slope_width).masked,
+            surface.axes.isotropic ? return_row(o, surface.return_factor, powers)
+                                   : return_rows(o, surface, return_width, powers)};
 }
 
 /// What a pair contributes, whatever the wavelength.
@@ -93,7 +118,8 @@ HWY_INLINE UnifiedPair<V> unified_pair(const Lanes& o, const SurfaceTerms& surfa
     UnifiedPair<V> p;
     p.field[variance] = o.real(surface.variance) * (vertical * vertical);
     p.field[inverse_variance] = o.real(surface.inverse_variance) * (inverse * inverse);
-    p.field[argument] = o.real(surface.quarter_tau_squared) * horizontal;
+    p.field[argument] =
+        o.real(surface.quarter_tau_squared) * evaluation::stretched_squared(o, surface.axes, a, horizontal);
     p.field[cos_in] = a.cos_in;
     p.field[cos_out] = a.cos_out;
     p.field[cosines] = a.cos_in * a.cos_out;

@@ -64,8 +64,10 @@ HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const Surfa
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
                                 HWY_ATTR { return hn::InterleaveLower(hn::Set(two, a), hn::Set(two, b)); };
-    const auto seen = unified_seen(both, surface, in_and_out(in.cos_theta(), out.cos_theta()),
-                                   in_and_out(in.sin_theta(), out.sin_theta()));
+    const auto seen =
+        unified_seen(both, surface, in_and_out(in.cos_theta(), out.cos_theta()),
+                     in_and_out(in.sin_theta(), out.sin_theta()), in_and_out(in.cos_phi(), out.cos_phi()),
+                     in_and_out(in.sin_phi(), out.sin_phi()));
     const auto first = [&o](auto v) HWY_ATTR { return o.real(hn::GetLane(v)); };
     const auto second = [&o, two](auto v) HWY_ATTR { return o.real(hn::GetLane(hn::Reverse2(two, v))); };
     const evaluation::PairAngles<V> angles{
@@ -118,9 +120,9 @@ struct PairBlock : Vectors<8> {
         for (std::size_t i = 0; i < count; i += lanes) {
             const auto at = [&](std::size_t k) HWY_ATTR { return hn::Load(d, angle[k] + i); };
             const evaluation::PairAngles<V> a{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-            const UnifiedPair<V> terms =
-                unified_pair(o, surface, a, unified_seen(o, surface, a.cos_in, a.sin_in),
-                             unified_seen(o, surface, a.cos_out, a.sin_out));
+            const UnifiedPair<V> terms = unified_pair(
+                o, surface, a, unified_seen(o, surface, a.cos_in, a.sin_in, a.cos_phi_in, a.sin_phi_in),
+                unified_seen(o, surface, a.cos_out, a.sin_out, a.cos_phi_out, a.sin_phi_out));
             for (std::size_t f = 0; f < fields; ++f) hn::Store(terms.field[f], d, field[f] + i);
         }
         return ordinary;

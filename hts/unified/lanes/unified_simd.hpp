@@ -21,6 +21,11 @@ struct SurfaceTerms {
     double return_width;                                    // slope_width, but at most 2
     double mixed;                                           // of the polarisations
     std::array<double, ReturnFactor::terms> return_factor;  // in powers of 2 y - 1
+    evaluation_detail::AxisTerms axes;
+    // m of surfaces of two correlation lengths: rows of the same powers, for T_0, T_1, ... of the width along an azimuth,
+    // taken from -1 to 1 as (width - return_centre) return_scale
+    std::vector<std::array<double, ReturnFactor::terms>> return_rows;
+    double return_centre, return_scale;
 };
 
 /// Terms of r = sqrt(e - s^2) in powers of s^2, where |e| is large: the first left out is 21/1024 (s^2/e)^6.

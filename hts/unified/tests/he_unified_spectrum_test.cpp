@@ -77,7 +77,7 @@ std::string describe(const DirectionPair& p, const Surface& s, const SpectralSam
     text.precision(17);
     text << "cos " << p.in.cos_theta() << ", " << p.out.cos_theta() << ", sigma0 " << s.rms_roughness()
          << ", tau " << s.correlation_length() << ", lambda " << sample.wavelength.micrometres() << ", N "
-         << sample.index.n() << " + " << sample.index.k() << 'i';
+         << sample.index.substrate().n() << " + " << sample.index.substrate().k() << 'i';
     return text.str();
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("the material file of the interface contract is read") {
     CHECK(material.properties().surface->rms_roughness() == 0.28);
     CHECK(material.properties().surface->correlation_length() == 1.77);
     const auto samples = material.at(green);
-    CHECK(samples.samples()[0].index.k() == hts::spectral::built_in_optical_constants("Al").index(green).k());
+    CHECK(samples.samples()[0].index.substrate().k() == hts::spectral::built_in_optical_constants("Al").index(green).k());
     CHECK(samples.samples()[0].uniform_diffuse == 0);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("every form of index is read") {
     std::filesystem::create_directory(folder.path() / "nk");
     folder.write("nk/glass.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1.6,0.1\n");
     const auto index = [&folder](const std::string& text, const Wavelength& wavelength = green) {
-        return read_material(folder.write("m.json", file_with(text))).at(wavelength).samples()[0].index;
+        return read_material(folder.write("m.json", file_with(text))).at(wavelength).samples()[0].index.substrate();
     };
     CHECK(index(R"("Cu")").n() == hts::spectral::built_in_optical_constants("Cu").index(green).n());
     CHECK(index(R"({"n": 0.77, "k": 6})").n() == 0.77);
@@ -240,8 +240,8 @@ TEST_CASE("values that a caller gives go before the material's") {
         .n = 2, .k = 3, .rms_roughness = 0.5, .correlation_length = 2.5, .diffuse_albedo = 0.25};
     CHECK(own.at(green, {.instead = all}).brdf(pair) == wanted.at(green).brdf(pair));
     const auto one = own.at(green, {.instead = {.n = 2}});
-    CHECK(one.samples()[0].index.n() == 2);
-    CHECK(one.samples()[0].index.k() == own.at(green).samples()[0].index.k());
+    CHECK(one.samples()[0].index.substrate().n() == 2);
+    CHECK(one.samples()[0].index.substrate().k() == own.at(green).samples()[0].index.substrate().k());
 
     const auto infrared = Wavelength::from_micrometres(10);
     CHECK(own.at(infrared, {.instead = all}).brdf(pair) == wanted.at(infrared).brdf(pair));

@@ -65,7 +65,7 @@ double relative_error(const Scene& scene, const Material& material, const Rung& 
             if (brdf[j] != exact) worst = std::max(worst, std::abs(brdf[j] - exact) / scale);
             const double rho =
                 hts::specular_reflectance(surface, light, sample.wavelength, sample.index).value();
-            const double all = hts::fresnel(pair.in.cos_theta(), sample.index).unpolarised_reflectance() *
+            const double all = sample.index.amplitudes(pair.in.cos_theta()).unpolarised_reflectance() *
                                std::pow(light.visibility.shadowing, 2);
             worst = std::max(worst, std::abs(mirror[j].value() - rho) / (all + albedo));
         }

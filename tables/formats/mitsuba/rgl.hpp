@@ -30,12 +30,14 @@ namespace accuracy {
 inline constexpr double rgl = 0.02;
 }  // namespace accuracy
 
-/// How finely a file samples; its size is close to 4 theta_i (wavelengths resolution^2 + azimuths elevations) bytes.
+/// How finely a file samples; its size is close to 4 theta_i phi_i (wavelengths resolution^2 + azimuths elevations) bytes.
 struct RglResolution {
     int theta_i;     ///< angles of incidence, 2 ... 256
     int resolution;  ///< of the warped square, along either side, 2 ... 1024
     int azimuths;    ///< of the warp, rows, 2 ... 1024
     int elevations;  ///< of the warp, columns, 8 ... 4096
+    int phi_i =
+        25;  ///< azimuths of incidence from -180 to 180 deg, 5 ... 361; of an isotropic reflectance there is one
 };
 
 /// What a reader of the file evaluates: BRDF and density, of directions on the front side.
@@ -52,7 +54,7 @@ class RglBrdf : public spectral::Evaluator, public HasDensity {
     using spectral::Evaluator::Evaluator;
 };
 
-/// Writes an isotropic reflectance; hts::Error for others, or where the file cannot be written.
+/// Writes a reflectance, with azimuths of incidence where it is anisotropic; hts::Error where the file cannot be written.
 ///   specular_solid_angle   of with_specular_lobe, if that was applied [sr]: then nodes are set where that lobe is; else 0
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                const RglResolution& resolution, double specular_solid_angle = 0);

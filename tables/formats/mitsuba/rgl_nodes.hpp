@@ -125,8 +125,9 @@ class NodeDensity {
     /// The column where a row crosses the horizon: w_o.z is a cosine of twice the facet's tilt.
     [[nodiscard]] double horizon_column(float row, std::size_t columns) const {
         const double azimuth = (2 * static_cast<double>(row) - 1) * std::numbers::pi;
+        const double towards_light = std::cos(azimuth) * in_.cos_phi() + std::sin(azimuth) * in_.sin_phi();
         const double tilt =
-            (std::atan2(in_.sin_theta() * std::cos(azimuth), in_.cos_theta()) + std::numbers::pi / 2) / 2;
+            (std::atan2(in_.sin_theta() * towards_light, in_.cos_theta()) + std::numbers::pi / 2) / 2;
         return std::sqrt(tilt * 2 / std::numbers::pi) * static_cast<double>(columns - 1);
     }
     /// A point along a row, in columns, and integrals of the row's straight lines up to it.

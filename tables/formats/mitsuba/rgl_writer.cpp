@@ -37,6 +37,7 @@ void require(const RglResolution& resolution) {
     require("resolution of the warped square", resolution.resolution, 2, 1024);
     require("number of azimuths of the warp", resolution.azimuths, 2, 1024);
     require("number of elevations of the warp", resolution.elevations, 8, 4096);
+    require("number of azimuths of incidence", resolution.phi_i, 5, 361);
 }
 
 /// From 0 to just short of the horizon, in steps that shrink with the height above it.
@@ -55,6 +56,15 @@ std::vector<float> incidence_angles(int n) {
     return nodes;
 }
 
+/// From -pi to pi, as readers want all azimuths, or 0 alone.
+std::vector<float> incidence_azimuths(const spectral::Reflectance& brdf, int n) {
+    if (brdf.properties().isotropic) return {0};
+    std::vector<float> nodes;
+    for (int i = 0; i < n; ++i) nodes.push_back(static_cast<float>(2 * pi * i / (n - 1) - pi));
+    nodes.back() = -nodes.front();
+    return nodes;
+}
+
 /// The arrays of the file.
 class RglTables {
   public:
@@ -67,47 +77,54 @@ class RglTables {
           specular_edge_{
               specular_solid_angle > 0 ? std::sqrt(specular_lobe_tilt(specular_solid_angle) * 2 / pi) : 0},
           thetas_{incidence_angles(resolution.theta_i)},
-          sigma_(2 * sigma_columns),
-          vndf_(thetas_.size() * rows_ * columns_),
-          luminance_(thetas_.size() * n_ * n_),
+          phis_{incidence_azimuths(brdf, resolution.phi_i)},
+          sigma_(std::max<std::size_t>(phis_.size(), 2) * sigma_columns),
+          vndf_(phis_.size() * thetas_.size() * rows_ * columns_),
+          luminance_(phis_.size() * thetas_.size() * n_ * n_),
           spectra_(luminance_.size() * wavelengths_) {
         fill_sigma();
-        spectral::parallel_for(thetas_.size(), [this](std::size_t t) { fill(t); });
+        spectral::parallel_for(phis_.size() * thetas_.size(), [this](std::size_t i) { fill(i); });
     }
 
     void add_to(TensorFileWriter& file, RglChannels channels) const {
-        const std::size_t thetas = thetas_.size();
+        const std::size_t thetas = thetas_.size(), phis = phis_.size();
         file.add("theta_i", {thetas}, thetas_);
-        file.add("phi_i", {1}, std::vector<float>{0});
+        file.add("phi_i", {phis}, phis_);
         file.add("ndf", {2, 2}, std::vector<float>(4, 1));
-        file.add("sigma", {2, sigma_columns}, sigma_);
-        file.add("vndf", {1, thetas, rows_, columns_}, vndf_);
-        file.add("luminance", {1, thetas, n_, n_}, luminance_);
+        file.add("sigma", {sigma_.size() / sigma_columns, sigma_columns}, sigma_);
+        file.add("vndf", {phis, thetas, rows_, columns_}, vndf_);
+        file.add("luminance", {phis, thetas, n_, n_}, luminance_);
         if (channels == RglChannels::spectra) {
-            file.add("spectra", {1, thetas, wavelengths_, n_, n_}, spectra_);
+            file.add("spectra", {phis, thetas, wavelengths_, n_, n_}, spectra_);
             return;
         }
         std::vector<float> reversed(spectra_.size());  // red first
         const std::size_t plane = n_ * n_;
-        for (std::size_t i = 0; i < thetas * 3; ++i)
+        for (std::size_t i = 0; i < phis * thetas * 3; ++i)
             std::copy_n(spectra_.begin() + static_cast<std::ptrdiff_t>(i * plane), plane,
                         reversed.begin() + static_cast<std::ptrdiff_t>((i / 3 * 3 + 2 - i % 3) * plane));
-        file.add("rgb", {1, thetas, 3, n_, n_}, reversed);
+        file.add("rgb", {phis, thetas, 3, n_, n_}, reversed);
     }
 
   private:
-    /// 1/(4 sigma) carries the growth of the lobe's peak with the angle of incidence.
+    /// 1/(4 sigma) carries the growth of the lobe's peak with the direction of incidence.
     void fill_sigma() {
         std::vector<double> values;
-        for (std::size_t c = 0; c < sigma_columns; ++c) {
-            const auto theta = static_cast<double>(theta_of_u(coordinate(c, sigma_columns)));
-            const Direction in = Direction::from_angles(std::min(theta, 89.9 * pi / 180), 0);
-            sigma_[c] = sigma_[c + sigma_columns] = static_cast<float>(0.25 / lobes_.peak(in, values));
+        for (std::size_t p = 0; p < phis_.size(); ++p) {
+            for (std::size_t c = 0; c < sigma_columns; ++c) {
+                const auto theta = static_cast<double>(theta_of_u(coordinate(c, sigma_columns)));
+                const Direction in =
+                    Direction::from_angles(std::min(theta, 89.9 * pi / 180), static_cast<double>(phis_[p]));
+                sigma_[p * sigma_columns + c] = static_cast<float>(0.25 / lobes_.peak(in, values));
+            }
         }
+        if (phis_.size() == 1) std::copy_n(sigma_.begin(), sigma_columns, sigma_.begin() + sigma_columns);
     }
 
+    /// The t-th slice, azimuth by azimuth.
     void fill(std::size_t t) {
-        const Direction in = Direction::from_angles(static_cast<double>(thetas_[t]), 0);
+        const Direction in = Direction::from_angles(static_cast<double>(thetas_[t % thetas_.size()]),
+                                                    static_cast<double>(phis_[t / thetas_.size()]));
         std::vector<double> values;
         NodeDensity density{lobes_, in, specular_edge_};
         const std::size_t behind = std::max<std::size_t>(n_ / 40, 1);  // columns of the warped square
@@ -153,7 +170,7 @@ class RglTables {
     Lobes lobes_;
     std::size_t wavelengths_, rows_, columns_, n_;
     double specular_edge_;
-    std::vector<float> thetas_, sigma_, vndf_, luminance_, spectra_;
+    std::vector<float> thetas_, phis_, sigma_, vndf_, luminance_, spectra_;
 };
 
 std::vector<float> nanometres(const spectral::Reflectance& brdf) {
@@ -169,8 +186,6 @@ namespace {
 std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& resolution,
                       double specular_solid_angle, RglChannels channels = RglChannels::spectra) {
     require(resolution);
-    if (!brdf.properties().isotropic)
-        throw Error{brdf.name() + " is anisotropic: a file of this format is written of isotropic ones only"};
     if (channels == RglChannels::rgb && brdf.size() != 3)
         throw out_of_range("number of channels", static_cast<double>(brdf.size()), "", "3 in a file of rgb");
     TensorFileWriter file;
@@ -183,10 +198,10 @@ std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& re
 
 std::string fine_enough(const spectral::Reflectance& brdf, const RoundTripOptions& compared,
                         RglChannels channels) {
-    constexpr RglResolution first{72, 80, 129, 512};
+    constexpr RglResolution of_isotropic{72, 80, 129, 512}, of_others{32, 48, 129, 256, 25};
     constexpr double most_error = 0.6 * accuracy::rgl;  // on fresh pairs half as much again was seen
     constexpr int most_refinements = 2;
-    RglResolution resolution = first;
+    RglResolution resolution = brdf.properties().isotropic ? of_isotropic : of_others;
     for (int refinements = 0;; ++refinements) {
         std::string bytes = rgl_bytes(brdf, resolution, compared.specular_solid_angle, channels);
         if (refinements == most_refinements) return bytes;
@@ -198,13 +213,14 @@ std::string fine_enough(const spectral::Reflectance& brdf, const RoundTripOption
     }
 }
 
-Sidecar described(RglChannels channels) {
+Sidecar described(RglChannels channels, bool isotropic) {
     const bool rgb = channels == RglChannels::rgb;
     return {.format = "RGL tensor file (.bsdf): Mitsuba 3 measured, pbrt-v4 measured, powitacq",
             .value = std::string{"f cos(theta_o), "} + (rgb ? "three channels, linear sRGB" : "spectral") +
                      ", on a warped half-vector square",
             .normalisation = "readers multiply by ndf/(4 sigma), which the stored numbers allow for",
-            .notes = {"front side only", "isotropic",
+            .notes = {"front side only",
+                      isotropic ? "isotropic" : "anisotropic: azimuths of incidence over a full turn",
                       rgb ? "red, green, blue: for the RGB variants of Mitsuba 3; pbrt-v4 and powitacq read "
                             "spectra alone"
                           : "wavelengths outside those of the file take the values of the nearest"}};
@@ -219,7 +235,8 @@ void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& p
 
 Exported exported_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path,
                       const RoundTripOptions& compared, RglChannels channels) {
-    return {{{path.string(), fine_enough(brdf, compared, channels)}}, described(channels)};
+    return {{{path.string(), fine_enough(brdf, compared, channels)}},
+            described(channels, brdf.properties().isotropic)};
 }
 
 void write_rgl(const spectral::Reflectance& brdf, const std::filesystem::path& path) {

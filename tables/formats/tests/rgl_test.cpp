@@ -288,9 +288,22 @@ TEST_CASE("an RGL file does not depend on the number of threads, and reads the s
     CHECK(here == std::vector<double>{0, 0});
 }
 
-TEST_CASE("anisotropic surfaces and senseless resolutions are refused") {
-    const auto satin = brdf_of("purple-satin.json", two);
-    CHECK_THROWS_WITH(write_rgl(satin, "/nowhere/x.bsdf"), Catch::Contains("is anisotropic"));
+TEST_CASE("anisotropic surfaces are read back, their light over a full turn") {
+    const TemporaryFolder folder;
+    const auto path = folder / "hts-rgl-brushed.bsdf";
+    const auto brushed = brdf_of("brushed-aluminium.json", two);
+    REQUIRE_FALSE(brushed.properties().isotropic);
+    write_rgl(brushed, path, {24, 48, 129, 256, 25});
+    const spectral::Reflectance read{std::shared_ptr<const RglBrdf>{read_rgl(path)}};
+    CHECK_FALSE(read.properties().isotropic);
+    WorstCase worst{"RGL file of brushed aluminium, of the peak", hts::tables::accuracy::rgl};
+    const auto result = round_trip(brushed, read, {.pairs = 20'000});
+    worst.note(result.worst.error, [&] { return result.text(); });
+    worst.check();
+    for (const DensityIntegral& at : result.density) CHECK(at.integral == Approx(1).margin(0.02));
+}
+
+TEST_CASE("senseless resolutions are refused") {
     const auto aluminium = brdf_of("rough-aluminium.json", two);
     CHECK_THROWS_WITH(write_rgl(aluminium, "/nowhere/x.bsdf", {1, 8, 9, 16}),
                       Catch::Contains("number of angles of incidence 1"));

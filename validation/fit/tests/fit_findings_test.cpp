@@ -82,6 +82,24 @@ TEST_CASE("a fit without solid angles says first that the specular term was not 
     }
 }
 
+TEST_CASE(
+    "a smooth surface is told from the limit of rough ones, which curves with gains of their own resemble") {
+    for (const double tau : {2.0, 3.0}) {
+        std::vector<DirectionPair> pairs;
+        for (const double theta_i : {10.0, 40.0, 60.0})
+            for (double theta_r = 0; theta_r < 80; theta_r += 3)
+                pairs.push_back({Direction::from_degrees(theta_i, 0), Direction::from_degrees(theta_r, 180)});
+        const auto red = spectral::WavelengthGrid::from_micrometres({0.633});
+        const Fit fit =
+            fitted({.index = "\"Al\"", .followed_starts = 3}, seen(he(0.05, tau, 0), pairs, 0.03, red));
+        INFO(in_words(fit));
+        CHECK_FALSE(fit.slope_alone);
+        const FittedParameter& sigma0 = fit.parameter("sigma0");
+        CHECK(std::abs(sigma0.value - 0.05) < 3 * sigma0.standard_error);
+        CHECK(sigma0.standard_error < 0.001);
+    }
+}
+
 TEST_CASE("a measured roughness is set beside the fitted one") {
     CurveSet set = built_in_curves("anodised-ec1");
     const Fit fit = fitted({.followed_starts = 4}, set, {});

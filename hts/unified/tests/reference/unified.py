@@ -185,4 +185,5 @@ def main():
         print(",".join([repr(x) for x in values] + [mp.nstr(x, 20) for x in point(*exact)]))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,203 @@
+#include "hts/films/coated_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "hts/error.hpp"
+
+namespace hts {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i{0, 1};
+
+Complex square_of(const RefractiveIndex& index) {
+    return {(index.n() - index.k()) * (index.n() + index.k()), 2 * index.n() * index.k()};
+}
+
+/// N^2 - sin^2, from whichever form does not cancel.
+Complex root_squared(const RefractiveIndex& index, double c) {
+    const double n = index.n(), k = index.k();
+    const Complex excess{(n - 1) * (n + 1) - k * k, 2 * n * k};
+    return std::norm(excess) < 0.25 ? excess + c * c : square_of(index) - (1 - c) * (1 + c);
+}
+
+/// exp(z) - 1, whose error is relative also near z = 0.
+Complex exponential_less_one(double real, double imaginary) {
+    const double half = std::sin(imaginary / 2), less = std::expm1(real), cosine = std::cos(imaginary);
+    return {less * cosine - 2 * half * half, (less + 1) * std::sin(imaginary)};
+}
+
+/// C and S, see coated_index.hpp.
+struct Passage {
+    Complex cosine, sine, delta;
+
+    Passage(const Complex& squared, double phase) {
+        const Complex r = std::sqrt(squared);
+        const Complex less = exponential_less_one(-2 * phase * r.imag(), 2 * phase * r.real());
+        cosine = 1.0 + less / 2.0;
+        sine = r == 0.0 ? phase : less / (2.0 * i * r);
+        delta = phase * r;
+    }
+    [[nodiscard]] Complex factor() const { return std::exp(i * delta); }
+};
+
+/// The field along an interface.
+struct Pair {
+    Complex b, a;
+
+    /// Above a film of which C and S are known.
+    ///   electric   what multiplies S A        magnetic   what multiplies S B
+    [[nodiscard]] Pair above(const Passage& film, const Complex& electric, const Complex& magnetic) const {
+        const Complex minus_i_s = -i * film.sine;
+        return {film.cosine * b + minus_i_s * electric * a, film.cosine * a + minus_i_s * magnetic * b};
+    }
+    /// What makes the larger of both 1.
+    [[nodiscard]] double scale() const {
+        const double size = std::max(std::max(std::abs(b.real()), std::abs(b.imag())),
+                                     std::max(std::abs(a.real()), std::abs(a.imag())));
+        return size > 0 ? 1 / size : 1;
+    }
+    [[nodiscard]] Pair times(double factor) const { return {factor * b, factor * a}; }
+};
+
+Complex reflected(const Pair& at, double c) {
+    const Complex below = c * at.b + at.a;
+    return below == 0.0 ? Complex{0} : (c * at.b - at.a) / below;
+}
+
+}  // namespace
+
+/// The fields of s and p at an interface.
+struct CoatedIndex::Ray {
+    Pair s, p;
+};
+
+CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::vector<Layer> layers)
+    : substrate_{substrate} {
+    if (!layers.empty()) layers_ = std::make_shared<const std::vector<Layer>>(std::move(layers));
+}
+
+CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::span<const Film> films,
+                         const Wavelength& wavelength)
+    : substrate_{substrate} {
+    if (films.size() > most_films) {
+        throw Error{"films: " + std::to_string(films.size()) + " of them: must be at most " +
+                    std::to_string(most_films)};
+    }
+    std::vector<Layer> layers;
+    for (const Film& film : films) {
+        if (!(film.thickness >= 0 && film.thickness <= thickest))
+            throw out_of_range("film thickness", film.thickness, "um", "from 0 to 1000");
+        if (film.thickness > 0) layers.push_back({film.index, wavelength.wave_number() * film.thickness});
+    }
+    if (!layers.empty()) layers_ = std::make_shared<const std::vector<Layer>>(std::move(layers));
+}
+
+CoatedIndex CoatedIndex::seen_from(double exterior) const {
+    const auto relative = [exterior](const RefractiveIndex& index) {
+        return RefractiveIndex{index.n() / exterior, index.k() / exterior};
+    };
+    std::vector<Layer> layers;
+    if (layers_) {
+        for (const Layer& layer : *layers_) layers.push_back({relative(layer.index), layer.phase * exterior});
+    }
+    return {relative(substrate_), std::move(layers)};
+}
+
+CoatedIndex CoatedIndex::turned_over() const {
+    CoatedIndex relative = seen_from(substrate_.n());
+    std::vector<Layer> layers;
+    if (relative.layers_) layers.assign(relative.layers_->rbegin(), relative.layers_->rend());
+    return {{1 / substrate_.n(), 0}, std::move(layers)};
+}
+
+/// From the substrate to the outside. At each film `visit` gets the number of the interface below it, the fields there, the
+/// film, and the factors by which the fields of s and p above it are scaled.
+template <class Visit>
+CoatedIndex::Ray CoatedIndex::walk(double c, Visit&& visit) const noexcept {
+    Ray at = deepest(c);
+    for (std::size_t j = interfaces() - 1; j > 0; --j) {
+        const Layer& layer = (*layers_)[j - 1];
+        const Complex n_squared = square_of(layer.index), r_squared = root_squared(layer.index, c);
+        const Passage film{r_squared, layer.phase};
+        const Ray above{at.s.above(film, 1, r_squared), at.p.above(film, n_squared, r_squared / n_squared)};
+        const double s = above.s.scale(), p = above.p.scale();
+        visit(j, at, film, s, p);
+        at = {above.s.times(s), above.p.times(p)};
+    }
+    return at;
+}
+
+/// In the substrate, (1, Y).
+CoatedIndex::Ray CoatedIndex::deepest(double c) const noexcept {
+    const Complex r = std::sqrt(root_squared(substrate_, c));
+    return {{1, r}, {1, r / square_of(substrate_)}};
+}
+
+FresnelAmplitudes CoatedIndex::amplitudes(double cos_theta) const noexcept {
+    if (!layers_) return fresnel(cos_theta, substrate_);
+    if (cos_theta == 0) return {-1.0, -1.0};
+    const Ray top = walk(cos_theta, [](auto&&...) {});
+    return {reflected(top.s, cos_theta), reflected(top.p, cos_theta)};
+}
+
+double CoatedIndex::transmittance(double cos_theta) const noexcept {
+    const double c = cos_theta;
+    if (c == 0) return 0;
+    double s = 1, p = 1;
+    const Ray top =
+        walk(c, [&](std::size_t, const Ray&, const Passage& film, double s_scale, double p_scale) {
+            const double left = std::abs(film.factor());
+            s *= left * s_scale;
+            p *= left * p_scale;
+        });
+    const Ray substrate = deepest(c);
+    const auto entered = [c](const Pair& at, double factor, const Complex& admittance) {
+        const double field = factor / std::abs(c * at.b + at.a);
+        return 4 * c * admittance.real() * field * field;
+    };
+    return (entered(top.s, s, substrate.s.a) + entered(top.p, p, substrate.p.a)) / 2;
+}
+
+void CoatedIndex::fields(double cos_theta, double lift, std::span<Fields> fields) const noexcept {
+    std::array<Complex, most_films + 1> s_factors, p_factors;
+    const Ray top = walk(
+        cos_theta, [&](std::size_t j, const Ray& at, const Passage& film, double s_scale, double p_scale) {
+            fields[j] = {at.s.b, at.p.b, at.p.a};
+            s_factors[j] = film.factor() * s_scale;
+            p_factors[j] = film.factor() * p_scale;
+        });
+    fields[0] = {top.s.b, top.p.b, top.p.a};
+    Complex s = 1.0 / (cos_theta * top.s.b + top.s.a), p = 1.0 / ((cos_theta + lift) * top.p.b + top.p.a);
+    for (std::size_t j = 0; j < interfaces(); ++j) {
+        if (j > 0) {
+            s *= s_factors[j];
+            p *= p_factors[j];
+        }
+        fields[j] = {s * fields[j].s, p * fields[j].p, p * fields[j].p_electric};
+    }
+}
+
+Complex CoatedIndex::square_below(std::size_t interface_number) const noexcept {
+    return square_of(interface_number + 1 < interfaces() ? (*layers_)[interface_number].index : substrate_);
+}
+
+Complex CoatedIndex::normal_impedance() const noexcept {
+    if (!layers_) return 1.0 / Complex{substrate_.n(), substrate_.k()};
+    const Ray top = walk(1, [](auto&&...) {});
+    return top.p.a / top.p.b;
+}
+
+std::vector<std::array<double, 3>> CoatedIndex::film_numbers() const {
+    std::vector<std::array<double, 3>> numbers;
+    if (layers_) {
+        for (const Layer& layer : *layers_)
+            numbers.push_back({layer.index.n(), layer.index.k(), layer.phase});
+    }
+    return numbers;
+}
+
+}  // namespace hts
