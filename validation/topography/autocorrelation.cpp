@@ -122,8 +122,10 @@ double Autocorrelation::gaussian_length_at(double r) const {
 Autocorrelation autocorrelation_of(const HeightMap& map) {
     const std::size_t across = map.columns() / 2, down = map.rows() / 2;
     const auto heights = map.heights();
+    double mean = 0;
+    for (const double z : heights) mean += std::isnan(z) ? 0 : z / static_cast<double>(map.value_count());
     const Correlations sums{map, across, down,
-                            [&](std::size_t k) { return std::isnan(heights[k]) ? 0 : heights[k]; },
+                            [&](std::size_t k) { return std::isnan(heights[k]) ? 0 : heights[k] - mean; },
                             [&](std::size_t k) { return std::isnan(heights[k]) ? 0.0 : 1.0; }};
     const double step = std::min(map.step_x(), map.step_y());
     const double farthest = std::min(map.width(), map.height()) / 2;

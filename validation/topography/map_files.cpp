@@ -123,6 +123,19 @@ std::string_view npy_value(std::string_view head, std::string_view key) {
     return spectral::trimmed(value.substr(0, std::min(end, value.size())));
 }
 
+Error no_type(std::string_view type) {
+    return Error{"numbers of type " + in_quotes(type) + ": must be f4, f8, i2, u2 or i4"};
+}
+
+/// Bytes of a number of the type "<f4".
+double npy_width(std::string_view type) {
+    const std::string_view kind = type.substr(1);
+    if (kind == "f8") return 8;
+    if (kind == "f4" || kind == "i4") return 4;
+    if (kind == "i2" || kind == "u2") return 2;
+    throw no_type(type);
+}
+
 std::vector<double> npy_numbers(std::string_view bytes, std::string_view type) {
     const bool swapped = type.starts_with('>');
     const std::string_view kind = type.substr(1);
@@ -130,8 +143,7 @@ std::vector<double> npy_numbers(std::string_view bytes, std::string_view type) {
     if (kind == "f8") return numbers_in<double>(bytes, swapped);
     if (kind == "i2") return numbers_in<std::int16_t>(bytes, swapped);
     if (kind == "u2") return numbers_in<std::uint16_t>(bytes, swapped);
-    if (kind == "i4") return numbers_in<std::int32_t>(bytes, swapped);
-    throw Error{"numbers of type " + in_quotes(type) + ": must be f4, f8, i2, u2 or i4"};
+    return numbers_in<std::int32_t>(bytes, swapped);
 }
 
 HeightMap map_from_npy(std::string_view bytes, const std::string& name, const MapUnits& given) {
@@ -148,19 +160,19 @@ HeightMap map_from_npy(std::string_view bytes, const std::string& name, const Ma
     if (shape.size() < 2 || shape.front() != '(') throw Error{"shape: must be (rows, columns)"};
     shape = shape.substr(1, shape.size() - 2);
     const auto sizes = spectral::split(shape, ',');
-    if (sizes.size() != 2) throw Error{"shape (" + std::string{shape} + "): must be (rows, columns)"};
+    if (sizes.size() != 2 || spectral::trimmed(sizes[1]).empty())
+        throw Error{"shape (" + std::string{shape} + "): must be (rows, columns)"};
     const double rows = spectral::number_in(spectral::trimmed(sizes[0]), "shape"),
                  columns = spectral::number_in(spectral::trimmed(sizes[1]), "shape");
     HeightMap::require_size(columns, rows);
     std::string_view type = npy_value(head, "descr");
-    if (type.size() != 5)
-        throw Error{"numbers of type " + in_quotes(type) + ": must be f4, f8, i2, u2 or i4"};
+    if (type.size() != 5) throw no_type(type);
     type = type.substr(1, 3);
-    const std::size_t width = type.back() == '8' ? 8 : type.back() == '2' ? 2 : 4;
+    const double width = npy_width(type);
     const std::string_view data = bytes.substr(first + length);
-    if (static_cast<double>(data.size()) != columns * rows * static_cast<double>(width)) {
+    if (static_cast<double>(data.size()) != columns * rows * width) {
         throw Error{std::to_string(data.size()) + " bytes of heights: must be " +
-                    shortest(columns * rows * static_cast<double>(width)) + " for its shape"};
+                    shortest(columns * rows * width) + " for its shape"};
     }
     auto values = npy_numbers(data, type);
     if (npy_value(head, "fortran_order") == "True") {

@@ -84,7 +84,7 @@ struct PolarBin {
     double frequency, azimuth;  ///< means of those in it
     double power, cells;
 };
-inline constexpr int sector_count = 36;
+inline constexpr int sector_count = 18;
 [[nodiscard]] std::vector<PolarBin> polar_spectrum(const MapSpectrum& spectrum);
 
 struct ProfileSpectrum {

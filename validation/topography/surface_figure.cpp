@@ -10,9 +10,9 @@ namespace {
 
 using output::Rows;
 
-/// The first map, thinned out to some 200 points a side: x, y [um], height [um].
+/// The first map, thinned out to some 128 points a side: x, y [um], height [um].
 Rows map_rows(const HeightMap& map) {
-    const std::size_t every = (std::max(map.columns(), map.rows()) + 199) / 200;
+    const std::size_t every = (std::max(map.columns(), map.rows()) + 127) / 128;
     Rows rows;
     for (std::size_t j = 0; j < map.rows(); j += every) {
         for (std::size_t i = 0; i < map.columns(); i += every) {
@@ -100,7 +100,7 @@ output::Figure surface_figure(const SurfaceStudy& study) {
     script.set("name",
                map.name() +
                    (study.maps.size() > 1 ? " and " + std::to_string(study.maps.size() - 1) + " more" : ""));
-    script.set("rms", study.statistics.rms).set("first", study.known.first).set("last", study.known.last);
+    script.set("rms", study.statistics.rms).set("lowest", study.known.first).set("highest", study.known.last);
     script.set("width", map.width()).set("height_um", map.height());
     script.set("length", study.autocorrelation.length())
         .set("farthest", study.autocorrelation.distance.back());

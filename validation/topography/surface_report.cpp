@@ -17,7 +17,7 @@ using spectral::brief;
 constexpr double degrees = 180 / std::numbers::pi;
 
 std::string padded(std::string text, std::size_t width) {
-    if (text.size() < width) text.append(width - text.size(), ' ');
+    text.append(text.size() < width ? width - text.size() : 1, ' ');
     return text;
 }
 
@@ -168,7 +168,10 @@ std::string surface_text(const SurfaceStudy& study) {
     text += line("known periods", periods(study.known) + "; all else is extrapolated");
     text += line("rms", brief(s.rms) + " um of the heights, " + brief(study.rms_of_spectra()) +
                             " um of the 2-D spectrum, " + brief(chosen.rms_of_rings) +
-                            " um of the fitted spectrum");
+                            " um of the fitted spectrum" +
+                            (std::fabs(chosen.rms_of_rings / s.rms - 1) > 0.01
+                                 ? "; more than 1 % apart: the description fails at long periods"
+                                 : ""));
     text += line("slopes", brief(s.slope_x, 3) + " along x, " + brief(s.slope_y, 3) +
                                " along y, rms between neighbours");
     text += line("skewness", with_error(s.skewness, s.skewness_error));
@@ -176,7 +179,12 @@ std::string surface_text(const SurfaceStudy& study) {
     text +=
         line("heights", s.gaussian() ? "Gaussian, as far as skewness and kurtosis tell"
                                      : "not Gaussian: skewness or kurtosis off by more than three errors");
-    text += line("autocorrelation", "1/e at " + brief(study.autocorrelation.length()) + " um");
+    const double through = study.autocorrelation.gaussian_length_at(1);
+    text += line("autocorrelation",
+                 "1/e at " + brief(study.autocorrelation.length()) + " um" +
+                     (through > 0 ? "; the Gaussian through its value at 1 um has a length of " +
+                                        brief(through) + " um"
+                                  : ""));
     const Anisotropy& a = study.anisotropy;
     text += line("directions",
                  a.significant

@@ -1,6 +1,6 @@
 # A measured surface: its first map, how heights are distributed, spectrum and autocorrelation with fits.
 #   name                  text
-#   rms, first, last      of heights [um], frequencies that the maps know [1/um]
+#   rms, lowest, highest      of heights [um], frequencies that the maps know [1/um]
 #   width, height_um      of the field; length: where the autocorrelation is 1/e; farthest: its last distance
 #   fit[]                 descriptions, columns 4 … of radial-spectrum.csv, 3 … of autocorrelation.csv
 #   $map                  x, y, height;     $heights   height/rms, density, Gaussian
@@ -8,7 +8,7 @@ set terminal svg size 1000,860 font 'Helvetica,14' background '#ffffff'
 set output picture
 set label 'Measured surface: '.name at screen 0.015,0.972 left noenhanced font ',19' tc rgb '#111111'
 set label sprintf('rms %.4g µm; periods %.3g to %.3g µm are known, what the curves say of others is extrapolated.', \
-    rms, 1/last, 1/first) at screen 0.015,0.943 left noenhanced font ',13' tc rgb '#111111'
+    rms, 1/highest, 1/lowest) at screen 0.015,0.943 left noenhanced font ',13' tc rgb '#111111'
 array colour[4] = ['#0072b2','#009e73','#d55e00','#cc79a7']
 set multiplot
 set origin 0,0.47
@@ -41,13 +41,14 @@ set origin 0,0.01
 set size 0.5,0.45
 set title 'power spectrum S_2 [µm⁴]' font ',13' offset 0,-0.6
 set logscale x
-set xrange [first/2:last*2]
+set xrange [lowest/2:highest*2]
+set yrange [*:*]
 stats 'radial-spectrum.csv' using 1:3 skip 1 nooutput prefix 'S'
 set yrange [S_min_y/10:S_max_y*10]
 set xlabel 'frequency [1/µm]' offset 0,0.5
 unset ylabel
-set arrow 1 from first,graph 0 to first,graph 1 nohead dt 3 lc rgb '#666666'
-set arrow 2 from last,graph 0 to last,graph 1 nohead dt 3 lc rgb '#666666'
+set arrow 1 from lowest,graph 0 to lowest,graph 1 nohead dt 3 lc rgb '#666666'
+set arrow 2 from highest,graph 0 to highest,graph 1 nohead dt 3 lc rgb '#666666'
 set key bottom left
 plot 'radial-spectrum.csv' using 1:3 skip 1 with points pt 7 ps 0.5 lc rgb '#000000' title 'measured', \
     for [i=1:|fit|] 'radial-spectrum.csv' using 1:(column(3+i)) skip 1 with lines lw 2 lc rgb colour[i] title fit[i]

@@ -42,7 +42,7 @@ TEST_CASE("levels take off what they name, and tilt is told") {
 
 TEST_CASE("outliers are marked, and nothing else") {
     const auto map = sloping(0.01, 0.05, {{77, 9.9}, {200, 30.0}, {421, -4.0}, {500, std::nan("")}});
-    const LevelledMap found = levelled(map, {});
+    const LevelledMap found = levelled(map, {Level::plane, Gaps::mask, 8});
     CHECK(found.outliers == 3);
     CHECK(found.gaps == 1);
     for (const std::size_t place : {77U, 200U, 421U, 500U}) CHECK(std::isnan(found.map.heights()[place]));
