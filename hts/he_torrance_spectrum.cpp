@@ -63,7 +63,11 @@ struct HeTorranceSpectrum::Lanes {
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
                                        Tolerance tolerance, DiffuseLobe lobe)
-    : surface_{surface}, samples_{std::move(samples)}, tolerance_{tolerance}, lobe_{lobe} {
+    : surface_{surface},
+      seen_{evaluation_detail::seen_surfaces(surface, samples, lobe)},
+      samples_{std::move(samples)},
+      tolerance_{tolerance},
+      lobe_{lobe} {
     if (lobe == DiffuseLobe::none) return;
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
@@ -78,6 +82,7 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
 HeTorranceSpectrum::HeTorranceSpectrum(const HeTorranceSpectrum& other)
     : surface_{other.surface_},
+      seen_{other.seen_},
       samples_{other.samples_},
       tolerance_{other.tolerance_},
       lobe_{other.lobe_},
@@ -85,6 +90,7 @@ HeTorranceSpectrum::HeTorranceSpectrum(const HeTorranceSpectrum& other)
 HeTorranceSpectrum::HeTorranceSpectrum(HeTorranceSpectrum&&) noexcept = default;
 HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noexcept {
     std::swap(surface_, other.surface_);
+    std::swap(seen_, other.seen_);
     std::swap(samples_, other.samples_);
     std::swap(tolerance_, other.tolerance_);
     std::swap(lobe_, other.lobe_);
@@ -94,7 +100,7 @@ HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noex
 
 std::size_t HeTorranceSpectrum::bytes() const noexcept {
     const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
-    return sizeof *this + samples_.size() * sizeof(SpectralSample) + lanes;
+    return sizeof *this + samples_.size() * sizeof(SpectralSample) + seen_.size() * sizeof(Surface) + lanes;
 }
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
@@ -133,10 +139,10 @@ void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> r
 
 void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
     require_size("specular_mueller", result.size(), samples_.size());
-    const View seen = view(surface_, in);
-    std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
-        return hts::specular_mueller(surface_, seen, sample.wavelength, sample.index);
-    });
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SpectralSample& sample = samples_[i];
+        result[i] = hts::specular_mueller(surface_, hts::view(seen(i), in), sample.wavelength, sample.index);
+    }
 }
 
 ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
@@ -159,7 +165,7 @@ ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
                     return value;
                 },
             .effective_roughness =
-                [surface = surface_](const Direction& in) {
+                [surface = seen(0)](const Direction& in) {
                     return surface.rms_roughness() *
                            effective_roughness_ratio(2 * visibility(surface, in).obstruction);
                 }};
@@ -181,25 +187,29 @@ void HeTorranceSpectrum::exact_brdf(const DirectionPair& pair, std::span<double>
     std::transform(samples_.begin(), samples_.end(), result.begin(),
                    [](const SpectralSample& sample) { return sample.uniform_diffuse; });
     if (lobe_ == DiffuseLobe::none) return;
-    const PairFactors shared{surface_, pair.in, pair.out};
+    PairFactors shared = factors(pair, 0);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
+        if (i > 0 && !seen_.empty()) shared = factors(pair, i);
         result[i] += directional_diffuse(shared, sample.wavelength, sample.index, lobe_).brdf;
     }
 }
 
 void HeTorranceSpectrum::exact_specular_reflectance(const Direction& in,
                                                     std::span<double> result) const noexcept {
-    const View seen = view(surface_, in);
-    std::transform(samples_.begin(), samples_.end(), result.begin(), [&](const SpectralSample& sample) {
-        return hts::specular_reflectance(surface_, seen, sample.wavelength, sample.index).value();
-    });
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const SpectralSample& sample = samples_[i];
+        result[i] =
+            hts::specular_reflectance(surface_, hts::view(seen(i), in), sample.wavelength, sample.index)
+                .value();
+    }
 }
 
 void HeTorranceSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    const PairFactors shared{surface_, pair.in, pair.out};
+    PairFactors shared = factors(pair, 0);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
+        if (i > 0 && !seen_.empty()) shared = factors(pair, i);
         const Mueller uniform = Mueller::depolariser(sample.uniform_diffuse);
         if (lobe_ == DiffuseLobe::none) {
             result[i] = uniform;

@@ -47,7 +47,9 @@ struct SpectralSample {
 /// any batch and at any place in it.
 class HeTorranceSpectrum {
   public:
-    ///   tolerance   of the arithmetic; what a limit neglects comes on top
+    ///   tolerance   of the arithmetic; what a limit neglects comes on top. Of a correlation that is not Gaussian the lobe has the
+    ///               error of its table, accuracy::correlation_lobe, at best
+    /// Throws hts::Error where such a correlation is asked for the rough limit, or its table does not reach sigma_0/lambda.
     HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
                        DiffuseLobe lobe = DiffuseLobe::full);
     ~HeTorranceSpectrum();
@@ -83,6 +85,10 @@ class HeTorranceSpectrum {
     ///   result   samples().size() matrices
     void specular_mueller(const Direction& in, std::span<Mueller> result) const;
 
+    /// What a pair contributes at a sample, and at all where the correlation is Gaussian.
+    [[nodiscard]] PairFactors factors(const DirectionPair& pair, std::size_t sample) const noexcept {
+        return {surface_, view(seen(sample), pair.in), view(seen(sample), pair.out)};
+    }
     /// What a sampler of the first sample is fitted to.
     [[nodiscard]] ScatteringLobe scattering_lobe() const;
 
@@ -93,7 +99,13 @@ class HeTorranceSpectrum {
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
 
+    /// What a sample sees of the surface.
+    [[nodiscard]] const Surface& seen(std::size_t sample) const noexcept {
+        return seen_.empty() ? surface_ : seen_[sample];
+    }
+
     Surface surface_;
+    std::vector<Surface> seen_;  // by each sample, where the correlation is not Gaussian
     std::vector<SpectralSample> samples_;
     Tolerance tolerance_;
     DiffuseLobe lobe_;

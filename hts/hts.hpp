@@ -1,6 +1,7 @@
 /// All of hts::core: physical optics of rough surfaces at one wavelength or a list of them, and the other published models.
 #pragma once
 
+#include "hts/correlation/correlation.hpp"
 #include "hts/direction.hpp"
 #include "hts/error.hpp"
 #include "hts/films/coated_index.hpp"

@@ -36,6 +36,8 @@ const char* name(PhiMethod method) noexcept {
             return "trapezoid";
         case PhiMethod::limit:
             return "limit";
+        case PhiMethod::spline:
+            return "spline";
     }
     return "";
 }

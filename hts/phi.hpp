@@ -32,6 +32,7 @@ enum class PhiMethod {
     sum,        ///< every term that counts, outwards from the largest
     trapezoid,  ///< trapezoidal rule in m with a stride: about 30 terms however large g is
     limit,      ///< one of its limits, chosen by the caller
+    spline,     ///< 2 D in its place, by the table of another correlation
 };
 
 [[nodiscard]] const char* name(PhiMethod method) noexcept;

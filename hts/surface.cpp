@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "hts/error.hpp"
 #include "hts/wavelength.hpp"
@@ -34,6 +35,46 @@ Surface Surface::anisotropic(double rms_roughness, const CorrelationLengths& len
     surface.lengths_ = lengths;
     surface.axis_ = axis;
     return surface;
+}
+
+Surface Surface::correlated(const Correlation& shape) const {
+    Surface surface = *this;
+    surface.correlation_ = shape;
+    return surface;
+}
+
+Surface Surface::seen_by(const Wavelength& wavelength) const noexcept {
+    if (!correlation_) return *this;
+    const auto gaussian_length = [&](double length) {
+        const double slopes =
+            correlation_->slope_variance_below(2 * std::numbers::pi * length / wavelength.micrometres());
+        return std::clamp(length * std::sqrt(2 / slopes), shortest_length, longest_length);
+    };
+    Surface surface{rms_roughness_, gaussian_length(lengths_.along)};
+    if (isotropic()) return surface;
+    surface.lengths_.across = gaussian_length(lengths_.across);
+    surface.correlation_length_ = std::sqrt(surface.lengths_.along * surface.lengths_.across);
+    surface.axis_ = axis_;
+    return surface;
+}
+
+double Surface::variance_share(double from, double to) const noexcept {
+    const auto below = [&](double q) {
+        return correlation_ ? correlation_->variance_below(q) : -std::expm1(-q * q / 4);
+    };
+    const auto share = [&](double length) {
+        const double angular = 2 * std::numbers::pi * length;
+        return below(angular * to) - below(angular * from);
+    };
+    if (isotropic()) return share(correlation_length_);
+    // the mean over azimuths of the stretched plane, where a circle of frequencies is an ellipse
+    constexpr int azimuths = 256;
+    double sum = 0;
+    for (int i = 0; i < azimuths; ++i) {
+        const double angle = std::numbers::pi / 2 * (i + 0.5) / azimuths;
+        sum += share(1 / std::hypot(std::cos(angle) / lengths_.along, std::sin(angle) / lengths_.across));
+    }
+    return sum / azimuths;
 }
 
 double Surface::shortest_correlation_length() const noexcept {

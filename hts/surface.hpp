@@ -5,8 +5,15 @@
 /// Gaussian, so Phi(g, t) stays, with t = k^2 (v_x'^2 tau_x^2 + v_y'^2 tau_y^2)/4 and tau_x tau_y for tau^2. A ray is shadowed by
 /// the slopes in its own vertical plane alone, whose variance along the azimuth alpha is 2 sigma_0^2/tau(alpha)^2,
 /// 1/tau(alpha)^2 = cos^2 alpha/tau_x^2 + sin^2 alpha/tau_y^2. Derivation in docs/models/he.md.
+///
+/// `correlated` gives the heights another shape of correlation, C(|(x'/tau_x, y'/tau_y)|), whose lengths then take the place of tau. Such
+/// a surface has no slope of its own: light sees the slopes of frequencies up to 1/lambda, finer structure diffracts. `seen_by` is
+/// the Gaussian surface with those, for shadowing and what else follows slopes. Derivation in docs/models/correlations.md.
 #pragma once
 
+#include <optional>
+
+#include "hts/correlation/correlation.hpp"
 #include "hts/direction.hpp"
 
 namespace hts {
@@ -15,6 +22,8 @@ namespace hts {
 struct CorrelationLengths {
     double along, across;
 };
+
+class Wavelength;
 
 class Surface {
   public:
@@ -27,6 +36,9 @@ class Surface {
     /// Throws hts::Error outside these ranges.
     [[nodiscard]] static Surface anisotropic(double rms_roughness, const CorrelationLengths& lengths,
                                              const Direction& axis);
+
+    /// The same roughness and lengths with another shape of correlation.
+    [[nodiscard]] Surface correlated(const Correlation& shape) const;
 
     [[nodiscard]] double rms_roughness() const noexcept { return rms_roughness_; }
     /// tau [um]; sqrt(tau_x tau_y) of an anisotropic surface.
@@ -48,6 +60,14 @@ class Surface {
     [[nodiscard]] double correlation_length(const Direction& along) const noexcept;
     /// 2 sigma_0 / tau(alpha) along the azimuth of a direction.
     [[nodiscard]] double slope_width(const Direction& along) const noexcept;
+    /// The shape of correlation; none of the Gaussian that the published model has. What follows tau as a measure of slopes
+    /// (slope_width, tau(alpha)) is that of the Gaussian surface of the same lengths: ask `seen_by` for the slopes of others.
+    [[nodiscard]] const std::optional<Correlation>& correlation() const noexcept { return correlation_; }
+    /// The Gaussian surface of the same sigma_0 whose rms slopes s along both axes are those of the frequencies up to 1/lambda,
+    /// tau = sqrt(2) sigma_0/s; the surface itself where its correlation is Gaussian.
+    [[nodiscard]] Surface seen_by(const Wavelength& wavelength) const noexcept;
+    /// Share of the variance of heights in frequencies from one to another [1/um], 0 ... infinity.
+    [[nodiscard]] double variance_share(double from, double to) const noexcept;
     /// What v_xy counts for in t, |(v_x' tau_x, v_y' tau_y)|/tau: its length where the surface is isotropic.
     [[nodiscard]] double stretched(const HorizontalChange& change) const noexcept;
 
@@ -56,6 +76,7 @@ class Surface {
     double correlation_length_;
     CorrelationLengths lengths_;
     Direction axis_ = Direction::from_unit_vector({1, 0, 0});
+    std::optional<Correlation> correlation_;
 };
 
 /// |v_xy| of a pair as t has it, `stretched`.

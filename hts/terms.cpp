@@ -18,7 +18,7 @@ Phi limit(double log) {
     return {std::exp(log), log, PhiMethod::limit};
 }
 
-Phi phi(DiffuseLobe lobe, double g, double t) {
+Phi phi_of(DiffuseLobe lobe, double g, double t) {
     if (lobe == DiffuseLobe::full) return hts::phi(g, t);
     if (lobe == DiffuseLobe::none || g == 0)
         return {0, -std::numeric_limits<double>::infinity(), PhiMethod::zero};
@@ -40,7 +40,8 @@ PairFactors::PairFactors(const Surface& surface, const View& in, const View& out
                            effective_roughness_ratio(in.visibility.obstruction + out.visibility.obstruction)},
       shadowing_{in.visibility.shadowing * out.visibility.shadowing},
       correlation_length_{surface.correlation_length()},
-      shadowing_over_cosines_{in.visibility.shadowing_over_cosine * out.visibility.shadowing_over_cosine} {}
+      shadowing_over_cosines_{in.visibility.shadowing_over_cosine * out.visibility.shadowing_over_cosine},
+      correlation_{surface.correlation() ? &*surface.correlation() : nullptr} {}
 
 double PairFactors::phase_variance(const Wavelength& wavelength) const noexcept {
     return hts::phase_variance(effective_roughness_, change_.vertical, wavelength);
@@ -48,6 +49,15 @@ double PairFactors::phase_variance(const Wavelength& wavelength) const noexcept 
 
 double PairFactors::lobe_argument(const Wavelength& wavelength) const noexcept {
     return square(wavelength.wave_number() * stretched_ * correlation_length_ / 2);
+}
+
+Phi PairFactors::phi(double g, double t, DiffuseLobe lobe) const noexcept {
+    if (correlation_ == nullptr || lobe == DiffuseLobe::none || g == 0) return phi_of(lobe, g, t);
+    const double q = 2 * std::sqrt(t);
+    if (lobe == DiffuseLobe::first_order)
+        return limit(std::numbers::ln2 + std::log(g) - g + correlation_->log_spectrum(q));
+    const ScatteringIntegral twice = correlation_->lobe(g, q);
+    return {twice.value, twice.log, PhiMethod::spline};
 }
 
 double PairFactors::lobe(double phi, const Wavelength& wavelength) const noexcept {
@@ -76,7 +86,7 @@ DirectionalDiffuse directional_diffuse(const PairFactors& pair, const Wavelength
                                        const CoatedIndex& index, DiffuseLobe lobe_of) noexcept {
     const double g = pair.phase_variance(wavelength);
     const double t = pair.lobe_argument(wavelength);
-    const Phi roughness = phi(lobe_of, g, t);
+    const Phi roughness = pair.phi(g, t, lobe_of);
     const FresnelAmplitudes amplitudes = index.amplitudes(pair.cos_theta_d());
     const double lobe = pair.lobe(roughness.value, wavelength);
     return {amplitudes.unpolarised_reflectance() * lobe, lobe, amplitudes, g, t, roughness.method};

@@ -45,10 +45,21 @@ struct View {
 
 [[nodiscard]] View view(const Surface& surface, const Direction& direction) noexcept;
 
+/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for surfaces that need no more.
+enum class DiffuseLobe {
+    none,         ///< 0: a mirror, with its uniform diffuse term
+    first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large; 2 g exp(-g) W of another correlation
+    rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution; of the Gaussian correlation alone
+    full,  ///< Phi(g, t)
+};
+
+[[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
+
 /// All that a pair of directions contributes to the directional-diffuse term, whatever the wavelength.
 class PairFactors {
   public:
-    /// Both views must be of this surface.
+    /// Both views must be of this surface, or of what it is `seen_by` at the wavelengths asked for. The surface must outlive the
+    /// factors.
     PairFactors(const Surface& surface, const View& in, const View& out) noexcept;
     PairFactors(const Surface& surface, const Direction& in, const Direction& out) noexcept
         : PairFactors{surface, view(surface, in), view(surface, out)} {}
@@ -63,6 +74,8 @@ class PairFactors {
     [[nodiscard]] double phase_variance(const Wavelength& wavelength) const noexcept;
     /// t = v_xy^2 tau^2 / 4, of an anisotropic surface (v_x'^2 tau_x^2 + v_y'^2 tau_y^2) / 4.
     [[nodiscard]] double lobe_argument(const Wavelength& wavelength) const noexcept;
+    /// Phi(g, t), or 2 D(g, 2 sqrt(t)) of another correlation.
+    [[nodiscard]] Phi phi(double g, double t, DiffuseLobe lobe = DiffuseLobe::full) const noexcept;
     /// The lobe for |F|^2 = 1 [1/sr], from Phi(g, t) at that wavelength.
     [[nodiscard]] double lobe(double phi, const Wavelength& wavelength) const noexcept;
 
@@ -73,18 +86,9 @@ class PairFactors {
     double effective_roughness_;
     double shadowing_;
     double correlation_length_;
-    double shadowing_over_cosines_;  // S / (cos theta_i cos theta_r)
+    double shadowing_over_cosines_;   // S / (cos theta_i cos theta_r)
+    const Correlation* correlation_;  // none of the Gaussian
 };
-
-/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for surfaces that need no more.
-enum class DiffuseLobe {
-    none,         ///< 0: a mirror, with its uniform diffuse term
-    first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large
-    rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution
-    full,         ///< Phi(g, t)
-};
-
-[[nodiscard]] const char* name(DiffuseLobe lobe) noexcept;
 
 /// Directional-diffuse BRDF and what it was made of.
 struct DirectionalDiffuse {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 #include "spectral/parallel.hpp"
 
 namespace hts::cli {
@@ -27,21 +28,43 @@ std::string energy_text(const std::vector<EnergyPoint>& points) {
            std::to_string(points.size()) + " points.\n";
 }
 
+/// Whether the material is the same at all wavelengths: at pairs all over the hemisphere, to the last bit.
+bool is_grey(const spectral::Reflectance& reflectance) {
+    constexpr int pairs = 64;
+    Random random{1};
+    std::vector<double> spectrum(reflectance.size());
+    const auto is_flat = [&] {
+        return std::ranges::all_of(spectrum, [&](double value) { return value == spectrum.front(); });
+    };
+    reflectance.uniform_diffuse(spectrum);
+    bool grey = is_flat();
+    for (int i = 0; grey && i < pairs; ++i) {
+        const Direction in = random.direction(0), out = random.direction(0);
+        reflectance.evaluator().brdf({in, out}, spectrum);
+        grey = is_flat();
+        reflectance.specular_reflectance(in, spectrum);
+        grey = grey && is_flat();
+    }
+    return grey;
+}
+
 }  // namespace
 
 EnergyInfo::EnergyInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                        const std::vector<double>& theta_deg, spectral::OutsideRange policy)
     : material{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
     const auto reflectance = material.at(wavelengths, {.outside = policy});
+    const std::size_t angles = theta_deg.size(), computed = is_grey(reflectance) ? angles : points.size();
     spectral::parallel_for(
-        points.size(),
+        computed,
         [&](std::size_t i) {
-            const std::size_t at = i / theta_deg.size();
-            const double theta = theta_deg[i % theta_deg.size()];
-            points[i] = {wavelengths.micrometres()[at], theta,
-                         reflectance.albedo(Direction::from_degrees(theta, 0), at)};
+            points[i].reflectance =
+                reflectance.albedo(Direction::from_degrees(theta_deg[i % angles], 0), i / angles);
         },
         1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {wavelengths.micrometres()[i / angles], theta_deg[i % angles],
+                     points[i % computed].reflectance};
 }
 
 std::string info_text(const EnergyInfo& info) {

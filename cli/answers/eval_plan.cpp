@@ -52,7 +52,7 @@ class PlannedPair {
         return pair;
     }
     /// How many of them, at how many wavelengths, were outside the model's validity.
-    void print_warning() const { warning_.print(); }
+    void print_warning() const { warning_.print(full_model_.name()); }
 
   private:
     static void require(const char* what, const Direction& direction, double largest) {

@@ -1,7 +1,9 @@
 #include "cli/answers/furnace_script.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "spectral/output/map_cells.hpp"
 
@@ -28,6 +30,13 @@ const TotalClass& class_of(double total) {
     return classes[i];
 }
 
+/// The name of the class of all totals, "" if they are of several.
+const char* only_class(std::span<const double> totals) {
+    const TotalClass& first = class_of(totals.front());
+    const auto is_first = [&](double total) { return &class_of(total) == &first; };
+    return std::ranges::all_of(totals, is_first) ? first.name : "";
+}
+
 std::vector<double> edges(const std::vector<double>& middles) {
     const double half = (middles[1] - middles[0]) / 2;
     std::vector<double> result;
@@ -49,7 +58,10 @@ std::string furnace_script(const FurnaceGrid& grid, const std::vector<double>& t
     for (const double roughness : grid.roughnesses) powers.push_back(std::log10(roughness));
     const auto across = edges(grid.degrees), upwards = edges(powers);
     std::vector<output::Rows> panels;
+    std::vector<std::string> everywhere;
+    const std::size_t size = grid.roughnesses.size() * grid.degrees.size();
     for (std::size_t i = 0; i < grid.slopes.size(); ++i) {
+        everywhere.emplace_back(only_class(std::span{totals}.subspan(i * size, size)));
         panels.push_back(output::map_cells(across, upwards, [&](std::size_t row, std::size_t column) {
             const std::size_t curve = i * grid.roughnesses.size() + row;
             return class_of(totals[curve * grid.degrees.size() + column]).colour;
@@ -59,7 +71,10 @@ std::string furnace_script(const FurnaceGrid& grid, const std::vector<double>& t
     script.set("title", title).set("subtitle", subtitle).set("slope", grid.slopes);
     script.set("degrees_from", across.front()).set("degrees_to", across.back());
     script.set("powers_from", upwards.front()).set("powers_to", upwards.back());
-    script.set("class_name", names).set("class_colour", colours).data("cells", panels);
+    script.set("class_name", names)
+        .set("class_colour", colours)
+        .set("everywhere", everywhere)
+        .data("cells", panels);
     return script.with("furnace");
 }
 

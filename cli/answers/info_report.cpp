@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/answers/roughness_report.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 
@@ -126,7 +127,8 @@ std::string verdict_text(const MaterialValidity& validity) {
 
 std::string extra_reason(const MaterialInfo& info, Criterion criterion) {
     if (criterion != Criterion::slope) return "";
-    const double share = spectral::share_beyond_45_degrees(info.surface);
+    const double share = spectral::share_beyond_45_degrees(
+        info.surface.seen_by(info.validity.points().front().sample.wavelength));
     return ";\n           " + brief(100 * share, 3) +
            " % of the surface is steeper than 45 deg and reflects light from above further down";
 }
@@ -152,7 +154,30 @@ std::string slope_text(double slope) {
     return brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) + " deg)";
 }
 
+/// What the shortest wavelength sees: the steepest slopes.
+Surface steepest_of(const MaterialInfo& info) {
+    return info.surface.seen_by(info.validity.points().front().sample.wavelength);
+}
+
+std::vector<double> wavelengths_of(const MaterialInfo& info) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < info.validity.points().size(); i += info.theta.size())
+        all.push_back(micrometres(info.validity.points()[i]));
+    return all;
+}
+
+std::string correlated_surface_text(const Surface& surface) {
+    const auto& [along, across] = surface.correlation_lengths();
+    const std::string lengths = surface.isotropic() ? brief(along) + " um"
+                                                    : brief(along) + " um along the azimuth " +
+                                                          brief(azimuth_in_degrees(surface)) + " deg and " +
+                                                          brief(across) + " um across";
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " +
+           lengths;
+}
+
 std::string surface_text(const Surface& surface) {
+    if (surface.correlation()) return correlated_surface_text(surface);
     const std::string curvature =
         ", radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
     const std::string height = "sigma0 " + brief(surface.rms_roughness()) + " um, tau ";
@@ -168,8 +193,15 @@ std::string surface_text(const Surface& surface) {
 }
 
 std::string length_note(const Surface& surface) {
-    if (surface.isotropic()) return "";
-    return "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
+    const std::string shape =
+        surface.correlation()
+            ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. "
+              "Limits and "
+              "errors are those\nof Gaussian correlations: of others they are not measured yet.\n"
+            : "";
+    if (surface.isotropic()) return shape;
+    return shape +
+           "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
            "the tau of the\n"
            "findings. Limits and errors are those of isotropic surfaces: of others they are not measured "
            "yet.\n";
@@ -255,7 +287,8 @@ std::string info_text(const MaterialInfo& info) {
     text << info.material.name() << "\n  model        " << info.material.model_name() << " ("
          << info.material.model_source() << ")\n"
          << "  surface      " << surface_text(info.surface) << '\n'
-         << "  index        " << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
+         << roughness_text(info.surface, wavelengths_of(info)) << "  index        "
+         << info.material.substance() << ": n " << range_of(points, n).text() << ", k "
          << range_of(points, k).text() << "; diffuse albedo " << range_of(points, albedo).text() << '\n'
          << "  wavelengths  " << range_of(points, micrometres).text() << " um, "
          << points.size() / info.theta.size() << " of them\n"
@@ -282,20 +315,19 @@ std::string info_text(const MaterialInfo& info) {
 std::string info_json(const MaterialInfo& info) {
     const auto points = info.validity.points();
     const Surface& surface = info.surface;
+    const Surface steepest = steepest_of(info);
     const Range g = range_of(points, phase_variance);
     Json findings = Json::array();
     for (const Criterion criterion : criteria()) findings.push_back(finding_json(info, criterion));
-    Json wavelengths = Json::array();
-    for (std::size_t i = 0; i < points.size(); i += info.theta.size())
-        wavelengths.push_back(micrometres(points[i]));
+    const Json wavelengths = wavelengths_of(info);
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
                 {"limits_and_errors_of_model", model_measured},
                 {"rms_roughness_um", surface.rms_roughness()},
                 {"correlation_length_um", length_json(surface)},
-                {"rms_slope", spectral::rms_slope(surface)},
-                {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(surface)},
-                {"curvature_radius_um", spectral::curvature_radius(surface)},
+                {"rms_slope", spectral::rms_slope(steepest)},
+                {"share_beyond_45_degrees", spectral::share_beyond_45_degrees(steepest)},
+                {"curvature_radius_um", spectral::curvature_radius(steepest)},
                 {"index", info.material.substance()},
                 {"n", range_of(points, n).json()},
                 {"k", range_of(points, k).json()},
@@ -311,8 +343,9 @@ std::string info_json(const MaterialInfo& info) {
                 {"expected_error_db", error_json(info.validity.error())},
                 {"prepared_bytes", info.prepared_bytes},
                 {"phi_table_bytes", info.phi_table_bytes}};
+    add_roughness(result, info.surface, wavelengths_of(info));
     if (!surface.isotropic()) {
-        const auto slopes = spectral::rms_slopes(surface);
+        const auto slopes = spectral::rms_slopes(steepest);
         result["azimuth_deg"] = azimuth_in_degrees(surface);
         result["rms_slopes"] = {slopes.along, slopes.across};
     }

@@ -19,7 +19,7 @@ struct MaterialInfo {
                  std::vector<double> theta_deg, spectral::OutsideRange policy);
 
     spectral::Material material;
-    Surface surface;
+    spectral::RoughSurface surface;
     std::vector<double> theta;  ///< [deg]
     spectral::MaterialValidity validity;
     std::size_t prepared_bytes;   ///< of the reflectance at these wavelengths

@@ -1,5 +1,8 @@
 #include "cli/answers/validation_parts.hpp"
 
+#include <iostream>
+
+#include "cli/io/usage.hpp"
 #include "validation/curves/comparison_section.hpp"
 #include "validation/fit/fit_section.hpp"
 #include "validation/papers/he_figures.hpp"
@@ -42,6 +45,15 @@ const std::vector<ValidationPart>& validation_parts() {
         {"figures", paper_figures},
         {"pictures", alone<validation::renders_section>}};
     return parts;
+}
+
+void require_as_recorded(const std::vector<std::string>& contradictions, const std::string& verb) {
+    if (contradictions.empty()) return;
+    for (const std::string& line : contradictions) std::cerr << "not as recorded: " << line << '\n';
+    const auto count = contradictions.size();
+    throw CheckFailed{verb + ": " + std::to_string(count) +
+                      (count == 1 ? " result contradicts" : " results contradict") +
+                      " what is recorded (above)"};
 }
 
 }  // namespace hts::cli

@@ -18,4 +18,7 @@ struct ValidationPart {
 /// In the order of the report.
 [[nodiscard]] const std::vector<ValidationPart>& validation_parts();
 
+/// Says every result that is not the recorded one on standard error, and throws CheckFailed if there is one.
+void require_as_recorded(const std::vector<std::string>& contradictions, const std::string& verb);
+
 }  // namespace hts::cli

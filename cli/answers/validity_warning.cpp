@@ -1,10 +1,67 @@
 #include "cli/answers/validity_warning.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <tuple>
+
+#include "cli/io/options.hpp"
+#include "hts/error.hpp"
+#include "hts/sampling/random.hpp"
 
 namespace hts::cli {
 
 using spectral::Severity;
+
+namespace {
+
+/// Nearer to the horizon draws scatter too much to tell.
+constexpr double least_cosine = 0.05;
+
+std::optional<spectral::Sampler> sampler(const spectral::Reflectance& reflectance, std::size_t wavelength) {
+    try {
+        return reflectance.sampler(wavelength);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// A lower bound of the directional-hemispherical reflectance: of rough surfaces the integral, of others the mean weight of
+/// draws less three standard errors; none where nobody knows how to draw.
+std::optional<double> least_reflectance(const spectral::Reflectance& reflectance, const Direction& in,
+                                        std::size_t wavelength) {
+    if (reflectance.properties().surface) return reflectance.albedo(in, wavelength).total();
+    const auto drawn_by = sampler(reflectance, wavelength);
+    if (!drawn_by) return std::nullopt;
+    constexpr int draws = 4096;
+    Random random{1};
+    double sum = 0, squares = 0;
+    for (int i = 0; i < draws; ++i) {
+        const double weight = drawn_by->sample(in, random.uniforms()).weight;
+        sum += weight / draws;
+        squares += weight * weight / draws;
+    }
+    return sum - 3 * std::sqrt(std::max(0.0, squares - sum * sum) / draws);
+}
+
+}  // namespace
+
+void GainWarning::note(const spectral::Reflectance& reflectance, const Direction& in) {
+    if (in.cos_theta() < least_cosine) return;
+    const std::scoped_lock lock{mutex_};
+    const auto order = [](const spectral::Reflectance& of, const Direction& from) {
+        return std::tuple{from.cos_theta(), of.wavelengths().micrometres()[0], from.cos_phi(),
+                          from.sin_phi()};
+    };
+    if (!place_ || order(reflectance, in) < order(place_->reflectance, place_->in))
+        place_.emplace(Place{reflectance, in});
+}
+
+void GainWarning::print(const std::string& source) const {
+    if (!place_) return;
+    if (const auto least = least_reflectance(place_->reflectance, place_->in, 0))
+        warn_of_gain(source, *least);
+}
 
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     ++count_;
@@ -16,14 +73,16 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
-void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept {
+void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) {
+    gain_.note(reflectance, pair.in);
     const auto& surface = reflectance.properties().surface;
     if (!surface) return;
     for (const SpectralSample& sample : reflectance.samples())
         note(spectral::validity(*surface, pair, sample));
 }
 
-void ValidityWarning::print() const {
+void ValidityWarning::print(const std::string& source) const {
+    gain_.print(source);
     if (outside_ == 0) return;
     std::cerr << "hts: " << outside_ << " of " << count_ << " values " << (count_ == 1 ? "is" : "are")
               << " outside the model's validity (" << criteria() << "): see hts info\n";

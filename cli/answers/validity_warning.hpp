@@ -1,9 +1,12 @@
-/// The one line on standard error that says how much of an answer lies outside the model's validity.
+/// What standard error says of an answer: how much of it lies outside the model's validity, and that the material
+/// reflects more than falls in.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <mutex>
+#include <optional>
 #include <string>
 
 #include "spectral/energy/validity.hpp"
@@ -11,21 +14,40 @@
 
 namespace hts::cli {
 
+/// Looks at the steepest incidence of those it is told, at the first of its wavelengths. From any thread;
+/// what it says does not depend on their order.
+class GainWarning {
+  public:
+    void note(const spectral::Reflectance& reflectance, const Direction& in);
+    ///   source   the material's file
+    void print(const std::string& source) const;
+
+  private:
+    struct Place {
+        spectral::Reflectance reflectance;
+        Direction in;
+    };
+    std::mutex mutex_;
+    std::optional<Place> place_;
+};
+
 /// Counts verdicts, from any thread; what it says does not depend on their order.
 class ValidityWarning {
   public:
     void note(const spectral::Validity& verdict) noexcept;
-    /// Verdicts at one pair and every wavelength, of rough surfaces; of others nothing is known.
-    void note(const spectral::Reflectance& reflectance, const DirectionPair& pair) noexcept;
+    /// Verdicts at one pair and every wavelength, of rough surfaces; of others their gain alone is asked.
+    void note(const spectral::Reflectance& reflectance, const DirectionPair& pair);
     /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if
-    /// none is.
-    void print() const;
+    /// none is. The same of a gain.
+    ///   source   the material's file
+    void print(const std::string& source) const;
 
   private:
     [[nodiscard]] std::string criteria() const;
 
     std::atomic<std::size_t> count_{0}, outside_{0};
     std::array<std::atomic<bool>, spectral::criterion_count> broken_{};
+    GainWarning gain_;
 };
 
 }  // namespace hts::cli

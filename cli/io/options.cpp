@@ -283,6 +283,13 @@ Tolerance ToleranceOption::tolerance() const {
     return Tolerance{value.value_or(hts::accuracy::finest_tolerance)};
 }
 
+void ToleranceOption::require_met_by(const spectral::Material& material) const {
+    const auto& surface = material.properties().surface;
+    if (!value || *value >= hts::accuracy::correlation_lobe || !surface || !surface->correlation()) return;
+    throw UsageError{"--tolerance " + shortest(*value) + ": must be 1e-6 or more of " + material.name() +
+                     ", whose correlation is not gaussian"};
+}
+
 Stokes stokes_from_option(const std::string& text) {
     if (text == "s") return Stokes::s_polarised();
     if (text == "p") return Stokes::p_polarised();

@@ -79,6 +79,8 @@ struct ToleranceOption {
     void add_to(CLI::App& verb);
     /// The finest where it was not given.
     [[nodiscard]] Tolerance tolerance() const;
+    /// UsageError where one was given that the material cannot meet.
+    void require_met_by(const spectral::Material& material) const;
 };
 
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.

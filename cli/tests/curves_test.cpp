@@ -69,7 +69,7 @@ TEST_CASE("hts compare fails where a criterion fails, and counts the instrument'
     const std::string command = "compare mwir-aluminium-sandblasted --material " + material;
     const auto result = place.hts(command);
     CHECK(result.exit_code == 1);
-    CHECK(result.errors.find("FAILED: median |ln(model / measured)| at most 0.25") != std::string::npos);
+    CHECK(result.errors.find("missed: median |ln(model / measured)| at most 0.25") != std::string::npos);
     CHECK(place.hts(command + " --detector-solid-angle 0.05").output != result.output);
 }
 

@@ -187,8 +187,24 @@ TEST_CASE("a material that reflects more than falls in is named") {
         CHECK(result.errors.find("bright.json: WARNING: reflects ") != std::string::npos);
     };
     named(place.hts("albedo -m bright.json --wavelengths 0.5 --theta-i 30"));
+    named(place.hts("eval -m bright.json --wavelength 0.5 --theta-i 30 --theta-r 10 --phi 0"));
+    named(place.hts("eval -m bright.json --wavelengths 0.4,0.5 --random-pairs 100"));
+    named(place.hts(
+        "spectrum -m bright.json --wavelengths 0.4,0.5 --theta-i 30 --theta-r 10 --phi 0 -o s.csv"));
+    place.file("points.csv",
+               "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n0.5,85,0,3,0\n0.4,5,0,3,0\n");
+    named(place.hts("eval -m bright.json --points points.csv"));
+    CHECK(place.hts("eval -m bright.json --points points.csv").errors ==
+          place.hts("eval -m bright.json --points points.csv", "OMP_NUM_THREADS=1").errors);
     named(place.hts("sample -m bright.json --wavelength 0.5 --theta-i 30 --count 20000 -o a.csv"));
     named(place.hts("render sphere -m bright.json --size 16 --samples 1 -o a.png"));
-    const Result honest = place.hts("albedo -m '" HTS_SOURCE_DIR "/cli/data/rough-aluminium.json'");
-    CHECK(honest.errors.find("WARNING") == std::string::npos);
+    place.file("white.json",
+               R"({"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 2, "index": "Al",
+                                "diffuse_albedo": 1})");
+    const Result white = place.hts("eval -m white.json --wavelength 0.5 --theta-i 30 --theta-r 10 --phi 0");
+    CHECK(white.errors.find("white.json: WARNING: reflects 1.") != std::string::npos);
+    for (const std::string verb : {"albedo", "eval --wavelength 0.5 --theta-i 30 --theta-r 10 --phi 0"}) {
+        const Result honest = place.hts(verb + " -m '" HTS_SOURCE_DIR "/cli/data/rough-aluminium.json'");
+        CHECK(honest.errors.find("WARNING") == std::string::npos);
+    }
 }

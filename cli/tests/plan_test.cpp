@@ -106,7 +106,7 @@ TEST_CASE("hts plan --check fails a plan that is not good enough") {
     CHECK(check.exit_code == 1);
     CHECK(check.errors.find("plan.json: copper sphere: error ") != std::string::npos);
     CHECK(check.errors.find("must be <= 0.01") != std::string::npos);
-    CHECK(cells(check.output)[2][5] == "exceeded");
+    CHECK(cells(check.output)[2][5] == "missed");
     CHECK(nlohmann::json::accept(place.hts("plan --check plan.json --json").output));
 }
 

@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 
+using hts::cli::testing::Result;
 using hts::cli::testing::Workplace;
 
 namespace {
@@ -55,6 +56,27 @@ TEST_CASE("hts table export spreads the specular term where a file can hold it, 
         CHECK(nlohmann::json::parse(place.read("al." + format + ".json"))["specular"]["treatment"]
                   .get<std::string>()
                   .starts_with("in the file"));
+    }
+}
+
+TEST_CASE("a measured material of three channels is exported as channels") {
+    const Workplace place;
+    place.file("lambert.json",
+               R"({"model": "lambert", "diffuse_albedo": {"table": [[0.46, 0.2], [0.62, 0.5]]}})");
+    REQUIRE(place
+                .hts("table export lambert.json --format zemax --colour --wavelengths 0.46,0.55,0.62 "
+                     "--pairs 500 --output three.bsdf")
+                .exit_code == 0);
+    REQUIRE(place.hts("table import three.bsdf --output m.json").exit_code == 0);
+    const Result refused = place.hts("table export m.json --format rgl --output m.bsdf");
+    CHECK(refused.exit_code == 1);
+    CHECK(refused.errors.find("must be written with --colour") != std::string::npos);
+    for (const std::string format : {"zemax", "astm"}) {
+        const Result result = place.hts("table export m.json --format " + format +
+                                        " --colour --pairs 500 --json --output again");
+        INFO(format << ": " << result.errors);
+        REQUIRE(result.exit_code == 0);
+        CHECK(nlohmann::json::parse(result.output)["worst"]["error_of_peak"] < 0.02);
     }
 }
 

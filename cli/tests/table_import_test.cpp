@@ -110,7 +110,7 @@ TEST_CASE("a scan of the plane of incidence reflects what a lobe about the mirro
         std::string::npos);
     CHECK(cells(read.output)[1][1] == "nan");  // light from the normal was not measured
     // 0.05 pi + 2 pi (5 deg)^2 cos 30 deg, the lobe being narrow
-    CHECK(number_in_column(read, "albedo_30") == Approx(0.1985).epsilon(0.01));
+    CHECK(number_in_column(read, "albedo_at_30_deg") == Approx(0.1985).epsilon(0.01));
     const std::string ask = " --material scan.json --wavelengths 0.55 --theta-i ";
     CHECK(number_in_column(place.hts("albedo" + ask + "30"), "total") == Approx(0.1985).epsilon(0.01));
     const std::string eval = "eval --material scan.json --wavelength 0.55 --theta-i 30 --theta-r 30 --phi 90";

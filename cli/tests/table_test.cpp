@@ -110,6 +110,24 @@ TEST_CASE("table: check, info and lookup of what was built") {
     CHECK_THAT(refusal("0.5,89,0,40,180"), Catch::Contains("must be at most 88 deg"));
 }
 
+TEST_CASE("a table takes the optical constants of a file along, and check holds it against those") {
+    const Workplace place;
+    const auto constants = [](double n) {
+        return "wavelength_um,n,k\n0.4," + std::to_string(n) + ",6\n0.7," + std::to_string(n + 0.7) + ",7\n";
+    };
+    place.file("nk.csv", constants(0.8));
+    place.file("al.json", R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
+                              "index": {"file": "nk.csv"}})");
+    REQUIRE(place.hts(std::string{build} + "m.htst").exit_code == 0);
+    const std::string check = "table check m.htst --samples 3000", before = place.hts(check).output;
+    CHECK(before.find("m.htst") != std::string::npos);
+    place.file("nk.csv", constants(3));
+    CHECK(place.hts(check).exit_code == 0);
+    CHECK(place.hts(check).output == before);
+    std::filesystem::remove(place.folder() / "nk.csv");
+    CHECK(place.hts(check).output == before);
+}
+
 TEST_CASE("table lookup interpolates between wavelengths, and check measures that") {
     const Workplace place;
     place.file("al.json", material);

@@ -26,7 +26,7 @@ The model is averaged over the band and the instrument's solid angles and set be
 point; a material that hts fit wrote is multiplied by the factor fitted to these curves.
 CURVES is a curve set (see hts curves) or the name of one that comes with the program.
 Figures of merit go to standard output; criteria, where the set has any, to
-standard error, and a criterion that fails makes the exit code 1. With --output the plots,
+standard error, and one that is missed makes the exit code 1. With --output the plots,
 their scripts and numbers go into a folder.
 
 Examples:
@@ -102,8 +102,7 @@ void run(const CompareOptions& options) {
     output.commit();
     bool passed = true;
     for (const Check& check : section.checks) {
-        std::cerr << (check.passed ? "passed: " : "FAILED: ") << check.claim << ": " << check.measured
-                  << '\n';
+        std::cerr << check.verdict() << ": " << check.claim << ": " << check.measured << '\n';
         passed = passed && check.passed;
     }
     if (!options.folder.empty()) draw_section(section, options.folder, options.json);

@@ -83,10 +83,11 @@ void run_show(const ShowOptions& options) {
               << "\nsource: " << set.source << "\nlicence: " << set.licence << "\nhow: " << set.how << '\n';
     for (const std::string& note : set.notes) std::cerr << "note: " << note << '\n';
     Output output{options.output.path};
+    const std::string per = std::string_view{validation::unit(set.quantity)} == "1/sr" ? "_per_sr" : "";
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
-                      {"first_um", "last_um", "theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", "value",
-                       "uncertainty"}};
+                      {"first_um", "last_um", "theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg",
+                       "value" + per, "uncertainty" + per}};
     std::string text;
     for (const Curve& curve : set.curves) {
         for (const CurvePoint& p : curve.points) {

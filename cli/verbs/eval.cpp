@@ -107,6 +107,7 @@ std::optional<spectral::Material> material(const EvalOptions& options) {
     if (options.material.path.empty()) return std::nullopt;
     auto described = options.material.read();
     if (options.compensate) require_rough_surface(described, "--compensate-energy");
+    options.tolerance.require_met_by(described);
     if (options.mueller) require_polarised(described, "--mueller");
     if (!options.polarisation.empty()) require_polarised(described, "--polarisation");
     return described;
@@ -164,7 +165,7 @@ void evaluate_points(const EvalOptions& options) {
         },
         [&](TableWriter::Row& row, const Evaluation& value) { answer.append(row, value); });
     output.commit();
-    warning.print();
+    warning.print(options.material.path);
     if (options.detail) std::cerr << "hts: " << summary.text() << '\n';
 }
 
@@ -181,7 +182,7 @@ void evaluate_random(const EvalOptions& options) {
     Output output{options.output.path};
     TableWriter table{output,
                       format_of(options.output.path, options.output.json),
-                      {"pairs", "wavelengths", "seed", "mean_brdf"}};
+                      {"pairs", "wavelengths", "seed", "mean_brdf_per_sr"}};
     std::string text;
     TableWriter::Row row{table, text};
     row.field(std::to_string(summary.pairs)).field(std::to_string(summary.wavelengths));
@@ -189,7 +190,7 @@ void evaluate_random(const EvalOptions& options) {
     table.add(text);
     table.finish();
     output.commit();
-    warning.print();
+    warning.print(options.material.path);
     std::cerr << "hts: " << summary.text() << '\n';
 }
 

@@ -179,7 +179,7 @@ void fit_all_models(const FitOptions& options) {
     TableWriter table{output,
                       format_of(options.output, options.json),
                       {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
-                       "l2_cosine", "aic", "bic"}};
+                       "l2_cosine_per_sr", "aic", "bic"}};
     const spectral::Job job{"", names.size()};
     for (const std::string& name : names) {
         const CurveSet set = options.instrument.of(curves_from_argument(name));

@@ -15,6 +15,7 @@
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "spectral/plans/plan.hpp"
+#include "spectral/text/verdict.hpp"
 #include "tables/formats/measured_model.hpp"
 #include "tables/plans/plan_cost.hpp"
 #include "tables/plans/plan_tables.hpp"
@@ -222,9 +223,7 @@ void write_check(const Plan& plan, const std::vector<spectral::MeasuredError>& e
         TableWriter::Row row{table, text};
         row.field(plan.materials[i].name).field(shortest(plan.materials[i].choice.error.worst));
         row.field(shortest(errors[i].worst)).field(shortest(errors[i].percentile_99));
-        row.field(shortest(plan.tolerance))
-            .word(errors[i].worst <= plan.tolerance ? "met" : "exceeded")
-            .end();
+        row.field(shortest(plan.tolerance)).word(spectral::verdict(errors[i].worst <= plan.tolerance)).end();
     }
     table.add(text);
     table.finish();

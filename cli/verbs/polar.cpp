@@ -84,7 +84,7 @@ void write_table(const std::string& path, Format format, const std::vector<Polar
     TableWriter table{output,
                       format,
                       {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
-                       "specular_average", "radius"}};
+                       "specular_average_per_sr", "radius"}};
     std::string text;
     for (const PolarCurve& curve : curves) {
         for (const PolarPoint& point : curve.points) {
@@ -153,7 +153,7 @@ void warn(const PolarOptions& options, const spectral::Reflectance& reflectance)
         const Direction in = Direction::from_degrees(degrees, 0);
         warning.note(reflectance, {in, in.mirror()});
     }
-    warning.print();
+    warning.print(options.material.path);
 }
 
 /// The numbers by `table`; of a picture beside it, with the script that `script` makes for their file.
@@ -164,8 +164,9 @@ void write_drawn(const PolarOptions& options, const WriteTable& table, const Scr
         return table(options.output.path, format_of(options.output.path, options.output.json));
     output::require_gnuplot(options.output.path);
     const auto data = std::filesystem::path{path}.replace_extension(".csv");
+    const std::string drawing = script(output::gnuplot_file(data.filename().string()));
     table(data.string(), Format::csv);
-    output::draw(options.output.path, script(output::gnuplot_file(data.filename().string())));
+    output::draw(options.output.path, drawing);
 }
 
 void write(const PolarOptions& options, const spectral::Reflectance& reflectance) {

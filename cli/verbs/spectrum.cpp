@@ -55,6 +55,7 @@ Spectrum spectrum_of(const spectral::Reflectance& model, const spectral::Directi
 spectral::Reflectance reflectance_of(const SpectrumOptions& options, const spectral::Material& material,
                                      const spectral::WavelengthGrid& grid) {
     if (options.compensate) require_rough_surface(material, "--compensate-energy");
+    options.tolerance.require_met_by(material);
     return reflectance_from_option("--wavelengths", material, grid,
                                    {.tolerance = options.tolerance.tolerance(),
                                     .outside = options.material.policy(),
@@ -131,7 +132,7 @@ void run(const SpectrumOptions& options) {
     output.commit();
     ValidityWarning warning;
     warning.note(reflectance, pair);
-    warning.print();
+    warning.print(options.material.path);
     if (seen) std::cerr << title(material, options.directions) << '\n' << seen->text();
     if (!options.plot.empty())
         output::draw(options.plot, plot_script(title(material, options.directions), grid, spectrum));

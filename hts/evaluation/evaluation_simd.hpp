@@ -61,8 +61,13 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
-/// Lengths and indices whose products stay far from the ends of a double's range, in any order.
+/// A Gaussian correlation, lengths and indices whose products stay far from the ends of a double's range, in any order.
 [[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
+
+/// What each sample sees of a surface whose correlation is not Gaussian, its table prepared; nothing of others.
+/// hts::Error where the lobe is a limit that such a surface lacks, or the table does not reach g.
+[[nodiscard]] std::vector<Surface> seen_surfaces(const Surface& surface,
+                                                 std::span<const SpectralSample> samples, DiffuseLobe lobe);
 
 /// hts::Error unless a result has a value for each sample, and for each pair of many.
 void require_size(const char* call, std::size_t size, std::size_t samples, std::size_t pairs = 1);

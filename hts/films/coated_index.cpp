@@ -30,15 +30,23 @@ Complex exponential_less_one(double real, double imaginary) {
     return {less * cosine - 2 * half * half, (less + 1) * std::sin(imaginary)};
 }
 
-/// C and S, see coated_index.hpp.
+/// The root with a positive real part of a number whose imaginary part is not negative: quicker than std::sqrt.
+Complex root(const Complex& squared, double modulus) {
+    const double larger = std::sqrt((modulus + std::abs(squared.real())) / 2);
+    const double smaller = larger > 0 ? squared.imag() / (2 * larger) : 0;
+    return squared.real() >= 0 ? Complex{larger, smaller} : Complex{smaller, larger};
+}
+
+/// C and -i S, see coated_index.hpp.
 struct Passage {
-    Complex cosine, sine, delta;
+    Complex cosine, minus_i_sine, delta;
 
     Passage(const Complex& squared, double phase) {
-        const Complex r = std::sqrt(squared);
+        const double modulus = std::sqrt(std::norm(squared));
+        const Complex r = root(squared, modulus);
         const Complex less = exponential_less_one(-2 * phase * r.imag(), 2 * phase * r.real());
-        cosine = 1.0 + less / 2.0;
-        sine = r == 0.0 ? phase : less / (2.0 * i * r);
+        cosine = {1 + less.real() / 2, less.imag() / 2};
+        minus_i_sine = modulus > 0 ? -less * std::conj(r) * (0.5 / modulus) : Complex{0, -phase};
         delta = phase * r;
     }
     [[nodiscard]] Complex factor() const { return std::exp(i * delta); }
@@ -51,8 +59,8 @@ struct Pair {
     /// Above a film of which C and S are known.
     ///   electric   what multiplies S A        magnetic   what multiplies S B
     [[nodiscard]] Pair above(const Passage& film, const Complex& electric, const Complex& magnetic) const {
-        const Complex minus_i_s = -i * film.sine;
-        return {film.cosine * b + minus_i_s * electric * a, film.cosine * a + minus_i_s * magnetic * b};
+        return {film.cosine * b + film.minus_i_sine * (electric * a),
+                film.cosine * a + film.minus_i_sine * (magnetic * b)};
     }
     /// What makes the larger of both 1.
     [[nodiscard]] double scale() const {
@@ -65,7 +73,8 @@ struct Pair {
 
 Complex reflected(const Pair& at, double c) {
     const Complex below = c * at.b + at.a;
-    return below == 0.0 ? Complex{0} : (c * at.b - at.a) / below;
+    const double norm = std::norm(below);
+    return norm > 0 ? (c * at.b - at.a) * std::conj(below) / norm : Complex{0};
 }
 
 }  // namespace
@@ -74,6 +83,9 @@ Complex reflected(const Pair& at, double c) {
 struct CoatedIndex::Ray {
     Pair s, p;
 };
+
+CoatedIndex::Layer::Layer(const RefractiveIndex& of, double k_d)
+    : index{of}, phase{k_d}, square{square_of(of)}, inverse_square{1.0 / square} {}
 
 CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::vector<Layer> layers)
     : substrate_{substrate} {
@@ -91,7 +103,7 @@ CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::span<const Film>
     for (const Film& film : films) {
         if (!(film.thickness >= 0 && film.thickness <= thickest))
             throw out_of_range("film thickness", film.thickness, "um", "from 0 to 1000");
-        if (film.thickness > 0) layers.push_back({film.index, wavelength.wave_number() * film.thickness});
+        if (film.thickness > 0) layers.emplace_back(film.index, wavelength.wave_number() * film.thickness);
     }
     if (!layers.empty()) layers_ = std::make_shared<const std::vector<Layer>>(std::move(layers));
 }
@@ -102,7 +114,8 @@ CoatedIndex CoatedIndex::seen_from(double exterior) const {
     };
     std::vector<Layer> layers;
     if (layers_) {
-        for (const Layer& layer : *layers_) layers.push_back({relative(layer.index), layer.phase * exterior});
+        for (const Layer& layer : *layers_)
+            layers.emplace_back(relative(layer.index), layer.phase * exterior);
     }
     return {relative(substrate_), std::move(layers)};
 }
@@ -121,9 +134,11 @@ CoatedIndex::Ray CoatedIndex::walk(double c, Visit&& visit) const noexcept {
     Ray at = deepest(c);
     for (std::size_t j = interfaces() - 1; j > 0; --j) {
         const Layer& layer = (*layers_)[j - 1];
-        const Complex n_squared = square_of(layer.index), r_squared = root_squared(layer.index, c);
+        const Complex& n_squared = layer.square;
+        const Complex r_squared = root_squared(layer.index, c);
         const Passage film{r_squared, layer.phase};
-        const Ray above{at.s.above(film, 1, r_squared), at.p.above(film, n_squared, r_squared / n_squared)};
+        const Ray above{at.s.above(film, 1, r_squared),
+                        at.p.above(film, n_squared, r_squared * layer.inverse_square)};
         const double s = above.s.scale(), p = above.p.scale();
         visit(j, at, film, s, p);
         at = {above.s.times(s), above.p.times(p)};

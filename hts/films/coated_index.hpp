@@ -71,7 +71,7 @@ class CoatedIndex {
     ///   cos_theta   c, cosine of the angle of incidence   [1]   0 ... 1
     ///   limits      c = 0: both -1
     ///   error       accuracy::films, see there, or accuracy::fresnel
-    ///   cost        some 0.1 microseconds a film; allocates nothing
+    ///   cost        of one film two of `fresnel`, of each further film one more; allocates nothing
     [[nodiscard]] FresnelAmplitudes amplitudes(double cos_theta) const noexcept;
     /// Share of unpolarised light that enters the substrate, just below its surface [1]; films may absorb the rest of what is
     /// not reflected.
@@ -97,8 +97,11 @@ class CoatedIndex {
 
   private:
     struct Layer {
+        Layer(const RefractiveIndex& of, double k_d);
+
         RefractiveIndex index;
-        double phase;  // k d
+        double phase;                                 // k d
+        std::complex<double> square, inverse_square;  // N^2 and 1/N^2
     };
     struct Ray;
     CoatedIndex(const RefractiveIndex& substrate, std::vector<Layer> layers);

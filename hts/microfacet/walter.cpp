@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "hts/error.hpp"
+#include "hts/microfacet/lobes.hpp"
 
 namespace hts {
 namespace {
@@ -257,14 +259,39 @@ DrawnScattering WalterBsdf::sample(const SidedDirection& known, const Uniforms& 
 }
 
 WalterInterface::WalterInterface(const FacetDistribution& facets, const CoatedIndex& index,
-                                 double exterior_index)
-    : WalterBrdf{facets, index.seen_from(exterior_index)} {
-    if (index.substrate().k() == 0) glass_.emplace(facets, exterior_index, index);
+                                 double exterior_index, double diffuse_albedo)
+    : WalterBrdf{facets, index.seen_from(exterior_index)},
+      diffuse_albedo_{checked_reflectance("diffuse albedo", diffuse_albedo)} {
+    if (index.substrate().k() == 0 && diffuse_albedo_ == 0) glass_.emplace(facets, exterior_index, index);
 }
 
 void WalterInterface::brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,
                            std::span<double> result) noexcept {
     lobe_spectrum(alike, in, out, result);
+    if (!lit_and_seen(in, out)) return;
+    for (std::size_t i = 0; i < alike.size(); ++i)
+        result[i] += alike[i].diffuse_albedo_ * std::numbers::inv_pi;
+}
+
+double WalterInterface::diffuse_share(const Direction& in) const noexcept {
+    constexpr double least = 0.02;  // of the facets, which reflect more than a plane at normal incidence
+    const double lobe = std::max(least, facet_reflectance(std::min(1.0, in.cos_theta()), index()));
+    return diffuse_albedo_ / (diffuse_albedo_ + lobe);
+}
+
+double WalterInterface::pdf(const Direction& in, const Direction& out) const noexcept {
+    const double lobe = WalterBrdf::pdf(in, out);
+    if (diffuse_albedo_ == 0 || !lit_and_seen(in, out)) return lobe;
+    const double share = diffuse_share(in);
+    return share * out.cos_theta() * std::numbers::inv_pi + (1 - share) * lobe;
+}
+
+Draw WalterInterface::sample(const Direction& in, const Uniforms& uniforms) const noexcept {
+    if (diffuse_albedo_ == 0) return WalterBrdf::sample(in, uniforms);
+    if (!(in.cos_theta() > 0)) return Draw::none(in);
+    if (uniforms[2] < diffuse_share(in)) return weighted(*this, in, cosine_vector(uniforms[0], uniforms[1]));
+    const Draw drawn = WalterBrdf::sample(in, uniforms);
+    return drawn.lobe == Lobe::none ? drawn : weighted(*this, in, drawn.out.vector());
 }
 
 WalterBsdf MeasuredGlass::bsdf(FacetShape shape) const {

@@ -187,23 +187,36 @@ class WalterBsdf {
     NormalDraw normals_;
 };
 
-/// Reflects as WalterBrdf does, and where the material is transparent lets the rest through: a TransmittingModel.
+/// Reflects as WalterBrdf does, and where the material is transparent lets the rest through: a TransmittingModel. A
+/// diffuse albedo, which the paper has not, stands for what a pigment inside sends back: it adds albedo/pi, and nothing
+/// passes through. It is not reduced by what the facets reflect, so that both together may exceed 1.
 class WalterInterface : public WalterBrdf {
   public:
     ///   index            of the material, transparent if k = 0: then as WalterBsdf wants it
     ///   exterior_index   of the transparent medium in front
-    WalterInterface(const FacetDistribution& facets, const CoatedIndex& index, double exterior_index);
+    ///   diffuse_albedo   0 ... 1, else hts::Error
+    WalterInterface(const FacetDistribution& facets, const CoatedIndex& index, double exterior_index,
+                    double diffuse_albedo = 0);
 
-    using WalterBrdf::brdf;
+    [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {
+        return spectral_brdf(*this, in, out);
+    }
     static void brdf(std::span<const WalterInterface> alike, const Direction& in, const Direction& out,
                      std::span<double> result) noexcept;
+    [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
+    /// Chooses the diffuse term by uniform 2.
+    [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
     [[nodiscard]] bool transmits() const noexcept { return glass_.has_value(); }
     [[nodiscard]] double btdf(const Direction& in, const Direction& behind) const noexcept {
         return glass_ ? glass_->bsdf({Side::front, in}, {Side::back, behind}) : 0;
     }
 
   private:
+    /// Share of the draws that go to the diffuse term.
+    [[nodiscard]] double diffuse_share(const Direction& in) const noexcept;
+
     std::optional<WalterBsdf> glass_;
+    double diffuse_albedo_;
 };
 
 static_assert(GeometrySharingModel<WalterInterface> && TransmittingModel<WalterInterface>);

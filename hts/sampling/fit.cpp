@@ -31,6 +31,20 @@ double cosine_of(std::size_t index) {
     return std::ldexp(1 + (eighth + 0.5) / 8, octave - 8);
 }
 
+/// How far a lobe reaches in units of that of one term: the root of the mean m of Phi's Poisson sum. Of another correlation half
+/// the q at which the lobe has fallen by e, which for exp(-q^2/4m) is the same.
+double reach(const Surface& surface, double g) {
+    const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
+    if (!surface.correlation() || !(g > 0)) return std::sqrt(mean);
+    const double threshold = surface.correlation()->lobe(g, 0).log - 1;
+    double below = -20, above = 40;  // ln q
+    for (int i = 0; i < 30; ++i) {
+        const double middle = (below + above) / 2;
+        (surface.correlation()->lobe(g, std::exp(middle)).log > threshold ? below : above) = middle;
+    }
+    return std::exp(below) / 2;
+}
+
 /// The widths that follow Phi: those of the mean m of its Poisson sum. At grazing light cos theta_i understates v_z over
 /// the lobe, whose extent in v_xy is 2/(k tau) at least.
 Mixture scales(const ScatteringLobe& lobe, const Direction& in) {
@@ -39,10 +53,10 @@ Mixture scales(const ScatteringLobe& lobe, const Direction& in) {
     const double s = in.sin_theta();
     const double vertical = 2 * std::min(1.0, std::sqrt(c * c + std::min(1.0, s / k_tau)));
     const double g = square(lobe.wave_number * lobe.effective_roughness(in) * vertical);
-    const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
+    const double extent = reach(lobe.surface, g);
     Mixture m;
-    m.alpha = std::clamp(2 / (k_tau * vertical) * std::sqrt(mean), 1e-12, 8.0);
-    m.beam_radius = std::clamp(2 * std::sqrt(mean) / k_tau, 1e-12, 30.0);
+    m.alpha = std::clamp(2 / (k_tau * vertical) * extent, 1e-12, 8.0);
+    m.beam_radius = std::clamp(2 * extent / k_tau, 1e-12, 30.0);
     m.lowered_skew = (s - 1) / c;
     m.raised_skew = (1 + s) / c;
     m.rate[0] = -std::numbers::log2e / square(m.beam_radius);

@@ -88,10 +88,11 @@ TEST_CASE("derivatives of anisotropic surfaces agree with 50 digits") {
         const auto of_lobe = in_order(f.by, numbers), of_mirror = in_order(specular.by, numbers);
         const auto of_matrix = in_order(matrix.by, [](const hts::Mueller& m) { return m(0, 0); });
         for (std::size_t p = 0; p < parameters.size(); ++p) {
-            const auto& [name, scale] = parameters[p];
-            const auto where = [&, by = std::string{name}] { return by + " at " + row.describe(); };
-            const auto note = [&, scale = scale](WorstCase& worst, double value, double found,
-                                                 const std::string& column, double unit) {
+            const std::string name = parameters[p].first;
+            const double scale = parameters[p].second;
+            const auto where = [&] { return name + " at " + row.describe(); };
+            const auto note = [&](WorstCase& worst, double value, double found, const std::string& column,
+                                  double unit) {
                 const double expected = derivatives(i, column + name);
                 worst.note(unit * std::abs(found - expected) / (unit * std::abs(expected) + value), where);
             };

@@ -127,14 +127,16 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
 
 /// What is known of isotropic surfaces alone.
 void require_theory(const Surface& surface, const UnifiedChoices& choices) {
-    if (surface.isotropic()) return;
-    const auto refusal = [](const char* choice, const char* why) {
-        return Error{std::string{choice} + " of a surface of two correlation lengths: " + why};
+    if (surface.isotropic() && !surface.correlation()) return;
+    const auto refusal = [&](const char* choice, const char* why) {
+        const char* const kind =
+            surface.isotropic() ? "whose correlation is not gaussian" : "of two correlation lengths";
+        return Error{std::string{choice} + " of a surface " + kind + ": " + why};
     };
     if (choices.mirror == UnifiedChoices::Mirror::second_order)
         throw refusal("the second-order mirror term", R"(must be "closed")");
     if (choices.polarisation_mixing)
-        throw refusal("polarisation mixing", "must be false (it was fitted to isotropic ones)");
+        throw refusal("polarisation mixing", "must be false (it was fitted to isotropic Gaussian ones)");
 }
 
 }  // namespace
@@ -165,8 +167,11 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     if (coated) require_theory_of_films(choices);
     require_theory(surface, choices);
     waves_.reserve(samples_.size());
+    for (const Surface& seen : evaluation_detail::seen_surfaces(surface_, samples_, lobe_))
+        seen_.push_back({seen, ReturnFactor{seen}});
     for (const SpectralSample& sample : samples_) {
-        waves_.emplace_back(surface_, return_factor_, sample.wavelength, sample.index);
+        const ReturnFactor& m = seen_.empty() ? return_factor_ : seen_[waves_.size()].return_factor;
+        waves_.emplace_back(surface_, m, sample.wavelength, sample.index);
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
             mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
@@ -180,7 +185,8 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 }
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
-    std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave));
+    std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
+                      seen_.size() * sizeof(Seen);
     if (lanes_) {
         sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
                lanes_->prepared.surface.return_rows.size() * sizeof(ReturnRow);
@@ -212,14 +218,23 @@ void HeUnifiedSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> re
 }
 
 void HeUnifiedSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
-    const UnifiedView in = view(pair.in), out = view(pair.out);
-    for (std::size_t i = 0; i < samples_.size(); ++i)
+    UnifiedView in = view(pair.in), out = view(pair.out);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (i > 0 && !seen_.empty()) {
+            in = view(pair.in, i);
+            out = view(pair.out, i);
+        }
         result[i] = samples_[i].uniform_diffuse + unified_lobe(in, out, waves_[i], lobe_, tolerance_).brdf();
+    }
 }
 
 void HeUnifiedSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    const UnifiedView in = view(pair.in), out = view(pair.out);
+    UnifiedView in = view(pair.in), out = view(pair.out);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (i > 0 && !seen_.empty()) {
+            in = view(pair.in, i);
+            out = view(pair.out, i);
+        }
         result[i] = unified_mueller(unified_lobe(in, out, waves_[i], lobe_, tolerance_).jones, mixed_);
         const double uniform = samples_[i].uniform_diffuse;
         if (uniform != 0)

@@ -56,8 +56,10 @@ class HeUnifiedSpectrum {
     void specular_mueller(const Direction& in, std::span<Mueller> result) const;
 
     /// What a direction contributes, for unified_lobe.
-    [[nodiscard]] UnifiedView view(const Direction& direction) const noexcept {
-        return {surface_, return_factor_, direction};
+    ///   sample   that it is asked for, which matters where the correlation is not Gaussian
+    [[nodiscard]] UnifiedView view(const Direction& direction, std::size_t sample = 0) const noexcept {
+        if (seen_.empty()) return {surface_, return_factor_, direction};
+        return {seen_[sample].surface, seen_[sample].return_factor, direction};
     }
     [[nodiscard]] std::span<const UnifiedWave> waves() const noexcept { return waves_; }
     /// What a sampler of the first sample is fitted to.
@@ -69,7 +71,13 @@ class HeUnifiedSpectrum {
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
     [[nodiscard]] FresnelAmplitudes mirror(const Direction& in, std::size_t sample) const noexcept;
 
+    struct Seen {
+        Surface surface;
+        ReturnFactor return_factor;
+    };
+
     Surface surface_;
+    std::vector<Seen> seen_;  // by each sample, where the correlation is not Gaussian
     std::vector<SpectralSample> samples_;
     Tolerance tolerance_;
     DiffuseLobe lobe_;

@@ -13,7 +13,7 @@ double square(double x) {
 
 FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) noexcept {
     const double c = in.cos_theta(), s_squared = square(in.sin_theta());
-    const Surface& surface = wave.surface;
+    const Surface& surface = wave.seen;
     const double k_tau_along =
         surface.isotropic() ? wave.k_tau
                             : wave.k_tau * (surface.correlation_length(in) / surface.correlation_length());

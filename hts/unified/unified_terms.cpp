@@ -100,9 +100,11 @@ double bragg_lift(double k_sigma, double k_tau) noexcept {
 UnifiedWave::UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
                          const CoatedIndex& of)
     : surface{rough},
+      seen{rough.seen_by(wavelength)},
       index{of},
       k_sigma{wavelength.wave_number() * rough.rms_roughness()},
-      k_tau{wavelength.wave_number() * rough.correlation_length()},
+      k_tau{wavelength.wave_number() * seen.correlation_length()},
+      k_length{wavelength.wave_number() * rough.correlation_length()},
       lift{bragg_lift(k_sigma, k_tau)},
       returned{m.returned(flat_reflectance(index))} {}
 
@@ -138,17 +140,27 @@ Kicks kicks(double g, double t, DiffuseLobe lobe, Tolerance tolerance) noexcept 
     return {value.value, sum.inverse_mean, sum.rest, value.method};
 }
 
+Kicks kicks(const Surface& surface, double g, double t, DiffuseLobe lobe, Tolerance tolerance) noexcept {
+    if (!surface.correlation()) return kicks(g, t, lobe, tolerance);
+    if (lobe == DiffuseLobe::none || g == 0) return {0, 1, 0, PhiMethod::zero};
+    const double q = 2 * std::sqrt(t);
+    if (lobe == DiffuseLobe::first_order)
+        return {2 * g * std::exp(surface.correlation()->log_spectrum(q) - g), 1, 0, PhiMethod::limit};
+    const ScatteringIntegral twice = surface.correlation()->lobe(g, q);
+    return {twice.value, twice.inverse_mean, 1 - twice.inverse_mean, PhiMethod::spline};
+}
+
 UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const UnifiedWave& wave,
                          DiffuseLobe lobe, Tolerance tolerance,
                          std::optional<double> lobe_argument) noexcept {
     const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
     const double g = square(wave.k_sigma * change.vertical);
     const double t = lobe_argument.value_or(
-        square(wave.k_tau *
+        square(wave.k_length *
                (wave.surface.isotropic() ? change.horizontal
                                          : stretched_horizontal(wave.surface, in.direction, out.direction)) /
                2));
-    UnifiedLobe result{{}, g, t, kicks(g, t, lobe, tolerance), 0};
+    UnifiedLobe result{{}, g, t, kicks(wave.surface, g, t, lobe, tolerance), 0};
     const auto& [phi, beta, w, method] = result.kicks;
     const double c_i = in.direction.cos_theta(), c_r = out.direction.cos_theta();
     const double cosines = c_i * c_r;
@@ -158,7 +170,7 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
     result.shadowing = returned * (cosines / spread);
     const double kirchhoff = w * (above_horizon(wave.k_sigma, c_i) * above_horizon(wave.k_sigma, c_r));
     const double scale =
-        wave.k_tau * (std::numbers::inv_sqrtpi / 2) * std::sqrt(phi) * std::sqrt(returned / spread);
+        wave.k_length * (std::numbers::inv_sqrtpi / 2) * std::sqrt(phi) * std::sqrt(returned / spread);
     const JonesMatrix facet =
         facet_jones(in.direction, out.direction, wave.index.amplitudes(change.cos_theta_d()));
     const JonesMatrix bragg = bragg_jones(in.direction, out.direction, wave.index, wave.lift);

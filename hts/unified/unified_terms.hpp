@@ -54,12 +54,14 @@ struct UnifiedView {
 
 /// What a surface is at one wavelength, whatever the directions.
 struct UnifiedWave {
+    ///   m   of what the wavelength sees of the surface
     UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
                 const CoatedIndex& of);
 
-    Surface surface;
+    Surface surface, seen;  ///< and what the wavelength sees of it: `Surface::seen_by`
     CoatedIndex index;
-    double k_sigma, k_tau;  ///< of an anisotropic surface with sqrt(tau_x tau_y)
+    double k_sigma, k_tau;  ///< of an anisotropic surface with sqrt(tau_x tau_y); tau of what is seen
+    double k_length;        ///< with the surface's own correlation length: of the lobe
     double lift;            ///< Z
     double returned;        ///< R'
 };
@@ -95,6 +97,9 @@ struct Kicks {
 ///   cost        some 0.2 to 1 microsecond, a fifth of it by the table
 [[nodiscard]] Kicks kicks(double g, double t, DiffuseLobe lobe = DiffuseLobe::full,
                           Tolerance tolerance = Tolerance{accuracy::finest_tolerance}) noexcept;
+/// The same of a surface, from 2 D where its correlation is not Gaussian.
+[[nodiscard]] Kicks kicks(const Surface& surface, double g, double t, DiffuseLobe lobe,
+                          Tolerance tolerance) noexcept;
 
 /// The lobe at a pair of directions, and what it was made of.
 struct UnifiedLobe {

@@ -47,10 +47,10 @@ def films_text(films: Any) -> list[Any]:
     result = []
     for i, film in enumerate(films):
         if not isinstance(film, Mapping):
-            raise Error(f"films[{i}]: must be {{\"index\": …, \"thickness_um\": …}}")
+            raise Error(f"films[{i + 1}]: must be {{\"index\": …, \"thickness_um\": …}}")
         index = film.get("index")
         if index_function(index) is not None and not isinstance(index, complex):
-            raise Error(f"films[{i}].index: must be a name, a complex number or a dict of a material file")
+            raise Error(f"films[{i + 1}].index: must be a name, a complex number or a dict of a material file")
         known = {"n": index.real, "k": index.imag} if isinstance(index, complex) else index
         result.append({**film, "index": known} if "index" in film else dict(film))
     return result

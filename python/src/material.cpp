@@ -101,6 +101,8 @@ nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle thet
                   nb::handle diffuse_albedo, const std::string& outside, int threads) {
     if (self.material().model_name() != "he")
         throw Error{"gradient: derivatives are known of model he: this is " + self.material().model_name()};
+    if (self.material().properties().surface->correlation())
+        throw Error{"gradient: derivatives are known of gaussian correlations: this is another"};
     const Quantity derivatives = quantity::derivatives(of);
     const bool views = derivatives.views;
     const nb::object all = evaluate(self, derivatives,

@@ -53,10 +53,10 @@ def test_dict_and_keywords():
     "films, message",
     [
         (0.004, "films: must be a list"),
-        ([0.004], r"films\[0\]: must be"),
+        ([0.004], r"films\[1\]: must be"),
         ([{"index": "Al2O3"}], "thickness_um"),
         ([{"index": "Al2O3", "thickness_um": -1}], "film thickness -1 um: must be from 0 to 1000"),
-        ([{"index": lambda um: 1.5, "thickness_um": 1}], r"films\[0\].index"),
+        ([{"index": lambda um: 1.5, "thickness_um": 1}], r"films\[1\].index"),
     ],
 )
 def test_errors(films, message):

@@ -14,14 +14,15 @@ double reflected(const JonesMatrix& jones, const Polarisation& light) {
 
 ReflectedLight by_published_model(const Surface& surface, const Facets& facets,
                                   const Wavelength& wavelength) {
+    const Surface seen = surface.seen_by(wavelength);
     return {[=](const Direction& in) {
                 return facet_reflectance(facets, in.cos_theta()) *
-                       coherent_fraction(surface, view(surface, in), wavelength);
+                       coherent_fraction(surface, view(seen, in), wavelength);
             },
             [=](const Direction& in) -> ReflectedLight::Lobe {
-                return [=, lit = view(surface, in)](const Direction& out, double t) {
-                    const PairFactors pair{surface, lit, view(surface, out)};
-                    return pair.lobe(phi(pair.phase_variance(wavelength), t).value, wavelength) *
+                return [=, lit = view(seen, in)](const Direction& out, double t) {
+                    const PairFactors pair{surface, lit, view(seen, out)};
+                    return pair.lobe(pair.phi(pair.phase_variance(wavelength), t).value, wavelength) *
                            facet_reflectance(facets, pair.cos_theta_d());
                 };
             }};
@@ -83,9 +84,10 @@ ReflectedLight reflected_light(const RoughSurface& surface, const Facets& facets
     return by_published_model(surface, *index, wavelength, light);
 }
 
-double mirror_shadowing(const RoughSurface& surface, const Direction& in) noexcept {
+double mirror_shadowing(const RoughSurface& surface, const Direction& in,
+                        const Wavelength& wavelength) noexcept {
     if (surface.unified()) return 1;
-    const double one_way = visibility(surface, in).shadowing;
+    const double one_way = visibility(surface.seen_by(wavelength), in).shadowing;
     return one_way * one_way;
 }
 

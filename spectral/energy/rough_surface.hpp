@@ -13,6 +13,11 @@
 
 namespace hts::spectral {
 
+/// The frequencies [1/um] that an rms roughness was stated for: those of the periods of a file's "rms_band_um".
+struct FrequencyBand {
+    double from, to;  ///< to may be infinite
+};
+
 /// Statistics of the heights, and the theory.
 class RoughSurface : public Surface {
   public:
@@ -27,13 +32,23 @@ class RoughSurface : public Surface {
 
     /// The same theory of another surface.
     [[nodiscard]] RoughSurface with(const Surface& surface) const {
-        return unified_ ? RoughSurface{surface, *unified_} : RoughSurface{surface};
+        RoughSurface other{surface};
+        other.unified_ = unified_;
+        return other;
     }
+    /// The same with the band that its rms roughness was stated for; rms_roughness() is that of all frequencies.
+    [[nodiscard]] RoughSurface stated_for(const FrequencyBand& band) const {
+        RoughSurface other{*this};
+        other.band_ = band;
+        return other;
+    }
+    [[nodiscard]] const std::optional<FrequencyBand>& band() const noexcept { return band_; }
     /// Choices of he_unified; none of the published model.
     [[nodiscard]] const std::optional<UnifiedChoices>& unified() const noexcept { return unified_; }
 
   private:
     std::optional<UnifiedChoices> unified_;
+    std::optional<FrequencyBand> band_;
 };
 
 /// Facets that reflect everything, |F|^2 = 1 at every angle: what is missing from 1 is then the model's own loss. Of he_unified: a
@@ -65,6 +80,7 @@ struct ReflectedLight {
                                              const Wavelength& wavelength, const Polarisation& light = {});
 
 /// What is left of a mirror's light by shadowing alone, S at theta_r = theta_i [1]; 1 of he_unified, whose mirror is not shadowed.
-[[nodiscard]] double mirror_shadowing(const RoughSurface& surface, const Direction& in) noexcept;
+[[nodiscard]] double mirror_shadowing(const RoughSurface& surface, const Direction& in,
+                                      const Wavelength& wavelength) noexcept;
 
 }  // namespace hts::spectral

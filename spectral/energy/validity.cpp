@@ -161,7 +161,8 @@ Severity Validity::severity() const noexcept {
 }
 
 Validity validity(const Surface& surface, const DirectionPair& pair, const SpectralSample& sample) noexcept {
-    return validity(surface, view(surface, pair.in), view(surface, pair.out), sample);
+    const Surface seen = surface.seen_by(sample.wavelength);
+    return validity(seen, view(seen, pair.in), view(seen, pair.out), sample);
 }
 
 Validity validity(const Surface& surface, const View& in, const View& out,

@@ -33,8 +33,8 @@ CoatedConstants::CoatedConstants(OpticalConstants substrate, std::vector<FilmCon
 std::string CoatedConstants::name() const {
     std::string text = substrate_.name();
     for (std::size_t i = 0; i < films_.size(); ++i) {
-        text += (i == 0 ? " under " : ", ") + films_[i].constants.name() + " " + shortest(films_[i].thickness) +
-                " um";
+        text += (i == 0 ? " under " : ", ") + films_[i].constants.name() + " " +
+                shortest(films_[i].thickness) + " um";
     }
     return text;
 }
@@ -54,8 +54,10 @@ CoatedIndex CoatedConstants::on(const RefractiveIndex& substrate, const Waveleng
                                 OutsideRange policy) const {
     std::vector<Film> films;
     films.reserve(films_.size());
-    for (const FilmConstants& film : films_)
+    for (const FilmConstants& film : films_) {
+        if (film.thickness == 0) continue;
         films.push_back({film.constants.index(wavelength, policy), film.thickness});
+    }
     return {substrate, films, wavelength};
 }
 

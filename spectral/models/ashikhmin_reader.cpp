@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "hts/microfacet/ashikhmin.hpp"
+#include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/model_readers.hpp"
 #include "spectral/text/png.hpp"
 #include "spectral/text/text.hpp"
@@ -155,8 +156,8 @@ Material material_from(const MaterialFile& file, const AshikhminFacets& facets,
 }  // namespace
 
 Material read_ashikhmin(const MaterialFile& file) {
-    file.json.require_keys_among(
-        {"name", "model", "normals", "f0", "index", "films", "metal", "diffuse_albedo", "correlated_shadowing"});
+    file.json.require_keys_among({"name", "model", "normals", "f0", "index", "films", "metal",
+                                  "diffuse_albedo", "correlated_shadowing"});
     const NormalDensity density = normals_from(file.json["normals"], file.folder);
     const bool correlated = truth_or(file.json, "correlated_shadowing", false);
     const AshikhminFacets facets{density,

@@ -12,6 +12,7 @@
 #include "spectral/materials/coated_constants.hpp"
 #include "spectral/models/compensated.hpp"
 #include "spectral/models/spectral_number.hpp"
+#include "spectral/models/surface_reader.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
@@ -54,9 +55,9 @@ class RoughSurfaceSampler final : public DirectionSampler {
 };
 
 void add_detail(const HeTorranceSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
-    const PairFactors factors{of.surface(), pair.in, pair.out};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const SpectralSample& sample = of.samples()[i];
+        const PairFactors factors = of.factors(pair, i);
         const DirectionalDiffuse term = directional_diffuse(factors, sample.wavelength, sample.index);
         values[i] = {term.phase_variance,
                      term.lobe_argument,
@@ -68,10 +69,9 @@ void add_detail(const HeTorranceSpectrum& of, const DirectionPair& pair, std::sp
 }
 
 void add_detail(const HeUnifiedSpectrum& of, const DirectionPair& pair, std::span<LobeDetail> values) {
-    const UnifiedView in = of.view(pair.in), out = of.view(pair.out);
     const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const UnifiedLobe lobe = unified_lobe(in, out, of.waves()[i]);
+        const UnifiedLobe lobe = unified_lobe(of.view(pair.in, i), of.view(pair.out, i), of.waves()[i]);
         values[i] = {lobe.phase_variance,
                      lobe.lobe_argument,
                      of.surface().rms_roughness(),
@@ -197,32 +197,6 @@ double checked_albedo(double albedo) {
     return albedo;
 }
 
-// One length at a time, so that the message has the key of the one that is wrong.
-Surface surface_from(const JsonValue& file) {
-    const JsonValue roughness_key = file["rms_roughness_um"];
-    const JsonValue correlation_key = file["correlation_length_um"];
-    const std::optional<JsonValue> azimuth = file.find("azimuth_deg");
-    const double roughness = roughness_key.number();
-    const auto with = [&](const JsonValue& length) {
-        const double value = length.number();
-        return located(length.place(), [&] { return Surface{roughness, value}; });
-    };
-    located(roughness_key.place(), [&] { return Surface{roughness, longest_length}; });
-    if (!correlation_key.is_list()) {
-        if (azimuth) throw azimuth->error("must be left out where correlation_length_um is one number");
-        return with(correlation_key);
-    }
-    const std::vector<JsonValue> lengths = correlation_key.items();
-    if (lengths.size() != 2)
-        throw correlation_key.error("must be a number or a list of two, [along, across]");
-    const double along = with(lengths[0]).correlation_length();
-    const double across = with(lengths[1]).correlation_length();
-    const double degrees = azimuth ? azimuth->number() : 0;
-    const Direction axis = located(azimuth.value_or(correlation_key).place(),
-                                   [&] { return Direction::from_degrees(90, degrees); });
-    return Surface::anisotropic(roughness, {along, across}, axis);
-}
-
 DiffuseAlbedo albedo_from(const std::optional<JsonValue>& albedo) {
     if (!albedo) return DiffuseAlbedo{0};
     if (albedo->is_object()) {
@@ -253,9 +227,11 @@ std::string groove_warning(const Surface& surface) {
            "length";
 }
 
-const std::vector<std::string> shared_keys{
-    "name",  "model", "rms_roughness_um", "correlation_length_um", "azimuth_deg",
-    "index", "films", "diffuse_albedo"};
+std::vector<std::string> known_keys(std::vector<std::string> own = {}) {
+    own.insert(own.end(), {"name", "model", "index", "films", "diffuse_albedo"});
+    own.insert(own.end(), surface_keys().begin(), surface_keys().end());
+    return own;
+}
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {
     return he_torrance_material(file.default_name, surface, coated_constants_from(file.json, file.folder),
@@ -266,12 +242,15 @@ Material material_from(const MaterialFile& file, const RoughSurface& surface) {
 
 Surface RoughSurfaceValues::of(const Surface& own) const {
     const double roughness = rms_roughness.value_or(own.rms_roughness());
-    if (correlation_length) return {roughness, *correlation_length};
+    const auto correlated = [&](const Surface& of) {
+        return own.correlation() ? of.correlated(*own.correlation()) : of;
+    };
+    if (correlation_length) return correlated({roughness, *correlation_length});
     const CorrelationLengths lengths = own.correlation_lengths();
-    return Surface::anisotropic(
+    return correlated(Surface::anisotropic(
         roughness,
         {correlation_length_x.value_or(lengths.along), correlation_length_y.value_or(lengths.across)},
-        axis.value_or(own.axis()));
+        axis.value_or(own.axis())));
 }
 
 DiffuseAlbedo::DiffuseAlbedo(double albedo) : value_{ConstantValue{checked_albedo(albedo)}} {}
@@ -291,7 +270,8 @@ Material he_torrance_material(const std::string& name, const RoughSurface& surfa
                                                       const WavelengthGrid& wavelengths,
                                                       const EvaluationOptions& options) {
         const RoughSurfaceValues& given = options.instead;
-        const RoughSurface rough = surface.with(given.of(surface));
+        RoughSurface rough = surface.with(given.of(surface));
+        if (surface.band() && !given.rms_roughness) rough = rough.stated_for(*surface.band());
         std::vector<SpectralSample> samples;
         samples.reserve(wavelengths.size());
         for (std::size_t i = 0; i < wavelengths.size(); ++i) {
@@ -330,19 +310,18 @@ Reflectance he_torrance_reflectance(const std::string& name, const RoughSurface&
 }
 
 Material read_he_torrance(const MaterialFile& file) {
-    file.json.require_keys_among(shared_keys);
-    return material_from(file, surface_from(file.json));
+    file.json.require_keys_among(known_keys());
+    return material_from(file, surface_from(file.json, file.folder));
 }
 
 Material read_he_unified(const MaterialFile& file) {
-    auto keys = shared_keys;
-    keys.insert(keys.end(), {"mirror", "polarisation_mixing"});
-    file.json.require_keys_among(keys);
+    file.json.require_keys_among(known_keys({"mirror", "polarisation_mixing"}));
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
                                  .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
     if (const auto films = file.json.find("films"); films && !films->items().empty())
         located(file.json.place(), [&] { require_theory_of_films(choices); });
-    return material_from(file, {surface_from(file.json), choices});
+    const RoughSurface rough = surface_from(file.json, file.folder), unified{rough, choices};
+    return material_from(file, rough.band() ? unified.stated_for(*rough.band()) : unified);
 }
 
 }  // namespace hts::spectral

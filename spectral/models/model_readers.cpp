@@ -43,16 +43,21 @@ FacetDistribution facets_from(const JsonValue& file) {
 }  // namespace
 
 Material read_walter(const MaterialFile& file) {
-    file.json.require_keys_among(
-        {"name", "model", "distribution", "alpha", "exponent", "index", "films", "exterior_index"});
+    file.json.require_keys_among({"name", "model", "distribution", "alpha", "exponent", "index", "films",
+                                  "exterior_index", "diffuse_albedo"});
     const FacetDistribution facets = facets_from(file.json);
     const CoatedConstants constants = coated_constants_from(file.json, file.folder);
     const SpectralNumber exterior{file.json, "exterior_index", 1, [](double n) {
                                       return RefractiveIndex{n, 0}.n();
                                   }};
+    const SpectralNumber diffuse{file.json, "diffuse_albedo", 0,
+                                 [](double a) { return checked_reflectance("diffuse albedo", a); }};
     return material_of(
         [=](const Wavelength& wavelength, OutsideRange policy) {
-            return WalterInterface{facets, constants.index(wavelength, policy), exterior(wavelength, policy)};
+            const double albedo = diffuse(wavelength, policy);
+            return ModelAtWavelength{WalterInterface{facets, constants.index(wavelength, policy),
+                                                     exterior(wavelength, policy), albedo},
+                                     albedo * std::numbers::inv_pi};
         },
         constants.warnings());
 }

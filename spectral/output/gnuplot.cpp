@@ -12,9 +12,11 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <sstream>
 
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
+#include "spectral/output/svg.hpp"
 #include "spectral/text/output.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
@@ -90,6 +92,16 @@ bool is_whole(const fs::path& svg) {
     return tail.find(end) != std::string::npos;
 }
 
+/// Whether the medium took all of the finished picture.
+bool finish(const fs::path& svg) {
+    std::ostringstream text;
+    text << std::ifstream{svg, std::ios::binary}.rdbuf();
+    std::ofstream file{svg, std::ios::binary | std::ios::trunc};
+    file << finished_svg(text.str());
+    file.close();
+    return static_cast<bool>(file);
+}
+
 std::string head(const std::string& picture) {
     return "# run `gnuplot` on this file, in its folder, to draw it again\n"
            "if (!exists('picture')) picture = " +
@@ -132,7 +144,7 @@ void draw(const std::string& svg_path, std::string_view script) {
         run_gnuplot(picture.parent_path().string(), "set loadpath '..'; picture = '.picture.svg'",
                     fs::absolute(spectral::path_to_read(script_path)).string());
     std::error_code failure;
-    if (ended.status == 0 && is_whole(drawn)) fs::rename(drawn, picture, failure);
+    if (ended.status == 0 && is_whole(drawn) && finish(drawn)) fs::rename(drawn, picture, failure);
     if (ended.status == 0 && !failure && fs::exists(picture)) {
         files->complete(svg_path);
         if (own) own->commit();

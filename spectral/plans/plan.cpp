@@ -16,13 +16,15 @@
 namespace hts::spectral {
 namespace {
 
-/// A form of the lobe and its relative cost per wavelength, about as measured: for the order of the ladder only.
+/// A form of the lobe and its cost per wavelength [about a nanosecond]: for the order of the ladder only.
 struct LobeForm {
     DiffuseLobe lobe;
     double tolerance;
     double cost;
 };
 constexpr double specular_cost = 1;
+/// Per wavelength of the scene, of a spectrum between fewer; colours need none.
+constexpr double interpolation_cost = 1.6;
 constexpr std::array lobe_forms{
     LobeForm{DiffuseLobe::none, 1e-3, 1},          LobeForm{DiffuseLobe::first_order, 1e-3, 5},
     LobeForm{DiffuseLobe::rough_limit, 1e-3, 5.5}, LobeForm{DiffuseLobe::full, 1e-3, 9},
@@ -60,24 +62,31 @@ std::vector<WavelengthGrid> grids(const Scene& scene) {
     return grids;
 }
 
+/// The least that a model takes beside what its wavelengths share: fewer of them must pay their interpolation.
 constexpr std::array whole_or_uniform{LobeForm{DiffuseLobe::none, 1e-12, 1},
-                                      LobeForm{DiffuseLobe::full, 1e-12, 9}};
+                                      LobeForm{DiffuseLobe::full, 1e-12, 3.2}};
 
 /// All evaluators of a material, cheapest first.
-///   rough      whether it is a rough surface, whose lobe has limits and tolerances
+///   surface    of a rough surface, whose lobe has limits and tolerances
 ///   coarsest   tolerance of its full lobe that may be used
-std::vector<LadderStep> ladder(const Scene& scene, bool rough, double coarsest) {
+std::vector<LadderStep> ladder(const Scene& scene, const std::optional<RoughSurface>& surface,
+                               double coarsest) {
+    const bool rough = surface.has_value();
     std::vector<LadderStep> steps;
     const std::span<const LobeForm> forms =
         rough ? std::span<const LobeForm>{lobe_forms} : std::span<const LobeForm>{whole_or_uniform};
     for (const WavelengthGrid& grid : grids(scene)) {
+        const bool interpolated = grid.size() < scene.wavelengths.size() && !scene.illuminant;
+        const double once =
+            interpolated ? interpolation_cost * static_cast<double>(scene.wavelengths.size()) : 0;
         for (const LobeForm& form : forms) {
             if (form.lobe == DiffuseLobe::full && form.tolerance > coarsest) continue;
+            if (form.lobe == DiffuseLobe::rough_limit && surface->correlation()) continue;  // it has none
             for (const bool specular : {false, true}) {
                 if (specular && !rough) continue;
                 const double each = form.cost + (specular ? specular_cost : 0);
                 steps.push_back({{form.lobe, Tolerance{form.tolerance}, specular, grid},
-                                 each * static_cast<double>(grid.size())});
+                                 once + each * static_cast<double>(grid.size())});
             }
         }
     }
@@ -116,7 +125,7 @@ PlannedMaterial planned(const Scene& scene, const Material& material, const Plan
     const ErrorMeter meter{scene, material, forms, sampling};
     const double enough = plan_headroom * tolerance;
     std::vector<Rung> failed;
-    const auto steps = ladder(scene, material.properties().surface.has_value(), coarsest);
+    const auto steps = ladder(scene, material.properties().surface, coarsest);
     const Job job{"", steps.size()};
     for (const LadderStep& step : steps) {
         job.done();

@@ -61,8 +61,8 @@ class PairSource {
     /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more; of an anisotropic surface `stretched`.
     [[nodiscard]] double lobe_width(const Direction& in, const Wavelength& wavelength) const {
         const Surface& surface = *surface_;
-        const View light = view(surface, in);
-        const PairFactors mirrored{surface, light, view(surface, in.mirror())};
+        const Surface seen = surface.seen_by(wavelength);
+        const PairFactors mirrored{surface, view(seen, in), view(seen, in.mirror())};
         return 2 / surface.correlation_length() / wavelength.wave_number() *
                std::sqrt(std::max(1., mirrored.phase_variance(wavelength)));
     }
@@ -266,11 +266,12 @@ double ErrorMeter::specular_error(const PlannedForm& candidate, std::size_t pair
     }
     const auto samples = full_.at_nodes().samples();
     if (samples.empty()) return 0;  // nor has it a specular term
-    const double shadowing = mirror_shadowing(*full_.at_nodes().properties().surface, in);
     const auto full = full_.reflectance().specular_reflectance(in);
     const auto value = candidate.reflectance().specular_reflectance(in);
     double worst = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
+        const double shadowing =
+            mirror_shadowing(*full_.at_nodes().properties().surface, in, samples[i].wavelength);
         const double reflected =
             samples[i].index.amplitudes(in.cos_theta()).unpolarised_reflectance() * shadowing +
             samples[i].uniform_diffuse * std::numbers::pi;

@@ -205,6 +205,9 @@ void add_material(Checksum& checksum, const Material& material, const Scene& sce
             checksum.add(surface->correlation_lengths().along);
             checksum.add(surface->azimuth());
         }
+        if (const auto& shape = surface->correlation()) {
+            for (const double q : {0.0, 0.1, 1.0, 10.0, 100.0}) checksum.add(shape->log_spectrum(q));
+        }
         if (const auto& choices = surface->unified()) {
             checksum.add(static_cast<double>(choices->mirror));
             checksum.add(choices->polarisation_mixing ? 1.0 : 0.0);

@@ -80,14 +80,18 @@ CurveMaximum maximum(const Curve& curve, std::span<const double> model) {
 
 // ---- criteria
 
+/// Between machines the minimum of a fit is found a little elsewhere.
+constexpr double of_fits = 0.05;
+
 Check median_criterion(const CurveSet& set, const Comparison& result) {
     constexpr double bound = 0.25, largest = 80;
     const FiguresOfMerit figures = figures_of_merit(set, result.model, {.largest_theta_i = largest});
     return {"median |ln(model / measured)| at most " + brief(bound) + " up to " + brief(largest) +
-                " deg incidence, all cameras",
+                " deg incidence",
             brief(figures.median_abs_log, 3) + " (" + std::to_string(figures.points) + " points)",
-            figures.median_abs_log <= bound &&
-                std::ranges::all_of(result.model, [](double value) { return value > 0; })};
+            figures.median_abs_log <= bound && figures.points > figures.without_log &&
+                std::ranges::all_of(result.model, [](double value) { return value > 0; }),
+            "", of_fits};
 }
 
 Check maxima_criterion(const Comparison& result) {
@@ -104,7 +108,8 @@ Check maxima_criterion(const Comparison& result) {
     }
     return {
         "off-specular maxima within " + brief(bound) + " deg of the measured ones, cameras at 20 ... 70 deg",
-        "worst " + brief(worst) + " deg (" + measured + ")", worst <= bound && !measured.empty()};
+        "worst " + brief(worst) + " deg (" + measured + ")", worst <= bound && !measured.empty(), "",
+        of_fits};
 }
 
 Check plateau_criterion(const CurveSet& set, const Comparison& result) {
@@ -113,7 +118,7 @@ Check plateau_criterion(const CurveSet& set, const Comparison& result) {
     return {"plateau within " + brief(100 * bound) + " % of " + brief(expected) + " 1/sr at 460 nm",
             brief(found.computed) + " 1/sr, measured " + brief(found.measured),
             std::abs(found.computed / expected - 1) <= bound,
-            "medians up to 60 deg, at least 10 deg from the mirror direction"};
+            "medians up to 60 deg, at least 10 deg from the mirror direction", of_fits};
 }
 
 }  // namespace
@@ -179,11 +184,13 @@ std::string roughness_statement(double rms_um, const MeasuredRoughness& measured
            brief(measured.rms_um) + " um (" + measured.method + ")";
 }
 
-std::vector<Check> criteria(const CurveSet& set, const Comparison& result) {
-    if (set.stem == "mwir-aluminium-sandblasted")
-        return {median_criterion(set, result), maxima_criterion(result)};
-    if (set.stem == "blue-acrylic") return {plateau_criterion(set, result)};
-    return {};
+std::vector<Check> criteria(const CurveSet& set, const Comparison& result, bool of_every_surface) {
+    const bool sandblasted = set.stem == "mwir-aluminium-sandblasted";
+    std::vector<Check> checks;
+    if (sandblasted || of_every_surface) checks.push_back(median_criterion(set, result));
+    if (sandblasted) checks.push_back(maxima_criterion(result));
+    if (set.stem == "blue-acrylic") checks.push_back(plateau_criterion(set, result));
+    return checks;
 }
 
 }  // namespace hts::validation

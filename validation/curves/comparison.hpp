@@ -78,6 +78,8 @@ struct Plateau {
 
 /// What is asked of a set by name: of "mwir-aluminium-sandblasted" the median deviation and the maxima, of
 /// "blue-acrylic" the plateau; nothing of others.
-[[nodiscard]] std::vector<Check> criteria(const CurveSet& set, const Comparison& result);
+///   of_every_surface   the median deviation of all, as a report asks it
+[[nodiscard]] std::vector<Check> criteria(const CurveSet& set, const Comparison& result,
+                                          bool of_every_surface = false);
 
 }  // namespace hts::validation

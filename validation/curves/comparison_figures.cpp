@@ -213,9 +213,9 @@ std::vector<Curve> model_lines(const CurveSet& set, const spectral::Material& ma
 Figure log_overlay(const ComparisonPicture& picture) {
     const CurveSet& set = picture.set;
     const bool pairs = scattered(set);
-    auto script =
-        begun(picture, std::string{"dots: "} + name(set.kind) + "     " + (pairs ? "crosses" : "lines") +
-                           ": model     x: " + swept_label(set) + "     y: " + value_label(set));
+    auto script = begun(picture, std::string{"dots: "} + name(set.kind) + "     " +
+                                     (pairs ? "crosses" : "lines") + ": model");
+    script.set("across", swept_label(set)).set("upwards", value_label(set));
     std::vector<std::string> panels;
     std::vector<int> scattered_curves, least, most;
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
@@ -243,11 +243,13 @@ Figure polar_overlay(const ComparisonPicture& picture) {
         begun(picture, std::string{"dots: "} + name(picture.set.kind) +
                            "     lines: model     radius: " + value_label(picture.set) + radius.text());
     std::vector<std::string> names, rings;
+    std::vector<double> angles;
     for (const std::size_t number : shown) {
         names.push_back(curve_name(picture.set, picture.set.curves[number]));
+        angles.push_back(picture.set.curves[number].fixed_angle());
     }
     for (int ring = 1; ring <= Radius::rings; ++ring) rings.push_back(radius.label(ring));
-    script.set("curve", shown).set("name", names).set("ring", rings);
+    script.set("curve", shown).set("name", names).set("theta_i", angles).set("ring", rings);
     script.set("largest", radius.largest).set("decades", radius.decades);
     return {picture.stem + "-polar",
             {points_table(picture), lines_table(picture)},

@@ -110,8 +110,10 @@ std::string described(const spectral::Material& material) {
     const auto& surface = material.properties().surface;
     if (!surface) return material.name() + " (" + material.model_source() + ")";
     const std::string model = material.model_name() == "he" ? "He-Torrance" : material.model_name();
-    return material.name() + " (" + model + ": σ₀ " + brief(surface->rms_roughness()) + " µm, τ " +
-           brief(surface->correlation_length()) + " µm, " + material.substance() + ")";
+    const auto& [along, across] = surface->correlation_lengths();
+    const std::string length = brief(along) + (surface->isotropic() ? "" : " and " + brief(across));
+    return material.name() + " (" + model + ": σ₀ " + brief(surface->rms_roughness()) + " µm, τ " + length +
+           " µm, " + material.substance() + ")";
 }
 
 Section comparison_section(const CurveSet& set, const spectral::Material& material, const Trial& trial) {
@@ -124,7 +126,7 @@ Section comparison_section(const CurveSet& set, const spectral::Material& materi
     Section section{.stem = stem,
                     .title = set.surface,
                     .text = section_text(set, result, trial),
-                    .checks = criteria(set, result),
+                    .checks = criteria(set, result, trial.in_report),
                     .figures = {log_overlay(picture)},
                     .images = {},
                     .tables = {figures_table(set, result, stem)},

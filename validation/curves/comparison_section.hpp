@@ -16,8 +16,9 @@ struct Trial {
     int free_parameters = 0;  ///< fitted to the set
     spectral::OutsideRange policy = spectral::OutsideRange::error;
     AveragingNodes nodes{};
-    double scale = 1;    ///< a factor on the model, where one was fitted
-    std::string stem{};  ///< of all files; that of the set if empty
+    double scale = 1;        ///< a factor on the model, where one was fitted
+    std::string stem{};      ///< of all files; that of the set if empty
+    bool in_report = false;  ///< where every surface has a verdict
 };
 
 /// Model, roughness and albedo as a material file gives them: "he: rms roughness 0.28 um, correlation length

@@ -138,10 +138,10 @@ FitFamily facets(const char* name, const ParameterRange& shape, FacetDistributio
     return {name,
             "walter",
             {{"distribution", '"' + std::string{name} + '"'}},
-            {shape, index_n, index_k},
+            {shape, albedo, index_n, index_k},
             {},
             each_by([of](const ModelNumbers& numbers) {
-                return WalterInterface{of(numbers.own[0]), numbers.index, 1};
+                return WalterInterface{of(numbers.own[0]), numbers.index, 1, numbers.own[1]};
             }),
             true};
 }

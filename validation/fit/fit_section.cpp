@@ -109,7 +109,21 @@ Section section_of(const CaseResult& result) {
                                .free_parameters = static_cast<int>(result.fit.statistics.free_parameters),
                                .policy = spectral::OutsideRange::hold,
                                .nodes = result.asked.selection.nodes,
-                               .scale = scale});
+                               .scale = scale,
+                               .in_report = true});
+}
+
+/// How many surfaces are met, and which is farthest.
+std::string surfaces_text(const std::vector<Section>& surfaces) {
+    const auto median = [](const Section& section) {
+        return spectral::number_in(spectral::words(section.checks[0].measured)[0]);
+    };
+    const auto met =
+        std::ranges::count_if(surfaces, [](const Section& section) { return section.checks[0].passed; });
+    const auto worst = std::ranges::max_element(surfaces, {}, median);
+    return std::to_string(met) + " of " + std::to_string(surfaces.size()) +
+           " measured surfaces have a median |ln(model / measured)| of at most 0.25; the farthest is " +
+           worst->title + ", " + worst->checks[0].measured + ".";
 }
 
 }  // namespace
@@ -125,9 +139,15 @@ std::vector<Section> fits_sections(Effort effort) {
                                    .images = {},
                                    .tables = {parameter_table(results), statement_table(results)},
                                    .not_available = {}}};
+    std::vector<Section> surfaces;
     for (const CaseResult& result : results) {
-        if (result.asked.judged) sections.push_back(section_of(result));
+        if (!result.asked.judged) continue;
+        surfaces.push_back(section_of(result));
+        surfaces.back().part_of_another = true;
+        if (effort == Effort::quick) mark_as_quick(surfaces.back().checks);
     }
+    sections.front().learned = surfaces_text(surfaces);
+    std::ranges::move(surfaces, std::back_inserter(sections));
     return sections;
 }
 

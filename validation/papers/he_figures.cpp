@@ -48,7 +48,7 @@ std::string stem(const HeFigure& figure) {
 FigureTable table(const HeFigure& figure, const std::vector<PolarCurve>& curves) {
     FigureTable numbers{stem(figure),
                         {"theta_i_deg", "view_angle_deg", "directional_diffuse", "uniform_diffuse",
-                         "specular_average", "radius"},
+                         "specular_average_per_sr", "radius"},
                         {}};
     for (const PolarCurve& curve : curves) {
         for (const PolarPoint& point : curve.points) {

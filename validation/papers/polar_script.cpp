@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hts/error.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::validation {
@@ -108,10 +109,16 @@ std::string sine_script(const std::vector<SineCurve>& curves, const std::string&
         middle.push_back(record + curve.beyond.size());
         last.push_back(middle.back() + curve.within.size() - 1);
         record = last.back() + 1;
+        double most = 0;
         for (const auto* side : {&curve.beyond, &curve.within})
-            for (const SinePoint& point : *side) largest = std::max(largest, point.brdf());
+            for (const SinePoint& point : *side) most = std::max(most, point.brdf());
+        if (curve.beyond.empty() || !(most > 0)) {
+            throw Error{"BRDF at theta_i " + shortest(curve.theta_i) +
+                        " deg is 0: nothing to draw on a logarithmic axis"};
+        }
+        largest = std::max(largest, most);
     }
-    const double top = std::pow(10, top_decade(largest > 0 ? largest : 1));
+    const double top = std::pow(10, top_decade(largest));
     output::Script script;
     script.set("title", title).set("data", data_file).set("theta_i", angles).set("top", top);
     return script.set("first", first).set("middle", middle).set("last", last).with("sine");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/pictures/letter.hpp"
 #include "validation/pictures/picture.hpp"
 #include "validation/pictures/scene_builders.hpp"
 
@@ -16,12 +17,14 @@ Picture picture_of(const Gallery& gallery, RenderSettings settings, const Progre
     settings.height = static_cast<std::size_t>(
         std::max(1L, std::lround(gallery.height_over_width * static_cast<double>(settings.width))));
     const auto count = static_cast<double>(scenes.size());
+    const bool lettered = gallery.caption.find("(a)") != std::string::npos;
     std::vector<Picture> pictures;
     for (const Scene& scene : scenes) {
         const auto before = static_cast<double>(pictures.size());
         pictures.push_back(render(scene, settings, [&](double share) {
             if (progress) progress((before + share) / count);
         }));
+        if (lettered) put_letter(pictures.back(), pictures.size() - 1);
     }
     return panels(pictures, gallery.columns, gap);
 }

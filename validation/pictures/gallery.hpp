@@ -19,7 +19,7 @@ struct Gallery {
     std::function<std::vector<Scene>()> scenes;
 };
 
-/// Its panels in one picture.
+/// Its panels in one picture, lettered where the caption speaks of (a).
 ///   settings   width is that of the whole picture; height is not asked for
 [[nodiscard]] Picture picture_of(const Gallery& gallery, RenderSettings settings,
                                  const Progress& progress = {});

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spectral/output/figure.hpp"
+#include "spectral/text/verdict.hpp"
 
 namespace hts::validation {
 
@@ -17,6 +19,11 @@ struct Check {
     std::string measured;  ///< "0.31"
     bool passed;
     std::string remark{};  ///< where it fails, why
+    /// Relative change of the numbers in `measured` that is still the same result: what another machine,
+    /// compiler or minimum of a fit may make of them.
+    double tolerance = 0.01;
+
+    [[nodiscard]] const char* verdict() const noexcept { return spectral::verdict(passed); }
 };
 
 /// A table to be read.
@@ -43,9 +50,15 @@ struct Section {
     std::vector<Image> images;
     std::vector<ReportTable> tables;
     std::vector<std::string> not_available;  ///< what one would want to see and nobody has
+    std::string learned{};         ///< a sentence for the head of the page; "" leaves it to the checks
+    bool part_of_another = false;  ///< whose `learned` speaks of it too
 };
 
 /// How much work a validation does.
 enum class Effort { quick, full };
+
+/// What is computed of few points or realisations says so in its claims.
+inline constexpr std::string_view quick_mark = "quick: ";
+void mark_as_quick(std::vector<Check>& checks);
 
 }  // namespace hts::validation

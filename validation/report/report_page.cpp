@@ -66,22 +66,42 @@ std::string row(const std::vector<std::string>& cells, const std::string& cell) 
     return html + "</tr>\n";
 }
 
-std::string check_row(const Check& check) {
-    std::string html = check.passed ? "<tr><td class=\"verdict good\">&#10003; met</td><td>"
-                                    : "<tr><td class=\"verdict bad\">&#10007; missed</td><td>";
-    html.append(html_escaped(check.claim)).append("</td><td>").append(html_escaped(check.measured));
+std::string link_to(const std::string& stem, const std::string& text) {
+    return "<a href=\"#" + html_escaped(stem) + "\">" + html_escaped(text) + "</a>";
+}
+
+///   section   that the claim leads to; null: the claim stands there
+std::string check_row(const Check& check, const Section* section = nullptr) {
+    std::string html = "<tr><td class=\"verdict ";
+    html.append(check.passed ? "good\">&#10003; " : "bad\">&#10007; ").append(check.verdict());
+    html.append("</td><td>").append(html_escaped(check.claim));
+    if (section != nullptr) html.append("<br>").append(link_to(section->stem, section->title));
+    html.append("</td><td>").append(html_escaped(check.measured));
     html.append("</td><td class=\"soft\">").append(html_escaped(check.remark)).append("</td></tr>\n");
     return html;
 }
 
-constexpr auto checks_head =
-    "<table><tr><th>verdict</th><th>criterion</th><th>measured</th><th>remark</th></tr>\n";
+std::string checks_table(const std::string& rows) {
+    if (rows.empty()) return "";
+    return "<div class=\"wide checks\"><table><tr><th>verdict</th><th>criterion</th><th>measured</th>"
+           "<th>remark</th></tr>\n" +
+           rows + "</table></div>\n";
+}
 
 std::string checks_table(const std::vector<Check>& checks) {
-    if (checks.empty()) return "";
-    std::string html = checks_head;
-    for (const Check& check : checks) html += check_row(check);
-    return html + "</table>\n";
+    std::string rows;
+    for (const Check& check : checks) rows += check_row(check);
+    return checks_table(rows);
+}
+
+std::string list(const std::vector<std::string>& items) {
+    std::string html = "<ul>\n";
+    for (const std::string& item : items) html += "<li>" + item + "</li>\n";
+    return html + "</ul>\n";
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+    return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
 std::string table(const ReportTable& numbers) {
@@ -104,46 +124,97 @@ std::string images(const std::vector<Image>& pictures) {
     return html + "</div>\n";
 }
 
+/// "7 of 12", in the colour of what it says; "" without checks.
+std::string score(const Section& section) {
+    const Tally own = tally({section});
+    if (own.all == 0) return "";
+    return " <span class=\"" + std::string{own.passed == own.all ? "good" : "bad"} + "\">" +
+           std::to_string(own.passed) + " of " + std::to_string(own.all) + " met</span>";
+}
+
+/// A part of the page that folds, closed at first.
+std::string folded(const std::string& id, const std::string& title, const std::string& beside,
+                   const std::string& content) {
+    return "<details id=\"" + html_escaped(id) + "\"><summary><h2>" + html_escaped(title) + "</h2>" + beside +
+           "</summary>\n" + content +
+           "<p class=\"soft\"><a href=\"#contents\">Back to the contents</a></p>\n" + "</details>\n";
+}
+
 std::string section_html(const Section& section,
                          const std::function<std::string(const Figure& figure)>& svg) {
-    std::string html = "<h2 id=\"" + html_escaped(section.stem) + "\">" + html_escaped(section.title) +
-                       "</h2>\n" + paragraphs(section.text) + checks_table(section.checks);
+    std::string html = paragraphs(section.text) + checks_table(section.checks);
     for (const Figure& figure : section.figures) {
-        html += "<figure>" + inline_svg(svg(figure), figure.stem) + "<figcaption>" +
-                html_escaped(figure.caption) + "</figcaption></figure>\n";
+        html += "<figure class=\"chart\"><div class=\"wide\">" + inline_svg(svg(figure), figure.stem) +
+                "</div><figcaption>" + html_escaped(figure.caption) + "</figcaption></figure>\n";
     }
     html += images(section.images);
     for (const ReportTable& numbers : section.tables) html += table(numbers);
     for (const std::string& missing : section.not_available) {
         html += "<p class=\"model\">Not available: " + html_escaped(missing) + "</p>\n";
     }
-    return html;
+    return folded(section.stem, section.title, score(section), html);
 }
 
-std::string link(const Section& section) {
-    const Tally own = tally({section});
-    std::string html =
-        "<li><a href=\"#" + html_escaped(section.stem) + "\">" + html_escaped(section.title) + "</a>";
-    if (own.all > 0) {
-        html.append(" <span class=\"").append(own.passed == own.all ? "good" : "bad").append("\">");
-        html.append(std::to_string(own.passed))
-            .append(" of ")
-            .append(std::to_string(own.all))
-            .append("</span>");
+/// Links to all sections.
+std::string contents(const std::vector<Section>& sections) {
+    std::string html = "<h2 id=\"contents\">Contents</h2>\n<ol>\n";
+    for (const Section& section : sections)
+        html += "<li>" + link_to(section.stem, section.title) + score(section) + "</li>\n";
+    return html + "</ol>\n";
+}
+
+/// What is learned of a section whose checks alone say it.
+std::string learned_of_checks(const Section& section) {
+    const auto missed = std::ranges::find(section.checks, false, &Check::passed);
+    std::string text = score(section);
+    if (missed != section.checks.end())
+        text += ", not: " + html_escaped(missed->claim + " (" + missed->measured + ")");
+    return text + ".";
+}
+
+/// A line for each section that has something to say; those of measured surfaces are summed up in one.
+std::string learned(const std::vector<Section>& sections) {
+    std::vector<std::string> lines;
+    for (const Section& section : sections) {
+        const std::string head = link_to(section.stem, section.title) + ": ";
+        if (!section.learned.empty()) {
+            lines.push_back(head + html_escaped(section.learned));
+        } else if (!section.checks.empty() && !section.part_of_another) {
+            lines.push_back(head + learned_of_checks(section));
+        }
     }
-    return html + "</li>\n";
+    return lines.empty() ? "" : "<h2>What was learned</h2>\n" + list(lines);
 }
 
 /// What failed, of all sections.
 std::string misses(const std::vector<Section>& sections) {
-    std::string html;
+    std::string rows;
     for (const Section& section : sections) {
         for (const Check& check : section.checks) {
-            if (!check.passed) html += check_row(check);
+            if (!check.passed) rows += check_row(check, &section);
         }
     }
-    return html.empty() ? "" : "<h2>What was missed</h2>\n" + std::string{checks_head} + html + "</table>\n";
+    return rows.empty() ? "" : folded("missed", "What was missed", "", checks_table(rows));
 }
+
+/// Whether the program still does what it is known to do.
+std::string regressions(const std::vector<std::string>& contradictions) {
+    if (contradictions.empty())
+        return "<p>Every result is the one recorded: the program does what it is known to do. A criterion "
+               "that "
+               "is missed is a finding on the model.</p>\n";
+    std::vector<std::string> lines;
+    for (const std::string& line : contradictions) lines.push_back(html_escaped(line));
+    return "<h2 class=\"bad\">" + counted(contradictions.size(), "result contradicts", "results contradict") +
+           " what is recorded</h2>\n" + list(lines);
+}
+
+// A link to what is folded opens it.
+constexpr auto unfolding =
+    "<script>const open = () => { const part = "
+    "document.getElementById(decodeURIComponent(location.hash.slice(1)));"
+    " if (part?.tagName === 'DETAILS') { part.open = true; part.scrollIntoView(); } };"
+    " addEventListener('hashchange', open); open();</script>\n";
 
 nlohmann::ordered_json json_of(const ReportTable& numbers) {
     return {{"stem", numbers.stem},
@@ -155,12 +226,14 @@ nlohmann::ordered_json json_of(const ReportTable& numbers) {
 nlohmann::ordered_json json_of(const Check& check) {
     return {{"claim", check.claim},
             {"measured", check.measured},
+            {"verdict", check.verdict()},
             {"passed", check.passed},
             {"remark", check.remark}};
 }
 
 nlohmann::ordered_json json_of(const Section& section) {
-    nlohmann::ordered_json json{{"stem", section.stem}, {"title", section.title}};
+    nlohmann::ordered_json json{
+        {"stem", section.stem}, {"title", section.title}, {"learned", section.learned}};
     json["checks"] = nlohmann::ordered_json::array();
     for (const Check& check : section.checks) json["checks"].push_back(json_of(check));
     json["tables"] = nlohmann::ordered_json::array();
@@ -180,25 +253,28 @@ Tally tally(const std::vector<Section>& sections) {
     return result;
 }
 
-std::string report_page(const std::vector<Section>& sections, const std::string& provenance,
+std::string report_page(const Validation& findings, const std::string& provenance,
                         const std::function<std::string(const Figure& figure)>& svg) {
+    const auto& [sections, contradictions] = findings;
     const Tally all = tally(sections);
     std::string page = output::html_head(
         "Validation of the He-Torrance model",
         "The He-Torrance model against measurements, exact scattering and its paper", "report");
-    page += "<p>" + std::to_string(all.passed) + " of " + std::to_string(all.all) +
-            " criteria are met. <span class=\"soft\">" + html_escaped(provenance) + "</span></p>\n<ol>\n";
-    for (const Section& section : sections) page += link(section);
-    page += "</ol>\n" + misses(sections);
+    page += "<p><strong>" + std::to_string(all.passed) + " of " + std::to_string(all.all) +
+            " criteria are met.</strong> <span class=\"soft\">" + html_escaped(provenance) + "</span></p>\n";
+    page += regressions(contradictions) + learned(sections) + contents(sections) + misses(sections);
     for (const Section& section : sections) page += section_html(section, svg);
-    return page.append(output::html_foot);
+    return page.append(unfolding).append(output::html_foot);
 }
 
-std::string report_json(const std::vector<Section>& sections, const std::string& provenance) {
-    const Tally all = tally(sections);
-    nlohmann::ordered_json json{{"provenance", provenance}, {"passed", all.passed}, {"checks", all.all}};
+std::string report_json(const Validation& findings, const std::string& provenance) {
+    const Tally all = tally(findings.sections);
+    nlohmann::ordered_json json{{"provenance", provenance},
+                                {"passed", all.passed},
+                                {"checks", all.all},
+                                {"contradictions", findings.contradictions}};
     json["sections"] = nlohmann::ordered_json::array();
-    for (const Section& section : sections) json["sections"].push_back(json_of(section));
+    for (const Section& section : findings.sections) json["sections"].push_back(json_of(section));
     return json.dump(2) + "\n";
 }
 

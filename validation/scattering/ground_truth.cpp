@@ -73,7 +73,7 @@ GroundTruth ground_truth(std::string provenance, std::vector<FigureTable> tables
 Section section_of(GroundTruth computed, Effort effort, AddResults add_results) {
     Section section = std::move(computed.section);
     if (effort == Effort::full) return section;
-    for (Check& check : section.checks) check.claim.insert(0, "quick: ");
+    mark_as_quick(section.checks);
     section.figures.clear();
     std::vector<FigureTable> kept;
     for (const FigureTable& table : computed.tables) kept.push_back(kept_table(table.stem));

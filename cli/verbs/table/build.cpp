@@ -13,6 +13,7 @@
 #include "spectral/jobs/progress.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
+#include "tables/sharing/own_constants.hpp"
 #include "tables/sharing/table_parts.hpp"
 
 namespace hts::cli {
@@ -61,9 +62,11 @@ tables::TableJob job_from(const BuildOptions& options) {
     if (options.material.policy() == spectral::OutsideRange::zero)
         throw UsageError{"--outside zero: must be error or hold, since a table holds logarithms"};
     const std::string text = spectral::read_text_file(options.material.path);
-    return {{reflector.name(), text, path_for(text, options.material.path), options.material.policy()},
-            {grid.micrometres().begin(), grid.micrometres().end()},
-            options.request};
+    return {
+        tables::with_own_constants(
+            {reflector.name(), text, path_for(text, options.material.path), options.material.policy()}, grid),
+        {grid.micrometres().begin(), grid.micrometres().end()},
+        options.request};
 }
 
 void report(const std::string& path, double seconds) {

@@ -16,7 +16,8 @@ namespace hts::cli {
 namespace {
 
 constexpr auto check_help = R"(
-The exact model is built from the material that the table holds. Exit code 1 where the
+The exact model is built from the material that the table holds, with the optical constants
+it was built from, whatever has become of their file. Exit code 1 where the
 largest error is above the tolerance that the table promises. between_median,
 between_percentile_99 and between_largest are errors half-way between the table's
 wavelengths, where hts table lookup interpolates and nothing is promised, measured on at

@@ -105,6 +105,10 @@ Source source_of(const ExportOptions& options, const TableFormat& format) {
     const MaterialOptions material{options.source, options.outside};
     const auto described = material.read();
     const auto& channels = described.properties().channels;
+    const bool takes_colour = std::ranges::find(format.takes, "--colour") != format.takes.end();
+    if (!in_colour(options, format) && channels.size() > 1 && takes_colour)
+        throw Error{described.name() + ": holds the channels " + spectral::joined(channels) +
+                    ": must be written with --colour"};
     if (!in_colour(options, format) || channels.size() == 1) require_spectrum(described);
     const std::string otherwise = channels.empty() ? default_wavelengths(options, format) : "0.46,0.55,0.62";
     const auto wavelengths =

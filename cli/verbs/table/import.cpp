@@ -84,7 +84,8 @@ std::vector<double> albedo(const spectral::Reflectance& brdf, const Direction& i
 void write_summary(const ImportOptions& options, const spectral::Reflectance& brdf,
                    const std::vector<std::string>& channels) {
     Output output{"-"};
-    std::vector<std::string> columns{"wavelength_um", "albedo_0", "albedo_30", "albedo_60"};
+    std::vector<std::string> columns{"wavelength_um", "albedo_at_0_deg", "albedo_at_30_deg",
+                                     "albedo_at_60_deg"};
     if (!channels.empty()) columns.emplace_back("channel");
     TableWriter table{output, format_of("-", options.json), columns};
     std::vector<std::vector<double>> albedos;

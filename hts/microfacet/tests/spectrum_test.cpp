@@ -70,8 +70,9 @@ TEST_CASE("spectra of diffuse models") {
 TEST_CASE("spectra of facets that reflect as planes do") {
     const auto wide = FacetDistribution::ggx(0.5), wider = FacetDistribution::beckmann(0.5);
     check<WalterBrdf>("Walter", {{wide, {0.2, 3}}, {wide, {1.5, 0}}, {wide, {0.5, 0.1}}, {wider, {0.2, 3}}});
-    check<WalterInterface>("Walter, glass",
-                           {{wide, {0.2, 3}, 1}, {wide, {1.5, 0}, 1}, {wide, {1.4, 0}, 1.1}});
+    check<WalterInterface>(
+        "Walter, glass",
+        {{wide, {0.2, 3}, 1}, {wide, {1.5, 0}, 1}, {wide, {1.4, 0}, 1.1}, {wide, {1.4, 0}, 1.1, 0.3}});
     const AshikhminFacets rough{NormalDensity::gaussian(0.3, 0.3)},
         velvet{NormalDensity::inverse_gaussian(0.5)};
     check<AshikhminBrdf>("Ashikhmin", {{rough, FacetFresnel::schlick(0.05), 0.5},

@@ -1,11 +1,13 @@
 // How the sampler of hts/microfacet/walter.hpp draws; walter_test.cpp has the values.
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "checks.hpp"
+#include "hts/microfacet/albedo.hpp"
 #include "walter_cases.hpp"
 
 using namespace hts;
@@ -120,6 +122,36 @@ TEST_CASE("Walter: weight and density of a draw are those of its direction") {
     weights.check();
     densities.check();
     lengths.check();
+}
+
+TEST_CASE("Walter: with a diffuse term draws are of both, and their mean weight is the albedo") {
+    const WalterInterface bare{FacetDistribution::ggx(0.3), {1.5, 0}, 1},
+        painted{FacetDistribution::ggx(0.3), {1.5, 0}, 1, 0.4};
+    CHECK(bare.transmits());
+    CHECK_FALSE(painted.transmits());
+    CHECK_THROWS_AS((WalterInterface{FacetDistribution::ggx(0.3), {1.5, 0}, 1, 1.1}), Error);
+    Random random{11};
+    for (const double degrees : {0.0, 40.0, 80.0}) {
+        const Direction in = Direction::from_degrees(degrees, 20);
+        const double albedo = directional_albedo(painted, in);
+        CHECK(albedo == Approx(directional_albedo(bare, in) + 0.4).epsilon(1e-6));
+        constexpr int draws = 40'000;
+        double sum = 0, squares = 0;
+        for (int i = 0; i < draws; ++i) {
+            const Draw drawn =
+                painted.sample(in, {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
+            sum += drawn.weight / draws;
+            squares += drawn.weight * drawn.weight / draws;
+            if (drawn.lobe == Lobe::none) continue;
+            REQUIRE(drawn.pdf == painted.pdf(in, drawn.out));
+            REQUIRE(drawn.weight * drawn.pdf ==
+                    Approx(painted.brdf(in, drawn.out) * drawn.out.cos_theta()).epsilon(1e-12));
+            REQUIRE(painted.brdf(in, drawn.out) - bare.brdf(in, drawn.out) ==
+                    Approx(0.4 * std::numbers::inv_pi).epsilon(1e-9));
+        }
+        CHECK(std::abs(sum - albedo) < 4 * std::sqrt((squares - sum * sum) / draws));
+        CHECK(painted.pdf(in, in.mirror()) < 1e4);
+    }
 }
 
 TEST_CASE("Walter: weights stay within the bounds of the paper and of visible normals") {

@@ -233,6 +233,21 @@ TEST_CASE("properties say what can be asked of a material") {
     CHECK_FALSE(reflectance_of("walter").properties().transmitting);
 }
 
+TEST_CASE("a pigment under facets adds the same radiance everywhere, and lets nothing through") {
+    const TemporaryFolder folder;
+    const std::string facets =
+        R"({"model": "walter", "distribution": "beckmann", "alpha": 0.3, "index": {"n": 1.5, "k": 0})";
+    const auto bare = material_of(folder, facets + "}").at(green);
+    const auto painted =
+        material_of(folder, facets + R"(, "diffuse_albedo": {"table": [[0.4, 0.2], [0.7, 0.5]]}})").at(green);
+    CHECK_FALSE(painted.properties().transmitting);
+    const double um = green.micrometres(), albedo = 0.2 + 0.3 * (um - 0.4) / 0.3;
+    const DirectionPair pair{Direction::from_degrees(40, 0), Direction::from_degrees(30, 170)};
+    CHECK(painted.brdf(pair)[0] == Approx(bare.brdf(pair)[0] + albedo / pi).epsilon(1e-14));
+    CHECK(painted.uniform_diffuse()[0] == Approx(albedo / pi).epsilon(1e-14));
+    CHECK(painted.directional_diffuse(pair)[0] == Approx(bare.brdf(pair)[0]).epsilon(1e-12));
+}
+
 TEST_CASE("what a model has not is refused by name") {
     const TemporaryFolder folder;
     const Material lambert = material_of(folder, files.at("lambert"));
@@ -298,6 +313,8 @@ TEST_CASE("what is wrong with a material file is named by key and legal range") 
          {"\"distribution\"", "rough", "ggx"}},
         {R"({"model": "walter", "distribution": "ggx", "alpha": 1, "index": "Au", "exterior_index": 0})",
          {"\"exterior_index\"", "0"}},
+        {R"({"model": "walter", "distribution": "ggx", "alpha": 1, "index": "Au", "diffuse_albedo": 1.5})",
+         {"\"diffuse_albedo\"", "1.5", "0 to 1"}},
         {kurt + R"("my": 0, "alpha": 0}]})", {"\"lobes[1].my\"", "0"}},
         {kurt + R"("my": 1, "alpha": 2}]})", {"\"lobes[1].alpha\"", "2", "below 2"}},
         {kurt + R"("my": 1}]})", {"\"lobes[1].alpha\"", "missing"}},

@@ -1,15 +1,14 @@
 # Measured dots and the model's lines, polar, in the plane of incidence.
 #   surface, model, legend         texts
 #   points, lines                  CSV files, with the number of the curve in column 1
-#   curve[], name[]                numbers and names of the curves that are shown
+#   curve[], name[], theta_i[]      numbers, names and angles of the curves that are shown
 #   largest, decades, ring[]       radius: the value at the outermost circle, decades from the middle or 0 if
 #                                  linear, labels
-colours = '#0072b2 #d55e00 #009e73 #cc79a7 #e69f00'
 L(v) = decades == 0 ? v / largest : v > 0 ? 1 + log10(v / largest) / decades : 0
 R(v) = L(v) < 0 ? 0 : L(v) > 1 ? 1 : L(v)
-set label surface at screen 0.03,0.965 left noenhanced font ',15' tc rgb '#111111'
-set label model at screen 0.03,0.92 left noenhanced font ',11' tc rgb '#111111'
-set label legend at screen 0.03,0.025 left noenhanced font ',11' tc rgb '#111111'
+set label surface at screen 0.03,0.965 left noenhanced font ',17' tc rgb '#111111'
+set label model at screen 0.03,0.92 left noenhanced font ',12' tc rgb '#111111'
+set label legend at screen 0.03,0.025 left noenhanced font ',12' tc rgb '#111111'
 unset border
 unset tics
 unset grid
@@ -38,7 +37,7 @@ do for [i=1:|ring|] {
 }
 do for [i=1:|curve|] {
     picked = sprintf(' every ::1 using ($1 == %d ? R(', curve[i])
-    style = sprintf(' lc rgb "%s" ', word(colours, i))
+    style = sprintf(' lc rgb "%s" ', curve_colour(i, |theta_i|))
     dots = 'points' . picked . '$5)*sin($3) : NaN):(R($5)*cos($3)) with points pt 7 ps 0.42' . style . \
         'notitle, '
     line = 'lines' . picked . '$4)*sin($3) : NaN):(R($4)*cos($3)) with lines lw 2' . style

@@ -4,9 +4,9 @@
 #   scattered                1: against the tilt of the facets, else the swept angle, coloured by the fixed
 #                            one
 #   swept, fixed             what the axes are
-set label surface at screen 0.03,0.965 left noenhanced font ',15' tc rgb '#111111'
-set label model at screen 0.03,0.92 left noenhanced font ',11' tc rgb '#111111'
-set label legend at screen 0.03,0.025 left noenhanced font ',11' tc rgb '#111111'
+set label surface at screen 0.03,0.965 left noenhanced font ',17' tc rgb '#111111'
+set label model at screen 0.03,0.92 left noenhanced font ',12' tc rgb '#111111'
+set label legend at screen 0.03,0.025 left noenhanced font ',12' tc rgb '#111111'
 set tmargin at screen 0.88
 set bmargin at screen 0.2
 set lmargin at screen 0.09

@@ -22,7 +22,7 @@ time_tics = \
 
 set label title at screen 0.012,0.975 left front noenhanced font ',20' textcolor rgb '#000000'
 set label subtitle at screen 0.012,0.945 left front noenhanced font ',13' textcolor rgb '#333333'
-set label machine at screen 0.012,0.016 left front noenhanced font ',11' textcolor rgb '#555555'
+set label machine at screen 0.012,0.016 left front noenhanced font ',12' textcolor rgb '#555555'
 do for [i=1:|legend|] {
     set label legend[i] at screen legend_x[i],legend_y[i] left front noenhanced \
         font (legend_marker[i] == 0 ? ',13' : ',12') \

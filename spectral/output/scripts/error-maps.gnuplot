@@ -18,7 +18,7 @@ set style fill solid 1
 
 set label title at screen 0.012,0.975 left front noenhanced font ',20' textcolor rgb '#000000'
 set label subtitle at screen 0.012,0.945 left front noenhanced font ',13' textcolor rgb '#333333'
-set label machine at screen 0.012,0.016 left front noenhanced font ',11' textcolor rgb '#555555'
+set label machine at screen 0.012,0.016 left front noenhanced font ',12' textcolor rgb '#555555'
 set label 'relative error' at screen 0.012,0.05 left front noenhanced font ',13' textcolor rgb '#000000'
 do for [i=1:|class_name|] {
     x = 0.1 + 0.081 * (i - 1) + (i == |class_name| ? 0.064 : 0)

@@ -15,7 +15,7 @@ set format x '10^{%L}'
 set xlabel 'closed form [1/sr]'
 set ylabel 'computed / closed form'
 set yrange [0.5:1.6]
-set key inside top left Left reverse vertical maxrows 3 samplen 0.8 font ',11'
+set key inside top left Left reverse vertical maxrows 3 samplen 0.8 font ',12'
 set arrow from graph 0, first 1 to graph 1, first 1 nohead lc rgb '#888888'
 colours = '#0072b2 #56b4e9 #009e73 #e69f00 #d55e00 #aa4499'
 plot for [i=1:|surface|] $ratios index i-1 using 1:2:3 with yerrorbars pt 7 ps 0.4 lw 1 \
@@ -30,5 +30,5 @@ set yrange [0:1]
 set xlabel '(computed - closed form) / standard error'
 set ylabel 'share of directions below'
 plot norm(x) with lines lw 2 lc rgb '#888888' title 'chance', \
-    $deviations using 1:2 with steps lw 2 lc rgb '#0072b2' title 'found'
+    $deviations using 1:2 with steps lw 2 lc rgb '#000000' title 'found'
 unset multiplot

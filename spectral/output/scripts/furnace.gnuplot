@@ -4,6 +4,7 @@
 #   degrees_from, degrees_to      what the axes span; of the roughness powers of ten
 #   powers_from, powers_to
 #   class_name[], class_colour[]  of the values
+#   everywhere[]                  of the panels: the class of all values, "" if they are of several
 #   $cells                        left, right, bottom, top, colour; an index per panel
 columns = 3
 rows = (|slope| + columns - 1) / columns
@@ -44,6 +45,10 @@ do for [i=0:|slope|-1] {
     set ylabel (leftmost ? 'σ_0/λ' : '') offset 0.5,0
     set xlabel (lowest ? 'angle of incidence' : '') offset 0,0.3
     set title sprintf('σ_0/τ = %.15g', slope[i + 1]) offset 0,-0.6 font ',14'
+    if (everywhere[i + 1] ne '') {
+        set label everywhere[i + 1] . ' everywhere' at graph 0.5,0.5 center front noenhanced font ',14' \
+            textcolor rgb '#000000'
+    }
     plot $cells index i using (($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror \
         fs solid 1 border lw 0.3 lc rgb variable notitle
     unset label

@@ -13,6 +13,5 @@ set xrange [-90:90]
 set xtics 15
 set yrange [0.01:1000]
 set key at graph 0.03,0.97 left top reverse Left
-colours = '#0072b2 #d55e00 #009e73 #aa4499'
-plot for [i=1:|theta_i|] data every ::first[i]::last[i] using 2:6 with lines lw 2.4 lc rgb word(colours, i) \
+plot for [i=1:|theta_i|] data every ::first[i]::last[i] using 2:6 with lines lw 2.4 lc rgb angle_colour(theta_i[i]) \
     title sprintf('θ_i = %.15g°', theta_i[i])

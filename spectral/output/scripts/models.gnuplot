@@ -21,7 +21,7 @@ set label 'Every other model is fitted to it on each surface, optical constants 
 set label 'Error: |f - f_he| / (f_he + peak/100) over random pairs up to 80 deg, at 0.46, 0.54, 0.62 and ' . \
     '0.70 um.' \
     at screen 0.03,0.91 left noenhanced font ',13' tc rgb '#111111'
-set label machine at screen 0.03,0.02 left noenhanced font ',11' tc rgb '#111111'
+set label machine at screen 0.03,0.02 left noenhanced font ',12' tc rgb '#111111'
 
 before = 0
 

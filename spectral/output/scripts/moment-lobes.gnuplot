@@ -15,7 +15,7 @@ set label title at screen 0.015,down(27) left noenhanced font ',19' tc rgb '#111
 set label 'Incoherent power per angle [dB re 1/rad], averages over 5°; negative angles: the side of the ' . \
     'source.' \
     at screen 0.015,down(54) left noenhanced font ',13' tc rgb '#111111'
-set multiplot layout rows,columns margins 0.07,0.97,six(1-down(82)),six(down(136)) spacing 0.07,six(60./height)
+set multiplot layout rows,columns margins 0.085,0.97,six(1-down(82)),six(down(136)) spacing 0.07,six(60./height)
 set xrange [-90:90]
 set xtics 30
 set key at screen 0.97,down(90) right bottom horizontal samplen 1.6 font ',12'
@@ -24,6 +24,7 @@ do for [i=0:|top|-1] {
     set yrange [top[i + 1]-40:top[i + 1]]
     set title sprintf('σ_0 = %.6g λ, τ = %.6g λ, θ_i = %.6g°', roughness[i + 1], length[i + 1], theta_i[i + \
         1]) font ',13' offset 0,-0.8
+    set ylabel (i % columns == 0 ? 'power [dB re 1/rad]' : '') offset 1,0
     if (i + columns >= |top|) { set xlabel 'angle of scattering [°]' offset 0,0.5 }
     if (polarised) {
         plot $lobes index i using 1:2 with points pt 7 ps 0.45 lc rgb '#000000' title 'exact, TE', \

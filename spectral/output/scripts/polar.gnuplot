@@ -6,8 +6,6 @@
 #   largest                      what the outermost circle stands for, where the radius is linear
 #   decades, top                 else the decades from the middle out, and the power of ten at the outermost
 #                                circle
-colours = '#0072b2 #d55e00 #009e73 #aa4499 #000000 #e69f00 #56b4e9 #777777'
-colour(i) = word(colours, (i - 1) % 8 + 1)
 L(v) = 1 + (log10(v) - top) / decades
 R(v) = decades == 0 ? v / largest : v > 0 && L(v) > 0 ? L(v) : 0
 
@@ -45,7 +43,7 @@ set label 'mirror side' at 1.32,0.03 right tc rgb '#666666' font ',13'
 do for [i=1:|theta_i|] {
     x = sin(-theta_i[i])
     y = cos(-theta_i[i])
-    set arrow from 1.29*x,1.29*y to 1.17*x,1.17*y head filled size 0.035,20,60 lc rgb colour(i) lw 2.2
+    set arrow from 1.29*x,1.29*y to 1.17*x,1.17*y head filled size 0.035,20,60 lc rgb curve_colour(i, |theta_i|) lw 2.2
 }
 
 set label title at -1.3,1.39 left noenhanced tc rgb '#000000' font ',17'
@@ -61,4 +59,4 @@ plot sample \
   for [i=2:|ring|] [a=0:180] '+' using (r(i)*cos(a)):(r(i)*sin(a)) with lines lw 1 \
       lc rgb ring_colour(i) notitle, \
   for [i=1:|theta_i|] data every ::first[i]::last[i] using (R($6)*sin($2)):(R($6)*cos($2)) \
-      with lines lw 2.4 lc rgb colour(i) title sprintf('θ_i = %.15g°', theta_i[i])
+      with lines lw 2.4 lc rgb curve_colour(i, |theta_i|) title sprintf('θ_i = %.15g°', theta_i[i])

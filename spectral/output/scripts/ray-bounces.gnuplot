@@ -14,10 +14,9 @@ set yrange [0:1]
 set xlabel 'σ_0/τ'
 set ylabel 'share of the light'
 set key bottom right Left reverse samplen 2
-colours = '#0072b2 #009e73 #e69f00 #d55e00 #aa4499'
 command = 'plot '
 do for [i=1:|theta_i|] {
-    colour = word(colours, (i - 1) % 5 + 1)
+    colour = angle_colour(theta_i[i])
     command = command . (i == 1 ? '' : ', ') . \
         sprintf('$shares index %d using 1:2 with points pt 7 ps 0.9 lc rgb "%s" ', \
         i - 1, colour) . sprintf('title "θ_i = %.15g°", ', theta_i[i]) . \

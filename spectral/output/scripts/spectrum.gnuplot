@@ -3,7 +3,7 @@
 #   $spectrum   wavelength [um], diffuse terms [1/sr], specular reflectance
 reset
 set datafile separator comma
-set title title noenhanced
+set title title noenhanced font ',17'
 set xlabel 'wavelength [µm]'
 set ylabel 'BRDF [1/sr]'
 set y2label 'specular reflectance'

@@ -3,7 +3,7 @@
 #   way[]    names of the ways
 #   $sizes   bytes, error; an index per way
 reset
-set title title noenhanced
+set title title noenhanced font ',17'
 set logscale xy
 set xlabel 'size of the table (bytes)'
 set ylabel 'largest |table - exact| / (exact + 10^{-3} peak)'

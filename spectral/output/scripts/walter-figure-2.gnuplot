@@ -11,9 +11,8 @@ set ylabel 'f_t |o·n| [1/sr]'
 set xrange [-30:90]
 set xtics 30
 set yrange [0:*]
-colours = '#0072b2 #009e73 #e69f00 #d55e00'
 do for [i=1:|theta_i|] {
-    set arrow from refracted[i], graph 0 to refracted[i], graph 1 nohead dt 2 lw 1.4 lc rgb word(colours, i)
+    set arrow from refracted[i], graph 0 to refracted[i], graph 1 nohead dt 2 lw 1.4 lc rgb angle_colour(theta_i[i])
 }
-plot for [i=1:|theta_i|] 'figure-2.csv' using 1:2*i+1 every ::1 with lines lw 2.4 lc rgb word(colours, i) \
+plot for [i=1:|theta_i|] 'figure-2.csv' using 1:2*i+1 every ::1 with lines lw 2.4 lc rgb angle_colour(theta_i[i]) \
     title sprintf('θ_i = %.15g°', theta_i[i])

@@ -159,6 +159,7 @@ const spectral::RoughSurface& surface_of(const spectral::Reflectance& brdf) {
     if (std::ranges::any_of(brdf.samples(),
                             [](const SpectralSample& sample) { return sample.index.coated(); }))
         throw Error{brdf.name() + must + ", without films"};
+    if (surface->correlation()) throw Error{brdf.name() + must + ", with a gaussian correlation"};
     if (!surface->isotropic()) throw Error{brdf.name() + must + ", of one correlation length"};
     if (brdf.samples().size() > most_shader_wavelengths)
         throw out_of_range("number of wavelengths of a shader", static_cast<double>(brdf.samples().size()),

@@ -158,13 +158,15 @@ class RglTables {
         node.x = std::max(node.x, 0.1F / static_cast<float>(n_ - 1));
         const WarpedPoint at = warp.sample(node, slice_mix({0, 0}, {0, 0}, 1, 1));
         const FacetView view{in, half_vector(at.point, 0)};
+        if (!(at.density > 0)) return 0;
         return static_cast<double>(at.point.x) * view.tilt * view.facing * std::max(view.cosine, 0.0) * mean /
                static_cast<double>(at.density);
     }
 
     /// As a reader interpolates it.
     [[nodiscard]] float sigma_at(const Direction& in) const {
-        return BilinearCell{LightAngles{in}.square(), 2, sigma_columns}.value(sigma_.data());
+        return BilinearCell{LightAngles{in}.square(), sigma_.size() / sigma_columns, sigma_columns}.value(
+            sigma_.data());
     }
 
     Lobes lobes_;
@@ -198,10 +200,11 @@ std::string rgl_bytes(const spectral::Reflectance& brdf, const RglResolution& re
 
 std::string fine_enough(const spectral::Reflectance& brdf, const RoundTripOptions& compared,
                         RglChannels channels) {
-    constexpr RglResolution of_isotropic{72, 80, 129, 512}, of_others{32, 48, 129, 256, 25};
+    constexpr RglResolution of_isotropic{72, 80, 129, 512}, of_others{36, 40, 65, 128, 25};
     constexpr double most_error = 0.6 * accuracy::rgl;  // on fresh pairs half as much again was seen
-    constexpr int most_refinements = 2;
-    RglResolution resolution = brdf.properties().isotropic ? of_isotropic : of_others;
+    const bool isotropic = brdf.properties().isotropic;
+    const int most_refinements = isotropic ? 2 : 0;  // with azimuths of the light a file is large as it is
+    RglResolution resolution = isotropic ? of_isotropic : of_others;
     for (int refinements = 0;; ++refinements) {
         std::string bytes = rgl_bytes(brdf, resolution, compared.specular_solid_angle, channels);
         if (refinements == most_refinements) return bytes;

@@ -46,10 +46,12 @@ TEST_CASE("a report counts what passed") {
     CHECK(tally({}).all == 0);
 }
 
-TEST_CASE("the page holds everything, and misses come first") {
-    const std::string page = report_page(sections, "hts 0.1", svg);
+TEST_CASE("the page holds everything, and what was learned comes first") {
+    const std::string page = report_page({sections, {}}, "hts 0.1", svg);
     CHECK(page.starts_with("<!DOCTYPE html>"));
     CHECK(page.find("1 of 2 criteria are met") != std::string::npos);
+    CHECK(page.find("Every result is the one recorded") < page.find("What was learned"));
+    CHECK(page.find("What was learned") < page.find("What was missed"));
     CHECK(page.find("What was missed") < page.find("First paragraph"));
     CHECK(count(page, "slopes too steep") == 2);
     CHECK(page.find("A mirror &amp; its image") != std::string::npos);
@@ -60,17 +62,41 @@ TEST_CASE("the page holds everything, and misses come first") {
     CHECK(page.find("http") == std::string::npos);
 }
 
+TEST_CASE("sections fold, and are linked to and from") {
+    const std::string page = report_page({sections, {}}, "hts 0.1", svg);
+    CHECK(count(page, "<details id=") == 3);  // and what was missed
+    CHECK(count(page, "href=\"#mirror\"") == 3);
+    CHECK(count(page, "href=\"#contents\"") == 3);
+    CHECK(count(page, "id=\"contents\"") == 1);
+}
+
+TEST_CASE("what a section learned stands at the head, else its checks do") {
+    auto spoken = sections;
+    CHECK(report_page({spoken, {}}, "", svg).find(", not: peak within 6 deg (9 deg).") != std::string::npos);
+    spoken[0].learned = "mirrors reflect";
+    CHECK(report_page({spoken, {}}, "", svg).find("mirrors reflect</li>") != std::string::npos);
+}
+
+TEST_CASE("contradictions are said before all else") {
+    const std::string page = report_page({sections, {"mirror: 1 < 2"}}, "hts 0.1", svg);
+    CHECK(page.find("1 result contradicts what is recorded") < page.find("What was learned"));
+    CHECK(page.find("<li>mirror: 1 &lt; 2</li>") != std::string::npos);
+    CHECK(page.find("Every result is the one recorded") == std::string::npos);
+}
+
 TEST_CASE("names inside a picture are its own") {
-    const std::string page = report_page(sections, "hts 0.1", svg);
+    const std::string page = report_page({sections, {}}, "hts 0.1", svg);
     CHECK(page.find("<circle id='peak-dot'/>") != std::string::npos);
     CHECK(page.find("href='#peak-dot'") != std::string::npos);
     CHECK(page.find("<?xml") == std::string::npos);
 }
 
 TEST_CASE("the report as JSON") {
-    const auto json = nlohmann::json::parse(report_json(sections, "hts 0.1"));
+    const auto json = nlohmann::json::parse(report_json({sections, {"a", "b"}}, "hts 0.1"));
     CHECK(json["passed"] == 1);
     CHECK(json["checks"] == 2);
+    CHECK(json["contradictions"].size() == 2);
     CHECK(json["sections"][0]["checks"][1]["remark"] == "slopes too steep");
+    CHECK(json["sections"][0]["checks"][1]["verdict"] == "missed");
     CHECK(json["sections"][0]["tables"][0]["rows"][1][1] == "<0.25>");
 }

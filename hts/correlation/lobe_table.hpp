@@ -1,0 +1,71 @@
+// The scattering integral D of a shape of correlation, over g and q, in a table. Not installed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "hts/correlation/height_shape.hpp"
+#include "hts/correlation/log_transform.hpp"
+
+namespace hts::correlation_detail {
+
+/// D(g, q) and its part D2 = e^-g sum of g^m/(m! m) W_m at one g.
+class LobeRow {
+  public:
+    /// 2 D and the mean of 1/m, D2/D.
+    struct Value {
+        double log_lobe, log_inverse_mean;
+    };
+
+    /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the power of q it has there.
+    [[nodiscard]] Value operator()(double q) const;
+    /// Where the lobe has its shoulder, 1.77 D(0)/integral of f x^2 dx.
+    [[nodiscard]] double width() const noexcept { return width_; }
+    /// q beyond which the value is extrapolated.
+    [[nodiscard]] double reach() const noexcept { return reach_; }
+
+  private:
+    friend class LobeIntegral;
+    [[nodiscard]] Value transformed(double q) const;
+
+    double step_ = 0, first_log_q_ = 0;  // of the transform
+    std::vector<double> lobe_, second_;  // q D, q D2
+    double at_zero_ = 0, second_at_zero_ = 0, width_ = 0, reach_ = 0, slope_ = 0;
+    Value at_reach_{};
+};
+
+/// D by a logarithmic Hankel transform of e^(-g (1 - C)) - e^-g, and D2 by that of e^-g (Ei(g C) - ln(g C) - gamma).
+class LobeIntegral {
+  public:
+    ///   points   a power of 2, over a range of e^60 in x
+    explicit LobeIntegral(ShapePointer shape, std::size_t points = 4096);
+    [[nodiscard]] LobeRow row(double g) const;
+
+  private:
+    ShapePointer shape_;
+    LogTransform transform_;
+    LogGrid grid_;
+    Heights heights_;
+};
+
+/// ln 2D and ln D2/D by bicubic splines over ln g and asinh(q/width(g)).
+class LobeTable {
+  public:
+    static constexpr double least_g = 1e-5, greatest_g = 1e8;
+
+    explicit LobeTable(const ShapePointer& shape);
+
+    ///   g   > 0: below least_g by the first two orders; above greatest_g that value is held
+    [[nodiscard]] LobeRow::Value operator()(double g, double q) const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    [[nodiscard]] LobeRow::Value at(std::size_t row, const std::array<double, 4>& by_g,
+                                    double column) const noexcept;
+
+    std::vector<double> log_width_;  // spline coefficients over ln g
+    std::vector<double> lobe_;       // of both quantities, side by side, by g then by u
+};
+
+}  // namespace hts::correlation_detail

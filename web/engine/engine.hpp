@@ -1,0 +1,44 @@
+// The engine as the page asks it: a request is JSON with numbers beside it, an answer JSON with numbers beside it.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "spectral/models/material.hpp"
+
+namespace hts::page {
+
+using nlohmann::json;
+
+/// The numbers of a request: pairs of directions, curves.
+struct Numbers {
+    std::span<const double> in;
+    std::span<double> out;
+
+    /// hts::Error unless there are as many.
+    void require(std::size_t in_count, std::size_t out_count) const;
+};
+
+/// A material at wavelengths, from the request's "material", "wavelengths" [um] and "tolerance"; kept, since the next request
+/// will mostly ask for the same.
+[[nodiscard]] const spectral::Reflectance& reflectance_of(const json& request);
+[[nodiscard]] const spectral::Material& material_of_request(const json& request);
+
+/// Pairs of triples theta_i, theta_r, phi_r [deg]; the light is at azimuth 0.
+[[nodiscard]] DirectionPair pair_at(std::span<const double> triples, std::size_t index);
+
+/// Answers one request; hts::Error says what is wrong with it.
+[[nodiscard]] json answer(const json& request, const Numbers& numbers);
+
+/// "fit": heights and correlation length, and the albedo if "albedo" is true, nearest to measured points.
+///   in   theta_i, theta_r, phi_r [deg], wavelength [um], BRDF [1/sr] of each point
+[[nodiscard]] json fit(const json& request, const Numbers& numbers);
+/// "match": the width with which the lobe of the material "beside" is nearest to that of "material", for light at "theta_i_deg";
+/// "keys" point to where it holds its width. The distance is the rms difference of f cos theta_r over that of the lobe itself.
+[[nodiscard]] json match(const json& request);
+/// "curve": the points of a table of measured values, "text", of "file".
+[[nodiscard]] json curve(const json& request);
+
+}  // namespace hts::page

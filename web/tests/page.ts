@@ -1,0 +1,54 @@
+// The page as tests use it.
+
+import { expect, test as base, type Page } from "@playwright/test";
+
+export interface Setting {
+  material: Record<string, unknown>;
+  wavelengths: number[];
+  tolerance?: number;
+}
+export interface Hts {
+  engine: {
+    evaluate(setting: Setting, of: string, triples: Float64Array): Promise<Float64Array>;
+    shader(setting: Setting): Promise<string>;
+  };
+  state(): Record<string, unknown>;
+}
+declare global {
+  interface Window {
+    hts: Hts;
+  }
+}
+
+// A page without an error in its console.
+export const test = base.extend<{ errors: string[] }>({
+  errors: [
+    async ({ page }, use) => {
+      const errors: string[] = [];
+      page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+      page.on("pageerror", (error) => errors.push(String(error)));
+      await use(errors);
+      expect(errors).toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+export { expect };
+
+// Waits until all views show the state.
+export async function drawn(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const shown = document.body.dataset.drawn;
+    return shown !== undefined && window.hts !== undefined && shown === JSON.stringify(window.hts.state());
+  });
+}
+
+export async function open(page: Page, address = ""): Promise<void> {
+  await page.goto(address ? `/#${address}` : "/");
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 50))); // a change of the address alone reaches the page then
+  await drawn(page);
+}
+
+export const value = async (page: Page, key: string): Promise<number> =>
+  Number(await page.locator(`[data-key="${key}"]`).getAttribute("data-value"));
