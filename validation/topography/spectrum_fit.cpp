@@ -108,10 +108,12 @@ SeenSpectrum::SeenSpectrum(const HeightMap& map, const MapWindow& window, const 
         lowest_cells * std::max(ellipse.frequency(spectrum.cell_x, 0), ellipse.frequency(0, spectrum.cell_y));
     const FrequencyBand fitted{std::max(lowest, wanted ? wanted->first : 0),
                                wanted ? wanted->last : HUGE_VAL};
+    corners_ = variance_;
     for (const RadialBin& ring : joined(radial_spectrum(spectrum, ellipse))) {
         if (ring.frequency < known_.first) continue;
         bins_.push_back({ring.frequency, ring.power, ring.cells,
                          ring.frequency >= fitted.first && ring.frequency <= fitted.last});
+        corners_ -= ring.power * ring.cells * cell_;
     }
     const auto lags = window_lags(map, window, ellipse);
     const Nodes nodes{lags};
@@ -313,17 +315,14 @@ class SpectrumFitter {
         fit.rms_of_band = std::sqrt(fit.variance * band_share(fit.scales));
         return fit;
     }
-    /// What is expected of the fitted rings, and all else as it was measured.
+    /// What is expected of all rings, and what was measured of the corners.
     [[nodiscard]] double ring_variance(const std::vector<double>& x) const {
-        const auto all = expected(x);
+        const auto all = expected(x, false);
         std::size_t at = 0;
-        double sum = variance_ * area_;
+        double sum = 0;
         for (const SeenSpectrum& map : maps_) {
-            for (const auto& bin : map.bins_) {
-                if (!bin.fitted) continue;
-                sum += map.area_ * bin.cells * map.cell_ * (all[at] - power_[at]);
-                ++at;
-            }
+            sum += map.area_ * map.corners_;
+            for (const auto& bin : map.bins_) sum += map.area_ * bin.cells * map.cell_ * all[at++];
         }
         return sum / area_;
     }

@@ -41,6 +41,7 @@ class SeenSpectrum {
     std::vector<Bin> bins_;
     std::vector<double> distances_, kernel_;  // kernel: a row of all distances per bin
     FrequencyBand known_;
+    double corners_ = 0;  // variance at frequencies that are in no ring
     double area_, variance_, noise_unit_, inflation_, cell_, window_share_;
 };
 
@@ -56,8 +57,8 @@ struct SpectrumFit {
     double variance;  ///< of all frequencies, without noise [um^2]
     /// rms_um of all frequencies, the model's own values, noise_rms_um
     std::vector<FittedValue> values;
-    /// Of the fit with its noise, summed over the rings that it was fitted to as the maps show it; frequencies
-    /// beside them as they were measured. The third place where the rms of the heights must come back.
+    /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners beyond
+    /// the rings as they were measured. The third place where the rms of the heights must come back.
     double rms_of_rings;
     double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
     double

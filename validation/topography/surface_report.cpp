@@ -169,8 +169,8 @@ std::string surface_text(const SurfaceStudy& study) {
     text += line("rms", brief(s.rms) + " um of the heights, " + brief(study.rms_of_spectra()) +
                             " um of the 2-D spectrum, " + brief(chosen.rms_of_rings) +
                             " um of the fitted spectrum" +
-                            (std::fabs(chosen.rms_of_rings / s.rms - 1) > 0.01
-                                 ? "; more than 1 % apart: the description fails at long periods"
+                            (std::fabs(chosen.rms_of_rings / s.rms - 1) > 0.02
+                                 ? "; more than 2 % apart: the description fails at long periods"
                                  : ""));
     text += line("slopes", brief(s.slope_x, 3) + " along x, " + brief(s.slope_y, 3) +
                                " along y, rms between neighbours");
