@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/answers/distance_report.hpp"
 #include "cli/answers/roughness_report.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
@@ -255,9 +256,6 @@ Json error_json(spectral::ModelError error) {
     return known ? Json{known->least, known->most} : Json{};
 }
 
-/// The model whose distances from exact scattering are known.
-constexpr std::string_view model_measured = "he";
-
 std::vector<Criterion> criteria() {
     std::vector<Criterion> all;
     for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
@@ -301,14 +299,12 @@ std::string info_text(const MaterialInfo& info) {
     for (const Criterion criterion : criteria()) text << finding_text(info, criterion);
     if (info.validity.perturbation_advised())
         text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
-    text << "Expected error of the model against exact scattering: " << error_text(info.validity.error())
+    text << "Expected error of he against exact scattering: " << error_text(info.validity.error())
          << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
             "surfaces up to "
             "70 deg, unpolarised)\n";
     text << length_note(info.surface);
-    if (info.material.model_name() != model_measured)
-        text << "Limits and errors are those of model " << model_measured << ": of "
-             << info.material.model_name() << " they are not measured yet.\n";
+    text << distance_text(info);
     return text.str();
 }
 
@@ -322,7 +318,7 @@ std::string info_json(const MaterialInfo& info) {
     const Json wavelengths = wavelengths_of(info);
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
-                {"limits_and_errors_of_model", model_measured},
+                {"limits_of_model", judged_model},
                 {"rms_roughness_um", surface.rms_roughness()},
                 {"correlation_length_um", length_json(surface)},
                 {"rms_slope", spectral::rms_slope(steepest)},
@@ -341,6 +337,7 @@ std::string info_json(const MaterialInfo& info) {
                 {"findings", findings},
                 {"perturbation_advised", info.validity.perturbation_advised()},
                 {"expected_error_db", error_json(info.validity.error())},
+                {"expected_distance_db", distance_json(info)},
                 {"prepared_bytes", info.prepared_bytes},
                 {"phi_table_bytes", info.phi_table_bytes}};
     add_roughness(result, info.surface, wavelengths_of(info));
@@ -355,9 +352,30 @@ std::string info_json(const MaterialInfo& info) {
 void write_info_table(Output& output, const MaterialInfo& info) {
     TableWriter table{output,
                       Format::csv,
-                      {"wavelength_um", "theta_deg", "n", "k", "diffuse_albedo", "g", "regime",
-                       "mirror_share", "tau_over_lambda", "curvature", "slope", "shadowing", "mirror_loss",
-                       "energy", "validity", "least_error_db", "most_error_db"}};
+                      {"wavelength_um",
+                       "theta_deg",
+                       "n",
+                       "k",
+                       "diffuse_albedo",
+                       "g",
+                       "regime",
+                       "mirror_share",
+                       "tau_over_lambda",
+                       "curvature",
+                       "slope",
+                       "shadowing",
+                       "mirror_loss",
+                       "energy",
+                       "validity",
+                       "least_error_db",
+                       "most_error_db",
+                       "studied",
+                       "he_te_db",
+                       "he_tm_db",
+                       "he_db",
+                       "he_unified_te_db",
+                       "he_unified_tm_db",
+                       "he_unified_db"}};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::string text;
     for (const Point& point : info.validity.points()) {
@@ -368,7 +386,9 @@ void write_info_table(Output& output, const MaterialInfo& info) {
         row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));
         row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
         for (const Finding& finding : point.validity.findings) row.number(finding.measured);
-        row.word(name(point.validity.severity())).number(error.least).number(error.most).end();
+        row.word(name(point.validity.severity())).number(error.least).number(error.most);
+        add_distance(row, info, point);
+        row.end();
     }
     table.add(text);
     table.finish();

@@ -25,7 +25,9 @@ struct Folder {
     std::vector<std::string> rooms;
 };
 const std::vector<Folder> folders{
-    {"hts", {"correlation", "phi/tables", "lanes", "phi", "evaluation", "microfacet", "sampling", "unified"}},
+    {"hts",
+     {"correlation", "phi/tables", "lanes", "phi", "films", "evaluation", "microfacet", "sampling",
+      "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
     {"validation", {"report", "scattering", "curves", "fit", "papers", "pictures"}},

@@ -114,3 +114,31 @@ TEST_CASE("one line warns of values outside the model's validity, and only of th
     const auto some = place.hts("eval --points points.csv --material " + aluminium);
     CHECK(some.errors.find("2 of 3 values are " + warning) != std::string::npos);
 }
+
+TEST_CASE("hts info says how far he and he_unified are to be expected from exact scattering") {
+    const Workplace place;
+    place.file(
+        "m.json",
+        R"({"model": "he_unified", "rms_roughness_um": 0.14, "correlation_length_um": 1.1, "index": "Al"})");
+    const auto text = place.hts("info m.json --wavelengths 0.55 --theta 30,85");
+    CHECK(text.exit_code == 0);
+    for (const std::string part : {"Expected distance from exact scattering [dB]", "1 of 1", "unknown",
+                                   "0 of 1", "A case that is left out is met within a factor of",
+                                   "of what is outside nothing is known", "its mirror is not shadowed"}) {
+        INFO(part);
+        CHECK(text.output.find(part) != std::string::npos);
+    }
+    CHECK(text.output.find("not measured yet") == std::string::npos);
+    const auto json =
+        nlohmann::json::parse(place.hts("info m.json --wavelengths 0.55 --theta 30,85 --json").output);
+    const auto& near = json["expected_distance_db"]["by_angle"][0];
+    CHECK(near["he_unified"]["tm"].get<double>() < near["he"]["tm"].get<double>());
+    CHECK(json["expected_distance_db"]["by_angle"][1]["he"].is_null());
+    CHECK(json["expected_distance_db"]["cases"].get<int>() > 100);
+    CHECK(place.hts("info m.json --wavelengths 0.55 --theta 30,85 --output t.csv").exit_code == 0);
+    const auto rows = cells(place.read("t.csv"));
+    CHECK(rows[0].back() == "he_unified_db");
+    CHECK(rows[1][rows[1].size() - 7] == "yes");
+    CHECK(rows[2][rows[2].size() - 7] == "no");
+    CHECK(rows[2].back() == "nan");
+}

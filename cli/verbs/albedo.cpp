@@ -49,8 +49,8 @@ covered says how much of the whole band the wavelengths hold.
 Examples:
   hts albedo --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:7 --theta-i 0,30,60,85
   hts albedo --material cli/data/smooth-plastic.json --wavelengths 0.46 --theta-i 0 --measured 0.195
-  hts albedo --material cli/data/rough-aluminium.json --wavelengths 2:30:15 --theta-i 0,60 \
-      --emissivity --temperature 700 --columns hemispherical_emissivity)";
+  hts albedo --material cli/data/fine-aluminium.json --wavelengths 2,3,4,6,10,20 --theta-i 0,60 \
+      --emissivity --temperature 700 --columns tis)";
 
 struct AlbedoOptions {
     MaterialOptions material;

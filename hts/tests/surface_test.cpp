@@ -1,12 +1,16 @@
 #include "hts/surface.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
 #include "hts/error.hpp"
 #include "hts/wavelength.hpp"
 
+using hts::Correlation;
+using hts::Direction;
 using hts::Surface;
 using hts::Wavelength;
 
@@ -31,4 +35,29 @@ TEST_CASE("wavelengths are positive lengths") {
     CHECK_THROWS_AS(Wavelength::from_micrometres(-1), hts::Error);
     CHECK_THROWS_AS(Wavelength::from_micrometres(std::numeric_limits<double>::quiet_NaN()), hts::Error);
     CHECK_THROWS_AS(Wavelength::from_micrometres(std::numeric_limits<double>::infinity()), hts::Error);
+}
+
+TEST_CASE("Surface: light sees the slopes of frequencies up to 1/lambda") {
+    const double sigma = 0.2, wavelength = 0.5;
+    const auto exponential = Surface::anisotropic(sigma, {3, 0.7}, Direction::from_degrees(90, 20))
+                                 .correlated(Correlation::exponential());
+    const Surface seen = exponential.seen_by(Wavelength::from_micrometres(wavelength));
+    CHECK(!seen.correlation());
+    CHECK(seen.azimuth() == exponential.azimuth());
+    // s^2 = sigma^2/l^2 ((1 + U/2)/sqrt(1 + U) - 1), U = (2 pi l/lambda)^2, and tau = sqrt(2) sigma/s
+    const auto expected = [&](double length) {
+        const double u = std::pow(2 * std::numbers::pi * length / wavelength, 2);
+        const double slope = sigma / length * std::sqrt((1 + u / 2) / std::sqrt(1 + u) - 1);
+        return std::sqrt(2.0) * sigma / slope;
+    };
+    CHECK(seen.correlation_lengths().along == Approx(expected(3)).epsilon(1e-8));
+    CHECK(seen.correlation_lengths().across == Approx(expected(0.7)).epsilon(1e-8));
+    // nu = 1/2: the share below F is 1 - (1 + (2 pi l F)^2)^(-1/2)
+    const Surface isotropic = Surface{sigma, 3}.correlated(Correlation::exponential());
+    const auto below = [](double f) { return 1 - 1 / std::hypot(1, 2 * std::numbers::pi * 3 * f); };
+    CHECK(isotropic.variance_share(0.1, 2) == Approx(below(2) - below(0.1)).epsilon(1e-7));
+    CHECK(Surface{sigma, 3}.variance_share(0, 0.2) ==
+          Approx(1 - std::exp(-std::pow(2 * std::numbers::pi * 3 * 0.2, 2) / 4)));
+    const Surface gaussian{sigma, 3};
+    CHECK(gaussian.seen_by(Wavelength::from_micrometres(wavelength)).correlation_length() == 3);
 }

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include "hts/phi/phi_sum.hpp"
+#include "hts/unified/lobe_of_kicks.hpp"
 
 namespace hts {
 namespace {
@@ -160,7 +161,13 @@ UnifiedLobe unified_lobe(const UnifiedView& in, const UnifiedView& out, const Un
                (wave.surface.isotropic() ? change.horizontal
                                          : stretched_horizontal(wave.surface, in.direction, out.direction)) /
                2));
-    UnifiedLobe result{{}, g, t, kicks(wave.surface, g, t, lobe, tolerance), 0};
+    return lobe_of_kicks(in, out, wave, g, t, kicks(wave.surface, g, t, lobe, tolerance));
+}
+
+UnifiedLobe lobe_of_kicks(const UnifiedView& in, const UnifiedView& out, const UnifiedWave& wave, double g,
+                          double t, const Kicks& kicks) noexcept {
+    const WaveVectorChange change = wave_vector_change(in.direction, out.direction);
+    UnifiedLobe result{{}, g, t, kicks, 0};
     const auto& [phi, beta, w, method] = result.kicks;
     const double c_i = in.direction.cos_theta(), c_r = out.direction.cos_theta();
     const double cosines = c_i * c_r;

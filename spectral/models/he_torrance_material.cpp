@@ -227,10 +227,12 @@ std::string groove_warning(const Surface& surface) {
            "length";
 }
 
-std::vector<std::string> known_keys(std::vector<std::string> own = {}) {
-    own.insert(own.end(), {"name", "model", "index", "films", "diffuse_albedo"});
-    own.insert(own.end(), surface_keys().begin(), surface_keys().end());
-    return own;
+std::vector<std::string> known_keys(const std::vector<std::string>& own = {}) {
+    std::vector<std::string> keys{"name", "model"};
+    keys.insert(keys.end(), surface_keys().begin(), surface_keys().end());
+    keys.insert(keys.end(), {"index", "films", "diffuse_albedo"});
+    keys.insert(keys.end(), own.begin(), own.end());
+    return keys;
 }
 
 Material material_from(const MaterialFile& file, const RoughSurface& surface) {

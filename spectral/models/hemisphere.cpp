@@ -19,10 +19,11 @@ HemisphericalReflectance bihemispherical_reflectance(const Reflectance& reflecta
         const Direction in = Direction::from_angles(std::acos(cosine), 0);
         return known.emplace(cosine, reflectance.albedo(in, wavelength)).first->second;
     };
+    // in x = sqrt(cos theta), over which the way to the horizon is smooth
     const auto mean = [&](double HemisphericalReflectance::*term) {
-        constexpr unsigned levels = 8;
-        return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-            [&](double cosine) { return 2 * cosine * (at(cosine).*term); }, 0.0, 1.0, levels,
+        constexpr unsigned levels = 6;
+        return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+            [&](double x) { return 4 * x * x * x * (at(x * x).*term); }, 0.0, 1.0, levels,
             accuracy::bihemispherical_reflectance);
     };
     return {mean(&HemisphericalReflectance::specular), mean(&HemisphericalReflectance::directional_diffuse),

@@ -135,7 +135,7 @@ Shape spectrum_from(const JsonValue& shape, const std::filesystem::path& folder)
     const auto [columns, of_profile] = power_spectrum(shape, path);
     const auto make = of_profile ? Correlation::of_profile_spectrum : Correlation::of_spectrum;
     const Correlation::Scaled made =
-        located(path.string(), [&] { return make(columns.first, columns.second, continued); });
+        located(path.string(), [&, &rows = columns] { return make(rows.first, rows.second, continued); });
     Shape result = scaled_shape(made);
     result.rms_roughness = made.rms_roughness;
     result.band = {columns.first.front(), columns.first.back()};

@@ -86,9 +86,11 @@ std::vector<Check> dielectric_checks(const std::vector<FigureTable>& tables) {
     return checks;
 }
 
-GroundTruth dielectric_scattering_study(Effort effort) {
+GroundTruth dielectric_scattering_study(Effort effort, const std::string& unfinished) {
     const MomentSettings settings = validation::settings(effort);
-    const auto results = moment_results(surfaces(effort), {20, 40, 60}, settings);
+    std::vector<LitSurface> lit;
+    for (const RoughnessStatistics& surface : surfaces(effort)) lit.push_back({surface, {20, 40, 60}});
+    const auto results = moment_results(lit, settings, unfinished);
     return ground_truth(
         moment_provenance("of refractive index " + shortest(index), settings) +
             regenerating("dielectric", effort),

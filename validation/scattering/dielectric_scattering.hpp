@@ -11,7 +11,7 @@ namespace hts::validation {
 
 /// Solves a few surfaces at 20, 40 and 60 degrees. Quick: 1 surface, 20 short realisations; full: 4 surfaces,
 /// 160 realisations.
-[[nodiscard]] GroundTruth dielectric_scattering_study(Effort effort);
+[[nodiscard]] GroundTruth dielectric_scattering_study(Effort effort, const std::string& unfinished = {});
 /// Its section; quick shows the kept results as well.
 [[nodiscard]] Section dielectric_scattering_section(Effort effort);
 

@@ -253,6 +253,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
         {}};
     const bool ground = results.front().of.index.has_value();
     if (ground) table.columns.insert(table.columns.end(), {"he_torrance_te", "he_torrance_tm"});
+    table.columns.insert(table.columns.end(), {"kirchhoff_currents_te", "kirchhoff_currents_tm"});
     constexpr auto own = static_cast<std::size_t>(ProfileModel::he_torrance);
     for (const MapEntry& entry : entries(results)) {
         for (std::size_t i = 0; i < entry.te.bins.size(); ++i) {
@@ -263,6 +264,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
             row.insert(row.end(), both.model.begin(), both.model.end());
             row.push_back(both.ratio_error_db);
             if (ground) row.insert(row.end(), {te.model[own], tm.model[own]});
+            row.insert(row.end(), {te.kirchhoff, tm.kirchhoff});
             table.rows.push_back(std::move(row));
         }
     }
@@ -342,10 +344,12 @@ std::string moment_provenance(const std::string& what, const MomentSettings& set
            " points per wavelength, tapered beam g = length/4, seeds from " + std::to_string(settings.study);
 }
 
-GroundTruth exact_scattering_study(Effort effort) {
+GroundTruth exact_scattering_study(Effort effort, const std::string& unfinished) {
     MomentSettings settings;
     if (effort == Effort::quick) settings.realisations = 40;
-    const auto results = moment_results(moment_grid(effort), incidence_deg(), settings);
+    std::vector<LitSurface> lit;
+    for (const RoughnessStatistics& surface : moment_grid(effort)) lit.push_back({surface, incidence_deg()});
+    const auto results = moment_results(lit, settings, unfinished);
     return ground_truth(
         moment_provenance("perfectly conducting", settings) + regenerating("moments", effort),
         {moment_map_table(results, "moment-method-map"), moment_lobe_table(results, "moment-method-lobes")},

@@ -6,7 +6,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "hts/sampling/random.hpp"
-#include "validation/scattering/plane_transform.hpp"
+#include "validation/topography/plane_transform.hpp"
 
 namespace hts::validation {
 namespace {

@@ -8,6 +8,7 @@
 #include "hts/error.hpp"
 #include "spectral/jobs/progress.hpp"
 #include "spectral/statistics.hpp"
+#include "validation/scattering/moment_log.hpp"
 #include "validation/scattering/profile_study.hpp"
 
 namespace hts::validation {
@@ -213,7 +214,7 @@ Distance distance_of(const MomentResult& result, const std::function<double(cons
     for (const AngularBin& bin : result.bins) brightest = std::max(brightest, bin.exact);
     std::vector<double> bright;
     for (const AngularBin& bin : result.bins) {
-        if (!(bin.exact > 0) || !(bin.kirchhoff > 0)) continue;
+        if (!(bin.exact > 0) || !(bin.kirchhoff > 0) || bin.model[0] < least_light) continue;
         const double difference = decibels(ratio(bin));
         if (bin.exact > brightest / 100) bright.push_back(std::fabs(difference));
         weight += bin.exact;
@@ -269,13 +270,14 @@ std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
     return results;
 }
 
-std::vector<MomentResult> moment_results(const std::vector<RoughnessStatistics>& surfaces,
-                                         const std::vector<double>& theta_i_deg,
-                                         const MomentSettings& settings) {
+std::vector<MomentResult> moment_results(const std::vector<LitSurface>& surfaces,
+                                         const MomentSettings& settings, const std::string& unfinished) {
+    MomentLog log{unfinished, settings};
     std::vector<MomentResult> results;
     const spectral::Job job{"", surfaces.size()};
-    for (const RoughnessStatistics& surface : surfaces) {
-        const auto some = moment_results(surface, theta_i_deg, settings);
+    for (const auto& [surface, angles] : surfaces) {
+        auto some = log.found(surface, angles);
+        if (some.empty()) log.add(some = moment_results(surface, angles, settings));
         results.insert(results.end(), some.begin(), some.end());
         job.done();
     }

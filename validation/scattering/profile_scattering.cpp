@@ -1,5 +1,6 @@
 #include "validation/scattering/profile_scattering.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,15 +45,24 @@ double square(double x) {
 
 }  // namespace
 
-double profile_phi(double g, double t) noexcept {
-    if (g == 0) return 0;
-    double sum = 0, before = 0;
-    for (int m = 1;; ++m) {
-        const double term = std::exp(m * std::log(g) - std::lgamma(m + 1.0) - g - t / m) / std::sqrt(m);
+ProfileKicks profile_kicks(double g, double t) noexcept {
+    if (g == 0) return {0, 1, 0};
+    // below its first the terms are less than exp(-40) of the largest: those of exp(-g) g^m/m! are, and exp(-t/m) rises
+    const double first = std::max(1.0, std::floor(g - 9 * std::sqrt(g) - 5)), log_g = std::log(g);
+    double sum = 0, kicks = 0, rest = 0, before = 0;
+    for (double m = first;; ++m) {
+        const double term = std::exp(m * log_g - std::lgamma(m + 1) - g - t / m) / std::sqrt(m);
         sum += term;
-        if (m > g && term <= before && term <= 1e-17 * sum) return sum;
+        kicks += term / m;
+        rest += term * (1 - 1 / m);
+        if (m > g && term <= before && term <= 1e-17 * sum)
+            return sum > 0 ? ProfileKicks{sum, kicks / sum, rest / sum} : ProfileKicks{0, 1, 0};
         before = term;
     }
+}
+
+double profile_phi(double g, double t) noexcept {
+    return profile_kicks(g, t).phi;
 }
 
 const char* name(ProfileModel model) noexcept {

@@ -30,6 +30,13 @@ namespace hts::validation {
 ///   identity   integral Phi_1(g, q^2) dq = sqrt(pi) (1 - exp(-g))
 [[nodiscard]] double profile_phi(double g, double t) noexcept;
 
+/// Phi_1 with the mean of 1/m under the weights of its terms, -d ln Phi_1/dt, and 1 minus it, without the difference.
+struct ProfileKicks {
+    double phi, inverse_mean, rest;
+};
+///   domain, error   as of profile_phi
+[[nodiscard]] ProfileKicks profile_kicks(double g, double t) noexcept;
+
 /// Which roughness and which shadowing.
 enum class ProfileModel {
     kirchhoff,    ///< sigma_0, S = 1

@@ -21,14 +21,15 @@ std::vector<double> scattering_angles() {
     return angles;
 }
 
-/// The middle of a period.
-Contour contour_of(const RandomProfile& profile, std::size_t nodes) {
-    const std::size_t first = (profile.height.size() - nodes) / 2;
+/// The middle of a period, by every so-many-th sample.
+Contour contour_of(const RandomProfile& profile, std::size_t nodes, std::size_t every) {
+    const std::size_t first = (profile.height.size() - nodes * every) / 2;
     const auto middle = [&](const std::vector<double>& all) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(nodes));
+        std::vector<double> chosen(nodes);
+        for (std::size_t i = 0; i < nodes; ++i) chosen[i] = all[first + i * every];
+        return chosen;
     };
-    Contour contour{profile.step,
+    Contour contour{profile.step * static_cast<double>(every),
                     std::vector<double>(nodes),
                     middle(profile.height),
                     std::vector<double>(nodes, 1),
@@ -36,7 +37,7 @@ Contour contour_of(const RandomProfile& profile, std::size_t nodes) {
                     std::vector<double>(nodes, 0),
                     middle(profile.second_derivative)};
     for (std::size_t i = 0; i < nodes; ++i)
-        contour.x[i] = profile.step * (static_cast<double>(i) - (static_cast<double>(nodes) - 1) / 2);
+        contour.x[i] = contour.step * (static_cast<double>(i) - (static_cast<double>(nodes) - 1) / 2);
     return contour;
 }
 
@@ -119,8 +120,10 @@ PolarisedFields ProfileStudy::solved(const Contour& contour,
 
 Realisation ProfileStudy::realisation(std::size_t number) const {
     const auto seed = seed_of(settings_.study, surface_number(surface_), number);
+    const auto every = static_cast<std::size_t>(settings_.drawn_between);
     const double step = 1.0 / settings_.points_per_wavelength;
-    const Contour contour = contour_of(random_profile(surface_, step, period_, seed), nodes_);
+    const Contour contour = contour_of(
+        random_profile(surface_, step / settings_.drawn_between, period_ * every, seed), nodes_, every);
     const SurfaceFields light = incident_fields(contour, beams_);
     const PolarisedFields fields = solved(contour, light.psi);
     const std::vector<SurfaceField> dark(beams_.size(), SurfaceField(contour.size()));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/scattering/plane_transform.hpp"
+#include "validation/topography/plane_transform.hpp"
 
 namespace hts::validation {
 namespace {

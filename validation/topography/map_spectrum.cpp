@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "validation/scattering/plane_transform.hpp"
+#include "validation/topography/plane_transform.hpp"
 
 namespace hts::validation {
 namespace {

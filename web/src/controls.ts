@@ -27,6 +27,7 @@ const sliders: Record<string, Slider> = {
   tau: { key: "tau", label: "correlation length τ", unit: "µm", from: 0.05, to: 200, logarithmic: true },
   across: { key: "across", label: "τ across, 0: the same", unit: "µm", from: 0, to: 20 },
   axis: { key: "axis", label: "azimuth of τ", unit: "°", from: -180, to: 180 },
+  nu: { key: "nu", label: "ν of Matérn", unit: "", from: 0.5, to: 5 },
   thickness: { key: "thickness", label: "thickness", unit: "µm", from: 0, to: 1 },
   albedo: { key: "albedo", label: "diffuse albedo", unit: "", from: 0, to: 1 },
   n: { key: "n", label: "n", unit: "", from: 0.05, to: 10, logarithmic: true },
@@ -113,6 +114,7 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     const hide = (key: string, hidden: boolean) => (document.getElementById(`${key}-field`)!.hidden = hidden);
     for (const key of ["n", "k"]) hide(key, state.index !== "nk");
     hide("axis", !isAnisotropic(state));
+    hide("nu", state.correlation !== "matern");
     hide("thickness", state.film === "none");
     films(state.film);
   });
@@ -128,6 +130,7 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
   form.append(
     html("div", { class: "field" }, html("label", { for: "preset" }, "Example"), preset),
     group("Surface", slider(sliders.sigma), slider(sliders.tau), slider(sliders.across), slider(sliders.axis),
+      select("correlation", "correlation of heights", [["gaussian", "Gaussian"], ["exponential", "exponential"], ["matern", "Matérn"]]), slider(sliders.nu),
       html("div", { class: "field" }, html("label", { for: "index" }, "optical constants"), index), note,
       slider(sliders.n), slider(sliders.k),
       html("div", { class: "field" }, html("label", { for: "film" }, "film on it"), film), slider(sliders.thickness), slider(sliders.albedo)),

@@ -128,10 +128,17 @@ function materialFile(name: string, text: string): Partial<State> {
   const material = JSON.parse(text) as Material;
   if (material.model !== "he" && material.model !== "he_unified")
     throw new Error(`${name}: key "model": must be "he" or "he_unified" to be shown with these controls`);
-  const part: Partial<State> = { model: material.model, across: 0, film: "none", albedo: 0 };
+  const part: Partial<State> = { model: material.model, across: 0, film: "none", albedo: 0, correlation: "gaussian" };
   for (const [key, value] of Object.entries(material)) {
     if (key === "correlation_length_um" && Array.isArray(value)) {
       Object.assign(part, { tau: value[0], across: value[1], axis: Number(material.azimuth_deg ?? 0) });
+      continue;
+    }
+    if (key === "correlation") {
+      const of = value as { type?: string; nu?: number } | string;
+      if (of === "gaussian" || of === "exponential") part.correlation = of;
+      else if (typeof of === "object" && of.type === "matern") Object.assign(part, { correlation: "matern", nu: of.nu });
+      else throw new Error(`${name}: key "correlation": Gaussian, exponential and Matern have a control here`);
       continue;
     }
     if (key === "films") {
@@ -207,7 +214,7 @@ function showFitting(wavelength_from_page: boolean): void {
       result.textContent = `σ₀ ${brief(fit.rms_roughness_um)} µm (${s}), τ ${brief(fit.correlation_length_um)} µm (${t}), albedo ${brief(fit.diffuse_albedo)}; ` +
         `rms distance ${brief(fit.rms_db, 3)} dB over ${fit.points} points. The errors take the distances for noise.`;
       const round = (v: number) => Number(v.toPrecision(6));
-      change({ model: "he", across: 0, sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
+      change({ model: "he", across: 0, correlation: "gaussian", sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
     } catch (error) {
       complain(error instanceof Error ? error.message : String(error));
     }

@@ -31,6 +31,8 @@ export function materialOf(state: State, model: string = state.model): Material 
     diffuse_albedo: state.albedo,
   };
   if (isAnisotropic(state)) material.azimuth_deg = state.axis;
+  if (state.correlation === "exponential") material.correlation = state.correlation;
+  if (state.correlation === "matern") material.correlation = { type: "matern", nu: state.nu };
   if (hasFilm(state)) material.films = [{ index: state.film, thickness_um: state.thickness }];
   return material;
 }

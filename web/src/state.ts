@@ -12,6 +12,8 @@ export interface State {
   tau: number; // um
   across: number; // um, the correlation length along the second axis; 0: the same
   axis: number; // degrees, azimuth of the first axis from the plane of incidence
+  correlation: "gaussian" | "exponential" | "matern";
+  nu: number; // of Matern's correlation
   index: string; // a built-in name, "nk", or the name of a dropped file
   n: number;
   k: number;
@@ -37,6 +39,8 @@ export const initial: State = {
   tau: 1.77,
   across: 0,
   axis: 0,
+  correlation: "gaussian",
+  nu: 1.5,
   index: "Al",
   n: 1.5,
   k: 0,
@@ -59,6 +63,7 @@ export const initial: State = {
 const polarisations = ["none", "s", "p", "plus", "minus", "right", "left"];
 const choices: { [key in keyof State]?: readonly (string | number)[] } = {
   model: ["he", "he_unified"],
+  correlation: ["gaussian", "exponential", "matern"],
   light: ["white", "one"],
   in: polarisations,
   out: polarisations,
@@ -72,6 +77,7 @@ export const ranges: { [key in keyof State]?: [number, number] } = {
   across: [0, 1000],
   axis: [-180, 180],
   thickness: [0, 10],
+  nu: [0.5, 10],
   n: [0.01, 100],
   k: [0, 100],
   albedo: [0, 1],

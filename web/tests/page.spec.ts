@@ -48,6 +48,7 @@ test("each number changes each view that depends on it", async ({ page }) => {
 const selections: [string, string, View[]][] = [
   ["index", "Cu", ["polar", "lit", "spectrum", "values", "energy", "take"]],
   ["index", "nk", ["polar", "lit", "spectrum", "values", "energy", "mueller", "take"]],
+  ["correlation", "exponential", ["polar", "hemisphere", "scatter", "spectrum", "values", "energy", "take"]],
   ["film", "SiO2", ["polar", "hemisphere", "scatter", "spectrum", "values", "energy", "take"]],
   ["in", "s", ["polar", "hemisphere", "scatter", "spectrum"]],
   ["out", "p", ["polar", "hemisphere", "scatter", "spectrum"]],

@@ -58,7 +58,8 @@ TEST_CASE("the material file of the interface contract is read") {
     CHECK(material.properties().surface->rms_roughness() == 0.28);
     CHECK(material.properties().surface->correlation_length() == 1.77);
     const auto samples = material.at(green);
-    CHECK(samples.samples()[0].index.substrate().k() == hts::spectral::built_in_optical_constants("Al").index(green).k());
+    CHECK(samples.samples()[0].index.substrate().k() ==
+          hts::spectral::built_in_optical_constants("Al").index(green).k());
     CHECK(samples.samples()[0].uniform_diffuse == 0);
 }
 
@@ -77,7 +78,10 @@ TEST_CASE("every form of index is read") {
     std::filesystem::create_directory(folder.path() / "nk");
     folder.write("nk/glass.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1.6,0.1\n");
     const auto index = [&folder](const std::string& text, const Wavelength& wavelength = green) {
-        return read_material(folder.write("m.json", file_with(text))).at(wavelength).samples()[0].index.substrate();
+        return read_material(folder.write("m.json", file_with(text)))
+            .at(wavelength)
+            .samples()[0]
+            .index.substrate();
     };
     CHECK(index(R"("Cu")").n() == hts::spectral::built_in_optical_constants("Cu").index(green).n());
     CHECK(index(R"({"n": 0.77, "k": 6})").n() == 0.77);
@@ -157,7 +161,10 @@ TEST_CASE("lengths, albedo, model and keys that cannot be are refused with their
     const TemporaryFolder folder;
     const std::string good = file_with("\"Al\"");
     CHECK(complaint_about(folder, good).empty());
-    const std::string keys = "name, model, rms_roughness_um, correlation_length_um, index, diffuse_albedo";
+    const std::string keys =
+        "name, model, rms_roughness_um, correlation_length_um, azimuth_deg, correlation, rms_band_um, index, "
+        "films, "
+        "diffuse_albedo";
     struct Case {
         std::string what, by, message;
     };
@@ -175,7 +182,7 @@ TEST_CASE("lengths, albedo, model and keys that cannot be are refused with their
         {"0.28", "-0.1",
          "\"rms_roughness_um\": rms roughness -0.1 um: must be >= 0 (0, or from 1e-24 to 1e+24 um)"},
         {"\"correlation_length_um\": 1.77,", "", "\"correlation_length_um\": missing"},
-        {"1.77", "[1.77]", "\"correlation_length_um\": must be a number, not an array"},
+        {"1.77", "[1.77]", "\"correlation_length_um\": must be a number or a list of two, [along, across]"},
         {"1.77", "0",
          "\"correlation_length_um\": correlation length 0 um: must be > 0 (from 1e-24 to 1e+24 um)"},
         {"\"index\": \"Al\",", "", "\"index\": missing"},

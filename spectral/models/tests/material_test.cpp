@@ -242,7 +242,7 @@ TEST_CASE("a pigment under facets adds the same radiance everywhere, and lets no
         material_of(folder, facets + R"(, "diffuse_albedo": {"table": [[0.4, 0.2], [0.7, 0.5]]}})").at(green);
     CHECK_FALSE(painted.properties().transmitting);
     const double um = green.micrometres(), albedo = 0.2 + 0.3 * (um - 0.4) / 0.3;
-    const DirectionPair pair{Direction::from_degrees(40, 0), Direction::from_degrees(30, 170)};
+    const hts::DirectionPair pair{Direction::from_degrees(40, 0), Direction::from_degrees(30, 170)};
     CHECK(painted.brdf(pair)[0] == Approx(bare.brdf(pair)[0] + albedo / pi).epsilon(1e-14));
     CHECK(painted.uniform_diffuse()[0] == Approx(albedo / pi).epsilon(1e-14));
     CHECK(painted.directional_diffuse(pair)[0] == Approx(bare.brdf(pair)[0]).epsilon(1e-12));

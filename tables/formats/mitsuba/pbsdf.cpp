@@ -241,11 +241,11 @@ Exported exported_pbsdf(const spectral::Reflectance& brdf, const std::filesystem
     require("number of theta_h", resolution.theta_h);
     require("number of theta_d", resolution.theta_d);
     require("number of phi_d", resolution.phi_d);
+    if (!brdf.properties().isotropic)
+        throw Error{brdf.name() + " is anisotropic: a .pbsdf file must be of an isotropic reflectance"};
     if (!brdf.properties().polarised)
         throw Error{brdf.name() +
                     " has no Mueller matrix: must be polarised (model he, without a specular box)"};
-    if (!brdf.properties().isotropic)
-        throw Error{brdf.name() + " is anisotropic: a .pbsdf file must be of an isotropic reflectance"};
     const auto nanometres = whole_nanometres(brdf);
     const double slope = lobe_slope(brdf);
     const Axes axes{resolution, slope};

@@ -56,6 +56,23 @@ TEST_CASE("ground truth that is kept is whole, says how it was computed, and is 
     CHECK_THROWS_AS(column_of(small, "c"), hts::Error);
 }
 
+TEST_CASE(
+    "tables of exact scattering have a cell per column, on a conductor and on glass, and are read again") {
+    for (const bool glass : {false, true}) {
+        MomentSettings settings;
+        settings.realisations = 20;
+        settings.length = 5;
+        if (glass) settings.index = hts::RefractiveIndex{1.5, 0};
+        const auto results = moment_results({{{0.2, 1}, {10}}}, settings);
+        for (const FigureTable& table :
+             {moment_lobe_table(results, "lobes"), moment_map_table(results, "map")}) {
+            for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
+            for (const std::string& column : table.columns)
+                CHECK(std::count(table.columns.begin(), table.columns.end(), column) == 1);
+        }
+    }
+}
+
 TEST_CASE("what hts::spectral says of the model's error is what the kept map has") {
     using hts::spectral::ModelError;
     const FigureTable map = kept_table("moment-method-map");

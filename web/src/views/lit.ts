@@ -212,7 +212,7 @@ export function litView() {
     const { state, engine } = frame;
     const one = state.light === "one";
     const wavelengths = one ? [state.lambda] : shaderWavelengths;
-    const { n, k } = await engine.describe(settingOf({ ...state, film: "none" }, wavelengths));
+    const { n, k } = await engine.describe(settingOf({ ...state, film: "none", correlation: "gaussian" }, wavelengths));
     if (!weights) {
       const units = new Float64Array(64);
       for (let i = 0; i < 8; ++i) units[9 * i] = 1;
@@ -233,8 +233,8 @@ export function litView() {
     gl!.uniform3fv(place("lamp"), [Math.sin(a) * 0.96, 0.28, Math.cos(a) * 0.96].map((v) => v / Math.hypot(0.96, 0.28)));
     passes = 0;
     refine(++running, 0);
-    const more = [state.model === "he" ? "" : state.model, isAnisotropic(state) ? "two correlation lengths" : "", hasFilm(state) ? "films" : ""].filter(Boolean);
-    const model = more.length ? ` The shader does not know ${more.join(" and ")}: it shows the model he with τ, without films.` : "";
+    const more = [state.model === "he" ? "" : state.model, isAnisotropic(state) ? "two correlation lengths" : "", hasFilm(state) ? "films" : "", state.correlation === "gaussian" ? "" : "this correlation"].filter(Boolean);
+    const model = more.length ? ` The shader does not know ${more.join(" and ")}: it shows the model he with σ₀ and τ alone.` : "";
     view.note.textContent = (one ? `At ${state.lambda} µm alone, in grey.` : "Spectral, eight wavelengths; the lamp stands at the angle of incidence.") + model;
   }
   return { section: view.section, update };

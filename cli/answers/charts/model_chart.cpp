@@ -1,4 +1,4 @@
-#include "cli/answers/model_chart.hpp"
+#include "cli/answers/charts/model_chart.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "bench/charts/machine.hpp"
+#include "cli/answers/charts/timed_evaluator.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/he_torrance_material.hpp"
-#include "spectral/processor_time.hpp"
 #include "spectral/statistics.hpp"
 #include "tables/table/build_table.hpp"
 #include "validation/fit/fit.hpp"
@@ -19,16 +19,7 @@
 namespace hts::cli {
 namespace {
 
-/// Writes the BRDF of a pair at the chart's wavelengths.
-using Evaluator = std::function<void(const DirectionPair& pair, std::span<double> values)>;
-
-constexpr std::size_t channels = 4;
-using Spectrum = std::array<double, channels>;
-
-const spectral::WavelengthGrid& wavelengths() {
-    static const auto grid = spectral::WavelengthGrid::from_micrometres({0.46, 0.54, 0.62, 0.70});
-    return grid;
-}
+using Spectrum = std::array<double, chart_channels>;
 
 struct ChartSurface {
     const char* title;
@@ -52,7 +43,7 @@ spectral::Material material(const ChartSurface& chosen) {
 
 /// As exact as it can be.
 spectral::Reflectance exact(const spectral::Material& material) {
-    return material.at(wavelengths(), {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
+    return material.at(chart_wavelengths(), {.tolerance = Tolerance{hts::accuracy::finest_tolerance}});
 }
 
 /// He-Torrance on a surface, its pairs for fitting and for judging, and the peak of the lobe for each
@@ -82,7 +73,7 @@ class Truth {
         Spectrum spectrum{};
         for (std::size_t i = fitted_; i < pairs_.size(); ++i) {
             model(pairs_[i], spectrum);
-            for (std::size_t k = 0; k < channels; ++k) {
+            for (std::size_t k = 0; k < chart_channels; ++k) {
                 errors.push_back(std::abs(spectrum[k] - values_[i][k]) / floor_of(i, k));
             }
         }
@@ -93,11 +84,11 @@ class Truth {
     [[nodiscard]] validation::FitData fit_data() const {
         std::vector<validation::FitSample> samples;
         for (std::size_t i = 0; i < fitted_; ++i) {
-            for (std::size_t k = 0; k < channels; ++k) {
+            for (std::size_t k = 0; k < chart_channels; ++k) {
                 samples.push_back({pairs_[i], k, values_[i][k], floor_of(i, k)});
             }
         }
-        return validation::fit_data(surface_.title, wavelengths(), std::move(samples));
+        return validation::fit_data(surface_.title, chart_wavelengths(), std::move(samples));
     }
 
   private:
@@ -125,7 +116,7 @@ class Truth {
             const Direction out = Direction::from_vector(
                 {std::sin(angle) * mirror.cos_phi(), std::sin(angle) * mirror.sin_phi(), std::cos(angle)});
             exact_.brdf({in, out}, spectrum);
-            for (std::size_t k = 0; k < channels; ++k) largest[k] = std::max(largest[k], spectrum[k]);
+            for (std::size_t k = 0; k < chart_channels; ++k) largest[k] = std::max(largest[k], spectrum[k]);
         }
         return largest;
     }
@@ -136,23 +127,6 @@ class Truth {
     std::vector<Spectrum> values_, peaks_;
     std::size_t fitted_ = 0;
 };
-
-/// Median over passes of the time of a pair [ns].
-double nanoseconds(const Evaluator& model, std::span<const DirectionPair> pairs) {
-    constexpr std::size_t passes = 15;
-    Spectrum spectrum{};
-    double sum = 0;  // keeps the calls alive
-    std::array<double, passes> times{};
-    for (double& time : times) {
-        const double start = spectral::thread_seconds();
-        for (const DirectionPair& pair : pairs) {
-            model(pair, spectrum);
-            sum += spectrum[0];
-        }
-        time = (spectral::thread_seconds() - start) * 1e9 / static_cast<double>(pairs.size());
-    }
-    return std::isnan(sum) ? 0 : spectral::median({times.begin(), times.end()});
-}
 
 ModelPoint point(const Truth& truth, const std::string& surface, const std::string& model,
                  const Evaluator& evaluator, std::size_t bytes = 0) {
@@ -201,12 +175,6 @@ constexpr std::array rivals{Rival{"beckmann", "Walter, Beckmann"},
                             Rival{"oren_nayar", "Oren-Nayar"},
                             Rival{"lambert", "Lambert"}};
 
-Evaluator evaluator_of(spectral::Reflectance reflectance) {
-    return [reflectance = std::move(reflectance)](const DirectionPair& pair, std::span<double> values) {
-        reflectance.brdf(pair, values);
-    };
-}
-
 /// The optical constants are no free parameters of models that have them.
 std::string index_of(const Rival& rival, const ChartSurface& chosen) {
     const auto& families = validation::fit_families();
@@ -229,7 +197,8 @@ Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const val
 void add_rungs(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
     for (const Rung& rung : rungs) {
         const Tolerance tolerance{rung.tolerance};
-        const auto form = material(chosen).at(wavelengths(), {.tolerance = tolerance, .lobe = rung.lobe});
+        const auto form =
+            material(chosen).at(chart_wavelengths(), {.tolerance = tolerance, .lobe = rung.lobe});
         chart.points.push_back(point(truth, chosen.title, rung.name, evaluator_of(form),
                                      rung.lobe == DiffuseLobe::full ? phi_table_bytes(tolerance) : 0));
     }

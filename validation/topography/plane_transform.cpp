@@ -1,4 +1,4 @@
-#include "validation/scattering/plane_transform.hpp"
+#include "validation/topography/plane_transform.hpp"
 
 #include <algorithm>
 #include <unsupported/Eigen/FFT>

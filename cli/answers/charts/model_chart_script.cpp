@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/answers/model_chart.hpp"
+#include "cli/answers/charts/model_chart.hpp"
 #include "spectral/output/script.hpp"
 
 namespace hts::cli {

@@ -1,0 +1,49 @@
+/// How far the published model and its successor he_unified are to be expected from exact scattering, by surface, wavelength, index
+/// and angle of incidence, per polarisation. Not a bound: an interpolation between cases that were solved exactly, profiles that
+/// are rough along one direction (`hts truth models`, kept in spectral/energy/data/).
+///
+///   cases    two studies: perfect conductors, which stand for metals, and glass of index 1.5, which stands for dielectrics
+///   between  ln of the distance is a plane over (log2 sigma_0/lambda, log2 tau/lambda, theta_i), fitted to the cases with
+///            weights exp(-d^2/2), d in units of 0.6, 0.6 and 10 degrees, so that the nearest count most
+///   error    `left_out`: each case is predicted from the others
+/// Not installed.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "hts/fresnel.hpp"
+
+namespace hts::spectral {
+
+/// rms over the angles of scattering, weighted with the exact energy [dB]; of errors of such, factors.
+struct TrueDecibels {
+    double te, tm, unpolarised;
+};
+struct BothTheories {
+    TrueDecibels he, unified;
+};
+
+/// A surface under an angle of incidence, lengths in wavelengths.
+struct StudiedPoint {
+    double rms_roughness, correlation_length, theta_i_deg;
+};
+
+struct ExpectedDistance {
+    BothTheories distance;
+    bool studied;  ///< else the point or the index is outside what was studied, and the distance a guess
+};
+[[nodiscard]] ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index);
+
+/// What stands behind it.
+struct DistanceStudy {
+    std::string substance;  ///< "perfect conductors"
+    std::size_t cases;
+    BothTheories
+        left_out;       ///< typical factor, exp of the rms of ln, between a case and what the others predict
+    std::string range;  ///< "sigma0 0.05 to 2.4 lambda, …"
+};
+/// Of the study that stands for an index.
+[[nodiscard]] const DistanceStudy& distance_study(const RefractiveIndex& index);
+
+}  // namespace hts::spectral
