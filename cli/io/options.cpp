@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "cli/io/table_writer.hpp"
 #include "cli/io/usage.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/suggestion.hpp"
@@ -306,6 +307,10 @@ spectral::Reflectance reflectance_from_option(const std::string& option, const s
                                               const spectral::WavelengthGrid& wavelengths,
                                               const spectral::EvaluationOptions& how) {
     return spectral::located(option, [&] { return material.at(wavelengths, how); });
+}
+
+std::string json_of(const std::string& text) {
+    return text.empty() || text.front() == '{' || text.front() == '"' ? text : json_string(text);
 }
 
 Wavelength wavelength_from_option(double um) {

@@ -142,6 +142,9 @@ void require_angles(const std::string& option, const std::vector<double>& degree
                                                             const spectral::WavelengthGrid& wavelengths,
                                                             const spectral::EvaluationOptions& how);
 
+/// What an option of a material's value says as JSON: a bare word is text, anything else JSON already.
+[[nodiscard]] std::string json_of(const std::string& text);
+
 /// A wavelength, or a grid in the form of WavelengthGrid::parse; UsageError otherwise.
 Wavelength wavelength_from_option(double um);
 [[nodiscard]] spectral::WavelengthGrid wavelengths_from_option(const std::string& text);

@@ -56,11 +56,6 @@ struct FitOptions {
     InstrumentOptions instrument;
 };
 
-/// A bare word is text, anything else JSON.
-std::string json_of(const std::string& text) {
-    return text.empty() || text.front() == '{' || text.front() == '"' ? text : json_string(text);
-}
-
 /// "name=value".
 std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {
     const auto at = text.find('=');

@@ -26,6 +26,7 @@ void add_sample(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_table(CLI::App& program);
+void add_surface(CLI::App& program);
 void add_truth(CLI::App& program);
 void add_validate(CLI::App& program);
 

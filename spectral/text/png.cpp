@@ -2,9 +2,14 @@
 
 #include <png.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <csetjmp>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <string_view>
 
 #include "hts/error.hpp"
@@ -41,6 +46,72 @@ class Image {
 
   private:
     png_image image_{};
+};
+
+/// libpng's own interface, which alone gives numbers as they stand in the file. What fails in it comes back by longjmp,
+/// past no destructor.
+class GreyReader {
+  public:
+    explicit GreyReader(std::string_view bytes)
+        : rest_{bytes}, png_{png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore)} {
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) throw std::bad_alloc{};
+    }
+    ~GreyReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    GreyReader(const GreyReader&) = delete;
+    GreyReader& operator=(const GreyReader&) = delete;
+
+    [[nodiscard]] ValueGrid read(std::size_t most) {
+        if (!read_head()) throw error();
+        const std::size_t columns = png_get_image_width(png_, info_),
+                          rows = png_get_image_height(png_, info_);
+        if (png_get_bit_depth(png_, info_) != 16 || png_get_color_type(png_, info_) != PNG_COLOR_TYPE_GRAY)
+            throw Error{"PNG: must be grey, with 16 bits and without transparency"};
+        if (columns > most / rows) {
+            throw Error{"PNG of " + std::to_string(columns) + " by " + std::to_string(rows) +
+                        " pixels: must be at most " + std::to_string(most) + " of them"};
+        }
+        std::vector<std::uint16_t> levels(columns * rows);
+        std::vector<png_bytep> lines(rows);
+        for (std::size_t j = 0; j < rows; ++j) lines[j] = reinterpret_cast<png_bytep>(&levels[j * columns]);
+        if (!read_rows(lines.data())) throw error();
+        return {rows, columns, {levels.begin(), levels.end()}};
+    }
+
+  private:
+    [[nodiscard]] Error error() const { return Error{std::string{"PNG: "} + message_.data()}; }
+    static void fail(png_structp png, png_const_charp message) {
+        auto& text = static_cast<GreyReader*>(png_get_error_ptr(png))->message_;
+        std::strncpy(text.data(), message, text.size() - 1);
+        png_longjmp(png, 1);
+    }
+    static void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
+    static void next_bytes(png_structp png, png_bytep to, std::size_t count) {
+        auto& rest = static_cast<GreyReader*>(png_get_io_ptr(png))->rest_;
+        if (count > rest.size()) png_error(png, "cut off");
+        std::memcpy(to, rest.data(), count);
+        rest.remove_prefix(count);
+    }
+    bool read_head() noexcept {
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;
+        png_set_read_fn(png_, this, next_bytes);
+        png_read_info(png_, info_);
+        return true;
+    }
+    bool read_rows(png_bytepp lines) noexcept {
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;
+        if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
+        png_set_interlace_handling(png_);
+        png_read_update_info(png_, info_);
+        png_read_image(png_, lines);
+        png_read_end(png_, nullptr);
+        return true;
+    }
+
+    std::string_view rest_;
+    std::array<char, 128> message_{};
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
 };
 
 /// Light of a component of sRGB, 0 ... 1 [IEC61966]; libpng itself takes a plain power of 2.2.
@@ -106,6 +177,10 @@ ValueGrid read_png_luminance(const std::filesystem::path& path) {
         }
         return grid;
     });
+}
+
+ValueGrid png_grey_levels(std::string_view bytes, std::size_t most) {
+    return GreyReader{bytes}.read(most);
 }
 
 }  // namespace hts::spectral

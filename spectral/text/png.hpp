@@ -28,4 +28,8 @@ struct PngPixels {
 /// over black. hts::Error "path: …" if it is missing, no PNG, or larger than 4096 by 4096.
 [[nodiscard]] ValueGrid read_png_luminance(const std::filesystem::path& path);
 
+/// The grey levels of a PNG file of 16 bits, 0 … 65535 as they stand there: of data, not of light. hts::Error where the file has
+/// colours, transparency or fewer bits, more than `most` pixels, or is damaged.
+[[nodiscard]] ValueGrid png_grey_levels(std::string_view bytes, std::size_t most);
+
 }  // namespace hts::spectral

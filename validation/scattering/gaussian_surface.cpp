@@ -6,12 +6,13 @@
 #include <unsupported/Eigen/FFT>
 
 #include "hts/sampling/random.hpp"
+#include "validation/topography/plane_transform.hpp"
 
 namespace hts::validation {
 namespace {
 
 using Complex = std::complex<double>;
-using Field = std::vector<Complex>;
+using Field = ComplexField;
 
 /// Pairs of independent normal numbers, by Box and Muller's transform.
 Field white_noise(std::size_t count, std::uint64_t seed) {
@@ -38,9 +39,7 @@ std::vector<double> wave_numbers(std::size_t samples, double step) {
     std::vector<double> result(samples);
     const double lowest = 2 * std::numbers::pi / (static_cast<double>(samples) * step);
     for (std::size_t i = 0; i < samples; ++i) {
-        const auto signed_index =
-            static_cast<double>(i) - (2 * i > samples ? static_cast<double>(samples) : 0);
-        result[i] = lowest * signed_index;
+        result[i] = lowest * signed_frequency(i, samples);
     }
     return result;
 }
@@ -65,37 +64,6 @@ double real_part(const Complex& value) {
 double imaginary_part(const Complex& value) {
     return value.imag();
 }
-
-/// Transform of a square, rows and then columns.
-class SquareTransform {
-  public:
-    explicit SquareTransform(std::size_t samples)
-        : samples_{samples}, line_(samples), transformed_(samples) {}
-
-    void forward(Field& field) {
-        along_both(field, [this] { transform_.fwd(transformed_, line_); });
-    }
-    void inverse(Field& field) {
-        along_both(field, [this] { transform_.inv(transformed_, line_); });
-    }
-
-  private:
-    template <class Transform>
-    void along_both(Field& field, const Transform& transform) {
-        for (std::size_t i = 0; i < samples_; ++i) along(field, i * samples_, 1, transform);
-        for (std::size_t i = 0; i < samples_; ++i) along(field, i, samples_, transform);
-    }
-    template <class Transform>
-    void along(Field& field, std::size_t first, std::size_t stride, const Transform& transform) {
-        for (std::size_t i = 0; i < samples_; ++i) line_[i] = field[first + i * stride];
-        transform();
-        for (std::size_t i = 0; i < samples_; ++i) field[first + i * stride] = transformed_[i];
-    }
-
-    std::size_t samples_;
-    Eigen::FFT<double> transform_;
-    Field line_, transformed_;
-};
 
 }  // namespace
 
@@ -129,9 +97,8 @@ RandomProfile random_profile(const RoughnessStatistics& statistics, double step,
 RandomField random_field(const RoughnessStatistics& statistics, double step, std::size_t samples,
                          std::uint64_t seed) {
     const std::vector<double> waves = wave_numbers(samples, step);
-    SquareTransform transform{samples};
     Field first = real_noise(samples * samples, seed);
-    transform.forward(first);
+    transform_forward(first, samples, samples);
     Field second(first.size());
     for (std::size_t j = 0; j < samples; ++j) {
         const double across = amplitude_filter(waves[j], step, statistics.correlation_length);
@@ -142,8 +109,8 @@ RandomField random_field(const RoughnessStatistics& statistics, double step, std
             second[j * samples + i] = height * Complex{0, waves[j]};
         }
     }
-    transform.inverse(first);
-    transform.inverse(second);
+    transform_inverse(first, samples, samples);
+    transform_inverse(second, samples, samples);
     return {step, samples, part(first, real_part), part(first, imaginary_part), part(second, real_part)};
 }
 

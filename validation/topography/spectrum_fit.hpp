@@ -1,0 +1,90 @@
+/// Descriptions of roughness fitted to the spectra of maps, with the errors that the maps leave.
+///
+/// A fit is by maximum likelihood of the power in rings of frequencies, whose spread is known: each independent
+/// frequency holds an exponentially distributed power, and no ring counts as known to better than 5 %. It compares with the power that a surface of the
+/// description is expected to show through the window of each map, so that leakage, gaps, the end of the field
+/// and points a step apart bias nothing. Heights are taken for samples at points; a white noise of the
+/// instrument is fitted beside them. The variance is that of the heights themselves, over the frequencies that
+/// levelling has left.
+#pragma once
+
+#include <optional>
+
+#include "validation/topography/autocorrelation.hpp"
+#include "validation/topography/roughness_model.hpp"
+
+namespace hts::validation {
+
+/// Frequencies [1/um].
+struct FrequencyBand {
+    double first, last;
+};
+
+/// What a fit takes from a map.
+class SeenSpectrum {
+  public:
+    ///   coefficients   that levelling took off: the heights know nothing below `known().first`
+    ///   wanted         what is trusted, where that is less than the map has
+    SeenSpectrum(const HeightMap& map, const MapWindow& window, const MapSpectrum& spectrum, int coefficients,
+                 const Ellipse& ellipse, const std::optional<FrequencyBand>& wanted);
+
+    /// From (coefficients/(pi area))^(1/2), below which are as many frequencies as were taken off, to half a
+    /// cycle per step.
+    [[nodiscard]] const FrequencyBand& known() const noexcept { return known_; }
+
+  private:
+    friend class SpectrumFitter;
+    struct Bin {
+        double frequency, power, cells;
+        bool fitted;
+    };
+    std::vector<Bin> bins_;
+    std::vector<double> distances_, kernel_;  // kernel: a row of all distances per bin
+    FrequencyBand known_;
+    double corners_ = 0;  // variance at frequencies that are in no ring
+    double area_, variance_, noise_unit_, inflation_, cell_, window_share_;
+};
+
+/// A value with its standard error.
+struct FittedValue {
+    std::string name;
+    double value, error;
+};
+
+struct SpectrumFit {
+    std::string_view model, title;
+    RoughnessScales scales;
+    double variance;  ///< of all frequencies, without noise [um^2]
+    /// rms_um of all frequencies, the model's own values, noise_rms_um
+    std::vector<FittedValue> values;
+    /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners beyond
+    /// the rings as they were measured. The third place where the rms of the heights must come back.
+    double rms_of_rings;
+    double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
+    double
+        deviance;  ///< per degree of freedom: 1 at most where the description holds; errors grow with its root
+    double aic;    ///< Akaike's criterion, of all descriptions on the same data
+    std::vector<std::string> at_bounds;  ///< names of values that the data would move further
+
+    [[nodiscard]] const FittedValue& value(std::string_view name) const;
+    /// S2 without noise [um^4].
+    [[nodiscard]] double power(double f) const { return variance * spectrum(scales, f); }
+};
+
+/// Every description, in the order of roughness_models().
+///   length   distance where C is about 1/e [um]
+[[nodiscard]] std::vector<SpectrumFit> fits_of_spectra(const std::vector<SeenSpectrum>& maps, double length);
+
+/// The one with the least criterion.
+[[nodiscard]] const SpectrumFit& best(const std::vector<SpectrumFit>& fits);
+
+/// How unlike the directions of a surface are.
+struct Anisotropy {
+    Ellipse ellipse;  ///< ratio >= 1
+    double ratio_error, azimuth_error;
+    bool significant;  ///< told from an isotropic surface: 1 in 1000 by chance
+};
+/// Of the spectra of maps that lay alike.
+[[nodiscard]] Anisotropy anisotropy_of(const std::vector<MapSpectrum>& spectra, double inflation);
+
+}  // namespace hts::validation
