@@ -30,7 +30,7 @@ const std::vector<Folder> folders{
       "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
-    {"validation", {"report", "scattering", "curves", "fit", "papers", "pictures"}},
+    {"validation", {"report", "curves", "fit", "topography", "scattering", "papers", "pictures"}},
     {"bench", {"", "rivals", "phi", "stability", "charts", "micro"}},
     {"cli", {"io", "answers", "verbs", ""}},
 };

@@ -37,7 +37,7 @@ class Copy:
     """A copy of what the checkout has under version control, without its sources, and `hts` in PATH."""
 
     folders = ("cli", "docs", "validation", "bench", "spectral", "tables")
-    kinds = {".json", ".csv", ".yml", ".svg", ".png", ".md", ".txt", ".sh"}
+    kinds = {".json", ".csv", ".yml", ".gsf", ".svg", ".png", ".md", ".txt", ".sh"}
 
     def __init__(self, hts):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hts-examples-"))
