@@ -17,7 +17,7 @@ copyright = "2026 the hts contributors"
 version = re.search(r"project\(hts VERSION (\S+)", (checkout / "CMakeLists.txt").read_text())[1]
 release = version
 
-extensions = ["myst_parser", "breathe", "katex", "command_reference", "live", "rooms"]
+extensions = ["myst_parser", "breathe", "katex", "command_reference", "live", "notebooks", "rooms"]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3
 exclude_patterns = ["site", "tests", "examples", "pictures", "**/README.md"]

@@ -41,13 +41,13 @@ class Sample:
 
 @dataclass(frozen=True)
 class Validity:
-    """Whether the model can be believed, arrays of one shape.
+    """Whether the model can be believed, arrays of one shape, or a word and two numbers of one case.
 
     severity      "fine", "caution" or "outside"
     least, most   distance from exact scattering that has been seen in such cases [dB]; NaN where unknown
     """
 
-    severity: NDArray[np.str_]
+    severity: Any
     least: Any
     most: Any
 
@@ -173,7 +173,8 @@ class Material(_core.Material):
             theta_r, phi = theta_i, (180.0 if degrees else np.pi)
         verdicts = np.asarray(self._validity(wavelength, theta_i, theta_r, phi, phi_i, degrees))
         names = np.array(["fine", "caution", "outside"])
-        return Validity(names[verdicts[..., 0].astype(int)], verdicts[..., 1], verdicts[..., 2])
+        columns = names[verdicts[..., 0].astype(int)], verdicts[..., 1], verdicts[..., 2]
+        return Validity(*(np.asarray(each) if np.ndim(each) else np.asarray(each).item() for each in columns))
 
     def table(
         self, wavelengths: ArrayLike, tolerance: float = 1e-3, *, polarised: bool = False, largest_bytes: int = 1 << 30
