@@ -8,7 +8,7 @@ set terminal svg size 1000,860 font 'Helvetica,14' background '#ffffff'
 set output picture
 set label 'Measured surface: '.name at screen 0.015,0.972 left noenhanced font ',19' tc rgb '#111111'
 set label sprintf('rms %.4g µm; periods %.3g to %.3g µm are known, what the curves say of others is extrapolated.', \
-    rms, 1/highest, 1/lowest) at screen 0.015,0.943 left noenhanced font ',13' tc rgb '#111111'
+    rms, 1./highest, 1./lowest) at screen 0.015,0.943 left noenhanced font ',13' tc rgb '#111111'
 array colour[4] = ['#0072b2','#009e73','#d55e00','#cc79a7']
 set multiplot
 set origin 0,0.47
