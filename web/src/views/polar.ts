@@ -27,9 +27,18 @@ export function polarView(change: (part: Partial<State>) => void) {
     "aria-valuemin": 0, "aria-valuemax": 89.9,
   });
   view.body.append(root);
+  // The handle stays where it is, and its parts too: a pointer that drags it would lose it otherwise.
+  const ray = svg("line", { class: "light" }), head = svg("path", { class: "light-head", d: "M -7 -16 L 7 -16 L 0 0 Z" });
+  const grip = svg("circle", { class: "grip", r: 13 });
+  const plot = svg("g");
+  handle.append(ray, head, grip);
+  root.append(plot, handle);
   let ti = 30, dragging = false;
 
-  const set = (angle: number) => change({ ti: Math.min(Math.max(Math.round(angle * 10) / 10, 0), 89.9) });
+  const set = (angle: number) => {
+    ti = Math.min(Math.max(Math.round(angle * 10) / 10, 0), 89.9);  // at once, so that keys pressed in haste all count
+    change({ ti });
+  };
   const angleOf = (event: PointerEvent): number => {
     const box = root.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * width - centre;
@@ -57,11 +66,10 @@ export function polarView(change: (part: Partial<State>) => void) {
     handle.setAttribute("aria-valuenow", String(angle));
     handle.setAttribute("aria-valuetext", `${angle} degrees`);
     const [x, y] = at(-angle, 1.04), [tx, ty] = at(-angle, 0.06);
-    handle.replaceChildren(
-      svg("line", { class: "light", x1: x, y1: y, x2: tx, y2: ty }),
-      svg("path", { class: "light-head", d: "M -7 -16 L 7 -16 L 0 0 Z", transform: `translate(${tx} ${ty}) rotate(${angle === 0 ? 0 : -angle})` }),
-      svg("circle", { class: "grip", cx: x, cy: y, r: 13 }),
-    );
+    for (const [name, value] of Object.entries({ x1: x, y1: y, x2: tx, y2: ty })) ray.setAttribute(name, String(value));
+    head.setAttribute("transform", `translate(${tx} ${ty}) rotate(${angle === 0 ? 0 : -angle})`);
+    grip.setAttribute("cx", String(x));
+    grip.setAttribute("cy", String(y));
   }
 
   // The paper's scale is the value in the specular direction; a logarithm shows four decades.
@@ -110,7 +118,7 @@ export function polarView(change: (part: Partial<State>) => void) {
       const [x, y] = at(state.ti, 1.02);
       parts.push(svg("line", { class: "specular", x1: centre, y1: base, x2: x, y2: y }));
     }
-    root.replaceChildren(...parts, handle);
+    plot.replaceChildren(...parts);
     arrow(state.ti);
     root.dataset.mirror = String(mirror);
     const note: (Node | string)[] = [
