@@ -150,8 +150,7 @@ class RoughSurfaceEvaluator final : public Evaluator {
         if (!surface_.isotropic() && (light[2] != 0 || light[3] != 0)) {
             throw Error{
                 "albedo of a surface of two correlation lengths: the light must be polarised along s or p, "
-                "or "
-                "not at all"};
+                "or not at all"};
         }
         const SpectralSample& sample = samples_[wavelength];
         auto result =

@@ -48,6 +48,17 @@ int ring(double frequency) {
     return static_cast<int>(std::floor(RadialBin::rings * std::log10(frequency)));
 }
 
+/// Of bins that hold sums over the rings.
+std::vector<RadialBin> means(const std::map<int, RadialBin>& sums) {
+    std::vector<RadialBin> result;
+    for (auto [number, bin] : sums) {
+        bin.frequency /= bin.cells;
+        bin.power /= bin.cells;
+        result.push_back(bin);
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string_view name(Window window) {
@@ -95,14 +106,6 @@ double MapSpectrum::variance() const noexcept {
     return sum * cell();
 }
 
-double MapSpectrum::rms_within(double first, double last) const noexcept {
-    double sum = 0;
-    for_each_frequency(*this, [&](double x, double y, double p) {
-        if (const double f = std::hypot(x, y); f >= first && f <= last) sum += p;
-    });
-    return std::sqrt(sum * cell());
-}
-
 MapSpectrum spectrum_of(const HeightMap& map, const MapWindow& window) {
     const auto heights = map.heights();
     double weighted = 0, weight = 0, sum = 0, squares = 0;
@@ -142,13 +145,7 @@ std::vector<RadialBin> radial_spectrum(const MapSpectrum& spectrum, const Ellips
         bin.power += p;
         ++bin.cells;
     });
-    std::vector<RadialBin> result;
-    for (auto& [number, bin] : bins) {
-        bin.frequency /= bin.cells;
-        bin.power /= bin.cells;
-        result.push_back(bin);
-    }
-    return result;
+    return means(bins);
 }
 
 std::vector<RadialBin> merged(const std::vector<std::vector<RadialBin>>& spectra) {
@@ -161,13 +158,7 @@ std::vector<RadialBin> merged(const std::vector<std::vector<RadialBin>>& spectra
             sum.cells += bin.cells;
         }
     }
-    std::vector<RadialBin> result;
-    for (auto& [number, bin] : bins) {
-        bin.frequency /= bin.cells;
-        bin.power /= bin.cells;
-        result.push_back(bin);
-    }
-    return result;
+    return means(bins);
 }
 
 std::vector<PolarBin> polar_spectrum(const MapSpectrum& spectrum) {

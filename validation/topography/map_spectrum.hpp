@@ -56,8 +56,6 @@ struct MapSpectrum {
     [[nodiscard]] double cell() const noexcept { return cell_x * cell_y; }
     /// Sum over all frequencies: the mean square of the heights about their mean [um^2].
     [[nodiscard]] double variance() const noexcept;
-    /// Root of the mean square of the heights over frequencies from `first` to `last`.
-    [[nodiscard]] double rms_within(double first, double last) const noexcept;
 };
 
 [[nodiscard]] MapSpectrum spectrum_of(const HeightMap& map, const MapWindow& window);
