@@ -1,5 +1,5 @@
-/// The model of He, Torrance, Sillion and Greenberg at one wavelength as a value: evaluated, and drawn from as lobe_sampler.hpp
-/// says.
+/// The model of He, Torrance, Sillion and Greenberg at one wavelength as a value: evaluated, and drawn from
+/// as lobe_sampler.hpp says.
 #pragma once
 
 #include "hts/rough_surface_model.hpp"

@@ -49,8 +49,8 @@ ByAngles<double> log_geometrical_factor(const WaveVectorChange& change, const Wa
             by.squared.phi * over_squared};
 }
 
-/// Of the logarithm of the slope width along the azimuth of a direction: by the axes, of which that by the azimuth of the direction is
-/// the negative of the last.
+/// Of the logarithm of the slope width along the azimuth of a direction: by the axes, of which that by the
+/// azimuth of the direction is the negative of the last.
 ByAxes log_slope_by_axes(const Surface& surface, const Direction& direction) {
     const auto& [along, across] = surface.correlation_lengths();
     const Direction& axis = surface.axis();

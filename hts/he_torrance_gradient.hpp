@@ -13,12 +13,13 @@
 ///
 /// Where a derivative needs a convention:
 ///   theta = 0      along the azimuth that the direction keeps, on both sides alike
-///   phi            of the outgoing azimuth, the incident one being kept. Of isotropic surfaces, in the plane of incidence every derivative
-///                  by phi is 0 but those of the eight Mueller elements that change sign with phi, which are
-///                  0 there
+///   phi            of the outgoing azimuth, the incident one being kept. Of isotropic surfaces, in the plane
+///                  of incidence every derivative by phi is 0 but those of the eight Mueller elements that
+///                  change sign with phi, which are 0 there
 ///   theta = 90 deg a rough surface's lobe falls to 0 there with infinite slope: where cos theta < 1e-100 all
 ///                  its derivatives are taken for 0
-///   sigma_0 = 0    the lobe grows as sigma_0^2, the specular term falls so: derivatives by both lengths are 0
+///   sigma_0 = 0    the lobe grows as sigma_0^2, the specular term falls so:
+///                  derivatives by both lengths are 0
 ///   k = 0          one-sided; negative where n < sin theta_d, total reflection
 ///   n = sin theta_d (with k = 0)   the critical angle: Fresnel's amplitudes have no derivative, 0 is taken
 #pragma once
@@ -108,7 +109,8 @@ class PairGradient {
     /// Both by the axes of the surface.
     [[nodiscard]] const ByAxes& log_roughness_by_axes() const noexcept { return log_roughness_by_axes_; }
     [[nodiscard]] const ByAxes& log_geometry_by_axes() const noexcept { return log_geometry_by_axes_; }
-    /// Those of stretched_horizontal squared, of which t is k^2 tau^2/4 times as much; by the axes with tau kept.
+    /// Those of stretched_horizontal squared, of which t is k^2 tau^2/4 times as much;
+    /// by the axes with tau kept.
     [[nodiscard]] const ByAngles<double>& stretched_squared() const noexcept { return stretched_squared_; }
     [[nodiscard]] const ByAxes& stretched_squared_by_axes() const noexcept {
         return stretched_squared_by_axes_;

@@ -105,7 +105,8 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return add_films(pair, result);
+    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data()))
+        return add_films(pair, result);
     exact_brdf(pair, result);
 }
 

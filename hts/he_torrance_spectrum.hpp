@@ -2,10 +2,11 @@
 ///
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
-/// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon take the
-/// exact path of terms.hpp.
+/// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon
+/// take the exact path of terms.hpp.
 ///
-/// Where there are films the lanes compute the lobe of facets that reflect everything, and the films' reflectance multiplies it.
+/// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
+/// reflectance multiplies it.
 #pragma once
 
 #include <cstddef>
@@ -43,13 +44,14 @@ struct SpectralSample {
 ///     std::vector<double> spectrum(samples.size());
 ///     prepared.brdf({in, out}, spectrum);
 ///
-/// Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits alone, in
-/// any batch and at any place in it.
+/// Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits alone,
+/// in any batch and at any place in it.
 class HeTorranceSpectrum {
   public:
-    ///   tolerance   of the arithmetic; what a limit neglects comes on top. Of a correlation that is not Gaussian the lobe has the
-    ///               error of its table, accuracy::correlation_lobe, at best
-    /// Throws hts::Error where such a correlation is asked for the rough limit, or its table does not reach sigma_0/lambda.
+    ///   tolerance   of the arithmetic; what a limit neglects comes on top. Of a correlation that is not
+    ///               Gaussian the lobe has the error of its table, accuracy::correlation_lobe, at best
+    /// Throws hts::Error where such a correlation is asked for the rough limit, or its table does
+    /// not reach sigma_0/lambda.
     HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples, Tolerance tolerance = {},
                        DiffuseLobe lobe = DiffuseLobe::full);
     ~HeTorranceSpectrum();
@@ -75,7 +77,8 @@ class HeTorranceSpectrum {
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Reflectance into the mirror direction, the specular term [1], one value per sample.
     ///   result   samples().size() values
-    ///   error    relative, at most the tolerance, above 1e-280; accuracy::specular_reflectance where that is more
+    ///   error    relative, at most the tolerance, above 1e-280;
+    ///            accuracy::specular_reflectance where that is more
     void specular_reflectance(const Direction& in, std::span<double> result) const;
     /// Mueller matrix of both terms [1/sr], one per sample.
     ///   result   samples().size() matrices

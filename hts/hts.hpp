@@ -1,4 +1,5 @@
-/// All of hts::core: physical optics of rough surfaces at one wavelength or a list of them, and the other published models.
+/// All of hts::core: physical optics of rough surfaces at one wavelength or a list of them, and
+/// the other published models.
 #pragma once
 
 #include "hts/correlation/correlation.hpp"

@@ -87,8 +87,8 @@ struct PhiGradient {
 /// Phi and its derivatives by the cheapest form that meets a tolerance: the derivatives of the table's
 /// polynomials from accuracy::tabled_phi_gradient on, else the sums.
 ///   g, t     as for phi
-///   error    at most `tolerance`, of the kinds above; from the table also of g log_d_g, beside 1 plus itself,
-///            where the sums lose 1e-16 sqrt(g)
+///   error    at most `tolerance`, of the kinds above; from the table also of g log_d_g, beside 1 plus
+///            itself, where the sums lose 1e-16 sqrt(g)
 ///   cost     about a fifth of the sums
 [[nodiscard]] PhiGradient phi_gradient(double g, double t, Tolerance tolerance) noexcept;
 

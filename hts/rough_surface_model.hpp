@@ -1,4 +1,5 @@
-/// A model of a rough surface at one wavelength as a value: evaluated, and drawn from in proportion to what the surface reflects.
+/// A model of a rough surface at one wavelength as a value: evaluated, and drawn from in proportion to
+/// what the surface reflects.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +16,10 @@ namespace hts {
 ///     const double f = model.brdf(in, out);                  // 1/sr
 ///     const Draw drawn = model.sample(in, {u0, u1, u2});     // mean weight: the albedo
 ///
-/// For a spectrum draw at one wavelength, `draw`, and divide the BRDF of every wavelength, times cos theta_r, by that pdf
-/// (for a specular draw the specular reflectance of every wavelength).
-/// Every call is const, allocates nothing, takes bounded time and may run on any thread; the same numbers give the same
-/// direction. Construction fits the sampler, some 30 ms: who only evaluates takes the Spectrum.
+/// For a spectrum draw at one wavelength, `draw`, and divide the BRDF of every wavelength, times cos theta_r,
+/// by that pdf (for a specular draw the specular reflectance of every wavelength).
+/// Every call is const, allocates nothing, takes bounded time and may run on any thread; the same numbers
+/// give the same direction. Construction fits the sampler, some 30 ms: who only evaluates takes the Spectrum.
 ///   Spectrum   HeTorranceSpectrum or HeUnifiedSpectrum
 template <class Spectrum>
 class RoughSurfaceModel {
@@ -54,7 +55,8 @@ class RoughSurfaceModel {
         return value;
     }
 
-    /// Draws a direction with its weight. The mean of the weights is the directional-hemispherical reflectance.
+    /// Draws a direction with its weight. The mean of the weights is the
+    /// directional-hemispherical reflectance.
     [[nodiscard]] Draw sample(const Direction& in, const Uniforms& u) const noexcept {
         Draw drawn = draw(in, u);
         if (drawn.lobe == Lobe::none) return drawn;
@@ -67,7 +69,8 @@ class RoughSurfaceModel {
     [[nodiscard]] Draw draw(const Direction& in, const Uniforms& u) const noexcept {
         return sampler_.draw(in, u);
     }
-    /// Density in solid angle of drawing `out` from a diffuse lobe [1/sr], whichever it was: LobeSampler::pdf.
+    /// Density in solid angle of drawing `out` from a diffuse lobe [1/sr], whichever
+    /// it was: LobeSampler::pdf.
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept {
         return sampler_.pdf(in, out);
     }

@@ -1,8 +1,9 @@
 /// How much of a rough surface one direction sees: Smith's shadowing of [He91 (23)-(25)] and the paper's K.
 ///
-/// Everything depends on c = tau cot(theta) / (2 sigma_0) alone, tau along the direction's own azimuth. As printed, (25) lacks the factor exp(-c^2)
-/// of Smith's Lambda; it stands here, and S_1 is the average over all normals, (1 - erfc(c)/2)/(1 + Lambda),
-/// not the 1/(1 + Lambda) of a known normal that microfacet models use.
+/// Everything depends on c = tau cot(theta) / (2 sigma_0) alone, tau along the direction's own azimuth. As
+/// printed, (25) lacks the factor exp(-c^2) of Smith's Lambda; it stands here, and S_1 is the average over
+/// all normals, (1 - erfc(c)/2)/(1 + Lambda), not the 1/(1 + Lambda) of a known normal
+/// that microfacet models use.
 #pragma once
 
 #include "hts/direction.hpp"

@@ -1,14 +1,17 @@
-/// A randomly rough surface: Gaussian heights with autocorrelation C(r) = exp(-r^2/tau^2) [He91 (48)], or with one of another
-/// length along each of two axes, C = exp(-x'^2/tau_x^2 - y'^2/tau_y^2), as brushing and grinding leave it.
+/// A randomly rough surface: Gaussian heights with autocorrelation C(r) = exp(-r^2/tau^2) [He91 (48)], or
+/// with one of another length along each of two axes, C = exp(-x'^2/tau_x^2 - y'^2/tau_y^2), as
+/// brushing and grinding leave it.
 ///
-/// The theory of the anisotropic surface is that of the isotropic one in stretched coordinates: every power of C is again a
-/// Gaussian, so Phi(g, t) stays, with t = k^2 (v_x'^2 tau_x^2 + v_y'^2 tau_y^2)/4 and tau_x tau_y for tau^2. A ray is shadowed by
-/// the slopes in its own vertical plane alone, whose variance along the azimuth alpha is 2 sigma_0^2/tau(alpha)^2,
-/// 1/tau(alpha)^2 = cos^2 alpha/tau_x^2 + sin^2 alpha/tau_y^2. Derivation in docs/models/he.md.
+/// The theory of the anisotropic surface is that of the isotropic one in stretched coordinates: every power
+/// of C is again a Gaussian, so Phi(g, t) stays, with t = k^2 (v_x'^2 tau_x^2 + v_y'^2 tau_y^2)/4 and tau_x
+/// tau_y for tau^2. A ray is shadowed by the slopes in its own vertical plane alone, whose variance along the
+/// azimuth alpha is 2 sigma_0^2/tau(alpha)^2, 1/tau(alpha)^2 = cos^2 alpha/tau_x^2 + sin^2 alpha/tau_y^2.
+/// Derivation in docs/models/he.md.
 ///
-/// `correlated` gives the heights another shape of correlation, C(|(x'/tau_x, y'/tau_y)|), whose lengths then take the place of tau. Such
-/// a surface has no slope of its own: light sees the slopes of frequencies up to 1/lambda, finer structure diffracts. `seen_by` is
-/// the Gaussian surface with those, for shadowing and what else follows slopes. Derivation in docs/models/correlations.md.
+/// `correlated` gives the heights another shape of correlation, C(|(x'/tau_x, y'/tau_y)|), whose lengths then
+/// take the place of tau. Such a surface has no slope of its own: light sees the slopes of frequencies up to
+/// 1/lambda, finer structure diffracts. `seen_by` is the Gaussian surface with those, for shadowing and what
+/// else follows slopes. Derivation in docs/models/correlations.md.
 #pragma once
 
 #include <optional>
@@ -18,7 +21,8 @@
 
 namespace hts {
 
-/// Correlation lengths [um] along two perpendicular axes of a surface, of which the first is given by an azimuth.
+/// Correlation lengths [um] along two perpendicular axes of a surface, of which the
+/// first is given by an azimuth.
 struct CorrelationLengths {
     double along, across;
 };
@@ -43,8 +47,8 @@ class Surface {
     [[nodiscard]] double rms_roughness() const noexcept { return rms_roughness_; }
     /// tau [um]; sqrt(tau_x tau_y) of an anisotropic surface.
     [[nodiscard]] double correlation_length() const noexcept { return correlation_length_; }
-    /// 2 sigma_0 / tau: sqrt(2) times the rms slope, the Beckmann width alpha of Walter et al. 2007; of an anisotropic surface
-    /// the root of the widths along both axes.
+    /// 2 sigma_0 / tau: sqrt(2) times the rms slope, the Beckmann width alpha of Walter et al. 2007; of an
+    /// anisotropic surface the root of the widths along both axes.
     [[nodiscard]] double slope_width() const noexcept { return 2 * rms_roughness_ / correlation_length_; }
 
     [[nodiscard]] bool isotropic() const noexcept { return lengths_.along == lengths_.across; }
@@ -60,11 +64,13 @@ class Surface {
     [[nodiscard]] double correlation_length(const Direction& along) const noexcept;
     /// 2 sigma_0 / tau(alpha) along the azimuth of a direction.
     [[nodiscard]] double slope_width(const Direction& along) const noexcept;
-    /// The shape of correlation; none of the Gaussian that the published model has. What follows tau as a measure of slopes
-    /// (slope_width, tau(alpha)) is that of the Gaussian surface of the same lengths: ask `seen_by` for the slopes of others.
+    /// The shape of correlation; none of the Gaussian that the published model has. What follows tau as a
+    /// measure of slopes (slope_width, tau(alpha)) is that of the Gaussian surface of the same lengths: ask
+    /// `seen_by` for the slopes of others.
     [[nodiscard]] const std::optional<Correlation>& correlation() const noexcept { return correlation_; }
-    /// The Gaussian surface of the same sigma_0 whose rms slopes s along both axes are those of the frequencies up to 1/lambda,
-    /// tau = sqrt(2) sigma_0/s; the surface itself where its correlation is Gaussian.
+    /// The Gaussian surface of the same sigma_0 whose rms slopes s along both axes are those of the
+    /// frequencies up to 1/lambda, tau = sqrt(2) sigma_0/s; the surface itself where its
+    /// correlation is Gaussian.
     [[nodiscard]] Surface seen_by(const Wavelength& wavelength) const noexcept;
     /// Share of the variance of heights in frequencies from one to another [1/um], 0 ... infinity.
     [[nodiscard]] double variance_share(double from, double to) const noexcept;

@@ -14,8 +14,8 @@
 /// At the horizon. As theta -> 90 deg the directional-diffuse term goes to 0, but only logarithmically, since
 /// sigma^2 ~ sigma_0^2/(2 ln K): at 89.9999999999 deg it can still be a quarter of its value at 89.99 deg. At
 /// exactly 90 deg it is 0. A table should end short of the horizon. The specular reflectance of a mirror
-/// (sigma_0 = 0) is 1 there; that of a rough surface goes to 0 at every wavelength, since the model shadows the
-/// specular term too, even where lambda >> sigma_0 and a real surface would reflect all.
+/// (sigma_0 = 0) is 1 there; that of a rough surface goes to 0 at every wavelength, since the model shadows
+/// the specular term too, even where lambda >> sigma_0 and a real surface would reflect all.
 #pragma once
 
 #include "hts/direction.hpp"
@@ -28,9 +28,10 @@
 
 namespace hts {
 
-// Of `directional_diffuse` and of each Mueller element beside element 00, and of `specular_reflectance`, relative,
-// above 1e-280, for sigma_0/tau >= 0.003. Narrower lobes are worse in proportion: |v_xy| keeps 4e-16, which is
-// relative to the lobe's width, (t/g) 4e-16/|v_xy| in all; inputs that carry their last bits do no better.
+// Of `directional_diffuse` and of each Mueller element beside element 00, and of `specular_reflectance`,
+// relative, above 1e-280, for sigma_0/tau >= 0.003. Narrower lobes are worse in proportion: |v_xy| keeps
+// 4e-16, which is relative to the lobe's width, (t/g) 4e-16/|v_xy| in all; inputs that carry
+// their last bits do no better.
 namespace accuracy {
 inline constexpr double brdf = 4e-12;
 inline constexpr double specular_reflectance = 7e-13;
@@ -45,11 +46,13 @@ struct View {
 
 [[nodiscard]] View view(const Surface& surface, const Direction& direction) noexcept;
 
-/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for surfaces that need no more.
+/// How the directional-diffuse lobe depends on Phi; all but `full` are approximations for
+/// surfaces that need no more.
 enum class DiffuseLobe {
     none,         ///< 0: a mirror, with its uniform diffuse term
     first_order,  ///< Phi = g exp(-g - t), for g << 1 and t not large; 2 g exp(-g) W of another correlation
-    rough_limit,  ///< Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution; of the Gaussian correlation alone
+    /// Phi = exp(-t/g)/g, geometric optics: Beckmann's distribution; of the Gaussian correlation alone
+    rough_limit,
     full,  ///< Phi(g, t)
 };
 
@@ -58,8 +61,8 @@ enum class DiffuseLobe {
 /// All that a pair of directions contributes to the directional-diffuse term, whatever the wavelength.
 class PairFactors {
   public:
-    /// Both views must be of this surface, or of what it is `seen_by` at the wavelengths asked for. The surface must outlive the
-    /// factors.
+    /// Both views must be of this surface, or of what it is `seen_by` at the wavelengths asked for. The
+    /// surface must outlive the factors.
     PairFactors(const Surface& surface, const View& in, const View& out) noexcept;
     PairFactors(const Surface& surface, const Direction& in, const Direction& out) noexcept
         : PairFactors{surface, view(surface, in), view(surface, out)} {}
@@ -123,8 +126,8 @@ class SpecularReflectance {
     double value_;
 };
 
-/// What roughness leaves of a mirror's reflectance in the mirror direction, exp(-g) S, all at theta_r = theta_i
-/// [He91 (73)].
+/// What roughness leaves of a mirror's reflectance in the mirror direction, exp(-g) S, all at theta_r =
+/// theta_i [He91 (73)].
 ///   range   0 ... 1, 1 for a mirror      error   accuracy::specular_reflectance
 [[nodiscard]] double coherent_fraction(const Surface& surface, const View& in,
                                        const Wavelength& wavelength) noexcept;

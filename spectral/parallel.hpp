@@ -10,8 +10,9 @@
 
 namespace hts::spectral {
 
-/// Calls f(0) … f(count - 1) in any order on all cores, `chunk` at a time. If calls throw, the exception of the
-/// lowest index is thrown again once all are through, so that the message is the same for any number of threads.
+/// Calls f(0) … f(count - 1) in any order on all cores, `chunk` at a time. If calls throw, the exception of
+/// the lowest index is thrown again once all are through, so that the message is the same
+/// for any number of threads.
 template <class Function>
 void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
     const Job job{"", count};
@@ -35,7 +36,8 @@ void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
 }
 
 /// The same in blocks, for work that needs buffers or is too small to be handed out one by one. Calls
-/// f(first, number) so that each of 0 … count - 1 is in one block; all blocks but the last hold `block` of them.
+/// f(first, number) so that each of 0 … count - 1 is in one block; all blocks but the
+/// last hold `block` of them.
 template <class Function>
 void parallel_blocks(std::size_t count, std::size_t block, Function&& f) {
     parallel_for((count + block - 1) / block, [&](std::size_t i) {

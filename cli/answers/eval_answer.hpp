@@ -18,7 +18,8 @@ void append_mueller(TableWriter::Row& row, const Mueller& diffuse, const Mueller
 /// Other names and units of the BRDF f of both diffuse terms, for --columns:
 ///   brf      bidirectional reflectance factor, pi f [1] (Nicodemus et al. 1977)
 ///   sigma0   radar's scattering coefficient, 4 pi f cos(theta_i) cos(theta_r) [1] (Ulaby, Moore, Fung 1982)
-///   ars      angle-resolved scatter, the cosine-corrected BRDF: f cos(theta_r) [1/sr] (Stover 2012; ISO 19986)
+///   ars      angle-resolved scatter, the cosine-corrected BRDF: f cos(theta_r) [1/sr]
+///            (Stover 2012; ISO 19986)
 [[nodiscard]] const std::vector<std::string>& eval_quantities();
 
 /// Names and values of the added columns, in the order of the members.

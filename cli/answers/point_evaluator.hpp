@@ -43,8 +43,9 @@ class PairColumns {
     std::size_t theta_i_, phi_i_, theta_r_, phi_r_;
 };
 
-/// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um (or correlation_length_x_um,
-/// correlation_length_y_um and azimuth_deg) and albedo go before the material's; they are those of rough surfaces.
+/// Knows which column says what. A row's own n, k, rms_roughness_um, correlation_length_um (or
+/// correlation_length_x_um, correlation_length_y_um and azimuth_deg) and albedo go before the material's;
+/// they are those of rough surfaces.
 class PointEvaluator {
   public:
     ///   points        its header is looked at here, its rows are not
@@ -61,7 +62,8 @@ class PointEvaluator {
     [[nodiscard]] bool of_rough_surfaces() const noexcept {
         return material_.properties().surface.has_value();
     }
-    /// Columns that are in the header and mean nothing here; hts::Error for one that may be meant for a known one.
+    /// Columns that are in the header and mean nothing here; hts::Error for one that may
+    /// be meant for a known one.
     [[nodiscard]] static std::vector<std::string> unused_columns(const CsvReader& points);
 
     /// What is asked of each row besides the terms.

@@ -12,8 +12,8 @@ namespace hts::cli {
 /// What light of one wavelength sees of a roughness, along the normal.
 struct SeenRoughness {
     double wavelength;  ///< [um]
-    double
-        rms_roughness;  ///< sigma_rel [um], of the frequencies up to 1/lambda, which scatter into real directions
+    /// sigma_rel [um], of the frequencies up to 1/lambda, which scatter into real directions
+    double rms_roughness;
     double rms_slope;  ///< along the steeper axis, of the same frequencies
     double scattered;  ///< TIS, 1 - exp(-(4 pi sigma_rel/lambda)^2), of what a flat surface reflects
 };
@@ -23,7 +23,8 @@ struct SeenRoughness {
 ///   wavelengths   [um], increasing, of which the ends are shown
 [[nodiscard]] std::string roughness_text(const spectral::RoughSurface& surface,
                                          const std::vector<double>& wavelengths);
-/// Adds the keys "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over wavelengths, where there is text.
+/// Adds the keys "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over
+/// wavelengths, where there is text.
 void add_roughness(nlohmann::ordered_json& to, const spectral::RoughSurface& surface,
                    const std::vector<double>& wavelengths);
 

@@ -26,8 +26,8 @@ std::optional<spectral::Sampler> sampler(const spectral::Reflectance& reflectanc
     }
 }
 
-/// A lower bound of the directional-hemispherical reflectance: of rough surfaces the integral, of others the mean weight of
-/// draws less three standard errors; none where nobody knows how to draw.
+/// A lower bound of the directional-hemispherical reflectance: of rough surfaces the integral, of others the
+/// mean weight of draws less three standard errors; none where nobody knows how to draw.
 std::optional<double> least_reflectance(const spectral::Reflectance& reflectance, const Direction& in,
                                         std::size_t wavelength) {
     if (reflectance.properties().surface) return reflectance.albedo(in, wavelength).total();

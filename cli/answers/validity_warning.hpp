@@ -1,5 +1,5 @@
-/// What standard error says of an answer: how much of it lies outside the model's validity, and that the material
-/// reflects more than falls in.
+/// What standard error says of an answer: how much of it lies outside the model's validity, and that the
+/// material reflects more than falls in.
 #pragma once
 
 #include <array>

@@ -44,8 +44,8 @@ std::vector<std::string> shell_words(std::string_view line) {
     return words;
 }
 
-/// The words in lines of at most `width` letters, the first one after `before`, the others after `indent` blanks;
-/// `end` closes every line but the last.
+/// The words in lines of at most `width` letters, the first one after `before`, the others after `indent`
+/// blanks; `end` closes every line but the last.
 std::string filled(const std::vector<std::string>& words, const std::string& before, std::size_t indent,
                    const std::string& end = "") {
     std::string text, line = before;

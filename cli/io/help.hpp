@@ -9,8 +9,8 @@ namespace hts::cli {
 /// No line of a help text has more letters.
 inline constexpr std::size_t help_columns = 80;
 
-/// Text broken where a line would be longer: prose is filled anew, a list goes on under what it says, a command
-/// of an example with \ at the end of the line.
+/// Text broken where a line would be longer: prose is filled anew, a list goes on under what it says, a
+/// command of an example with \ at the end of the line.
 [[nodiscard]] std::string wrapped_help(const std::string& text);
 
 /// Names an option by its first long name; others are spellings of before.

@@ -1,5 +1,5 @@
-/// The progress of a long job, drawn on standard error where that is a terminal: what is done, a bar, the share and
-/// the time left, on a line of its own that is gone before anything else is written.
+/// The progress of a long job, drawn on standard error where that is a terminal: what is done, a bar, the
+/// share and the time left, on a line of its own that is gone before anything else is written.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace hts::cli {
 
-/// The line that is drawn, at most `columns` letters: "tracing [####    ] 52 %, 1 min 20 s left"; the time that has
-/// passed where nobody knows the share.
+/// The line that is drawn, at most `columns` letters: "tracing [####    ] 52 %, 1 min 20 s left"; the time
+/// that has passed where nobody knows the share.
 ///   seconds   since the job began
 [[nodiscard]] std::string progress_line(const spectral::JobState& state, double seconds, std::size_t columns);
 

@@ -3,9 +3,9 @@
 
 namespace hts::cli {
 
-/// From here on a signal that ends the program, SIGINT, SIGTERM, SIGHUP and their like, removes the files under
-/// construction first. A signal that is ignored, as SIGHUP is under nohup, stays ignored. A file that reaches
-/// the limit of the shell (SIGXFSZ) becomes the error of the write that met it.
+/// From here on a signal that ends the program, SIGINT, SIGTERM, SIGHUP and their like, removes the files
+/// under construction first. A signal that is ignored, as SIGHUP is under nohup, stays ignored. A file that
+/// reaches the limit of the shell (SIGXFSZ) becomes the error of the write that met it.
 void remove_partial_files_on_signals();
 
 /// A standard stream that is closed stays unusable: no file that is opened later takes its number.

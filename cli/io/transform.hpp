@@ -23,8 +23,8 @@ using spectral::CsvReader;
 using spectral::CsvRow;
 
 /// Turns every input row into `each` output rows: the input's cells and what `append` adds. Works on a chunk
-/// at a time, so memory does not grow with the table; the output is the same for any number of threads. An unusual way of
-/// writing the input goes to standard error.
+/// at a time, so memory does not grow with the table; the output is the same for any number of threads. An
+/// unusual way of writing the input goes to standard error.
 template <class Value>
 class Transform {
   public:

@@ -1,4 +1,5 @@
-// Surfaces of two correlation lengths by the command: files of points, what is said of them, and what is refused.
+// Surfaces of two correlation lengths by the command: files of points, what is said of
+// them, and what is refused.
 #include <string>
 
 #include <catch2/catch.hpp>

@@ -144,7 +144,8 @@ TEST_CASE("a fitted material leads back to its index from another folder") {
     std::filesystem::create_directories(place.folder() / "out");
     place.file("metal.csv", "wavelength_um,n,k\n2,2,20\n6,6,50\n");
     const auto fitted = place.hts(
-        R"(fit mwir-aluminium-sandblasted --model he --index '{"file": "metal.csv"}' --most-points 60 --rings 0 --starts 1 --output out/m.json)");
+        R"(fit mwir-aluminium-sandblasted --model he --index '{"file": "metal.csv"}' --most-points 60 )"
+        R"(--rings 0 --starts 1 --output out/m.json)");
     INFO(fitted.errors);
     REQUIRE(fitted.exit_code == 0);
     CHECK(place.read("out/m.json").find("\"../metal.csv\"") != std::string::npos);

@@ -1,4 +1,5 @@
-// The house rules that a machine can check: which folder and room may include which, and how large they may be.
+// The house rules that a machine can check: which folder and room may include which,
+// and how large they may be.
 
 #include <algorithm>
 #include <filesystem>
@@ -16,10 +17,10 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path root{HTS_SOURCE_DIR};
-constexpr std::size_t most_files = 30, most_lines = 400;
+constexpr std::size_t most_files = 30, most_lines = 400, most_columns = 110;
 
-/// Folders from the physics up, and the rooms of each in the same order; "" are the folder's own files. A file may include
-/// headers of its own room, of rooms before it, and of folders before its own.
+/// Folders from the physics up, and the rooms of each in the same order; "" are the folder's own files. A
+/// file may include headers of its own room, of rooms before it, and of folders before its own.
 struct Folder {
     std::string name;
     std::vector<std::string> rooms;
@@ -80,8 +81,8 @@ std::vector<fs::path> included(const fs::path& file) {
     return result;
 }
 
-/// Place of a file's room in the order, the longest name that fits. The pages of hts itself, which stand before and behind
-/// their rooms, and umbrella headers have none.
+/// Place of a file's room in the order, the longest name that fits. The pages of hts itself, which stand
+/// before and behind their rooms, and umbrella headers have none.
 std::size_t room_of(const Folder& folder, const fs::path& file) {
     const std::string inside = file.parent_path().lexically_relative(folder.name).string();
     const std::string place = inside == "." ? "" : inside;
@@ -140,7 +141,19 @@ TEST_CASE("includes between the rooms of a folder point only one way") {
     }
 }
 
-TEST_CASE("no folder has more than 30 files, no file more than 400 lines") {
+/// The longest line of a text, in characters of UTF-8.
+std::size_t columns(const std::string& text) {
+    std::size_t longest = 0, length = 0;
+    for (const char c : text) {
+        if (c == '\n')
+            length = 0;
+        else if ((static_cast<unsigned char>(c) & 0xc0U) != 0x80U)
+            longest = std::max(longest, ++length);
+    }
+    return longest;
+}
+
+TEST_CASE("no folder has more than 30 files, no file more than 400 lines, no line more than 110 columns") {
     auto all = folders;
     all.push_back({"python", {}});
     for (const Folder& folder : all) {
@@ -156,6 +169,7 @@ TEST_CASE("no folder has more than 30 files, no file more than 400 lines") {
             INFO(file.string());
             const std::string text = read(root / file);
             CHECK(static_cast<std::size_t>(std::ranges::count(text, '\n')) <= most_lines);
+            if (file.extension() != ".py") CHECK(columns(text) <= most_columns);
         });
     }
 }

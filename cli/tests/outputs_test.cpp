@@ -37,7 +37,8 @@ struct Inputs {
                           "index": {"file": "nk.csv"}})");
         add("nk.csv", "wavelength_um,n,k\n0.4,0.5,5\n0.7,1.5,7\n");
         add("s.json",
-            R"({"materials": ["m.json"], "wavelengths_um": [0.5], "tolerance": {"relative_brdf_error": 0.1}})");
+            R"({"materials": ["m.json"], "wavelengths_um": [0.5], "tolerance": {"relative_brdf_error": )"
+            R"(0.1}})");
         add("p.csv", "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n0.5,30,0,40,180\n");
         add("gt.csv", "g,t\n1,2\n");
         fs::create_symlink("m.json", place.folder() / "link.json");

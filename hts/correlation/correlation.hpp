@@ -1,14 +1,17 @@
-/// How the heights of a surface correlate, whatever their rms and scale: a shape C(x), x = r/length, and what scatters by it.
+/// How the heights of a surface correlate, whatever their rms and scale: a shape C(x), x = r/length,
+/// and what scatters by it.
 ///
 ///   C(x)       1 at 0, falling to 0
-///   W(q)       its spectrum, integral of C(x) J0(q x) x dx; integral of W q dq = 1. The power spectrum of the heights is
-///              S2(f) = 2 pi sigma_0^2 length^2 W(2 pi f length)
+///   W(q)       its spectrum, integral of C(x) J0(q x) x dx; integral of W q dq = 1. The power spectrum of
+///              the heights is S2(f) = 2 pi sigma_0^2 length^2 W(2 pi f length)
 ///   D(g, q)    integral of (e^(-g (1 - C)) - e^-g) J0(q x) x dx = e^-g sum of g^m/m! W_m(q), W_m of C^m
 ///
-/// 2 D(g, q) takes the place of Phi(g, q^2/4) wherever the published model has that, the length the place of tau:
-/// for C = exp(-x^2) they are the same. D comes from a logarithmic Hankel transform [Hamilton 2000], made once per shape into a table.
+/// 2 D(g, q) takes the place of Phi(g, q^2/4) wherever the published model has that, the length the place of
+/// tau: for C = exp(-x^2) they are the same. D comes from a logarithmic Hankel transform [Hamilton 2000],
+/// made once per shape into a table.
 ///
-/// W_m of the exponential is m/(m^2 + q^2)^(3/2). K-correlation ("ABC") is the Matern shape: docs/models/correlations.md.
+/// W_m of the exponential is m/(m^2 + q^2)^(3/2). K-correlation ("ABC") is the Matern shape:
+/// docs/models/correlations.md.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +21,8 @@
 
 namespace hts {
 
-// Of `Correlation::lobe`, for g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold them against series,
-// quadrature, and the transform on another grid.
+// Of `Correlation::lobe`, for g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold
+// them against series, quadrature, and the transform on another grid.
 namespace accuracy {
 /// Relative, of 2 D and of the mean of 1/m, where D is over 1e-3 of its greatest value.
 inline constexpr double correlation_lobe = 1e-6;
@@ -38,7 +41,8 @@ struct ScatteringIntegral {
     double inverse_mean;  ///< beta
 };
 
-/// A shape; copies share what they hold. Every call is const and may run on any thread; the table is made at the first need of it.
+/// A shape; copies share what they hold. Every call is const and may run on any thread; the table is made
+/// at the first need of it.
 class Correlation {
   public:
     /// C = exp(-x^2).
@@ -54,13 +58,14 @@ class Correlation {
     /// The lengths of the parts are in units of the sum's length.
     [[nodiscard]] static Correlation sum(std::span<const Part> parts);
     struct Scaled;
-    /// Of a power spectrum that is known at some frequencies. Between, powers of f; below the first it is held; beyond the last
-    /// it is 0, or goes on as the power of f with which it ends.
+    /// Of a power spectrum that is known at some frequencies. Between, powers of f; below the first it is
+    /// held; beyond the last it is 0, or goes on as the power of f with which it ends.
     ///   frequency   > 0, increasing, at least 3 [1/um]      density   S2 > 0 [um^4]; else hts::Error
     ///   continued   where the power at the end is not below -2, which has no finite variance: hts::Error
     [[nodiscard]] static Scaled of_spectrum(std::span<const double> frequency,
                                             std::span<const double> density, bool continued);
-    /// The same of a profile's one-sided spectrum S1 [um^3], by Abel's transform. hts::Error where that is not positive.
+    /// The same of a profile's one-sided spectrum S1 [um^3], by Abel's transform. hts::Error
+    /// where that is not positive.
     [[nodiscard]] static Scaled of_profile_spectrum(std::span<const double> frequency,
                                                     std::span<const double> density, bool continued);
     /// Of a correlation function that is known at some distances.
@@ -73,8 +78,8 @@ class Correlation {
     [[nodiscard]] double log_spectrum(double q) const;
     /// Share of the variance of heights that frequencies below q carry, integral of W q dq.
     [[nodiscard]] double variance_below(double q) const noexcept;
-    /// Variance of the slope along one axis that frequencies below q give, over (sigma_0/length)^2: half the integral of W q^3 dq.
-    /// It grows without bound where C has a cusp, as the exponential.
+    /// Variance of the slope along one axis that frequencies below q give, over (sigma_0/length)^2: half the
+    /// integral of W q^3 dq. It grows without bound where C has a cusp, as the exponential.
     [[nodiscard]] double slope_variance_below(double q) const noexcept;
 
     /// Makes the table where there is none yet.
@@ -106,8 +111,8 @@ struct Correlation::Part {
 struct Correlation::Scaled {
     Correlation shape;
     double length;  ///< where C = 1/e [um]
-    double
-        rms_roughness;  ///< sigma_0 by the whole spectrum, with what is held and continued [um]; of a correlation function 1
+    /// sigma_0 by the whole spectrum, with what is held and continued [um]; of a correlation function 1
+    double rms_roughness;
 };
 
 }  // namespace hts

@@ -72,8 +72,8 @@ double logarithm(double value) {
 constexpr double row_step = 0.11, u_step = 0.025;
 constexpr std::size_t columns = 521;  // u from 0 to 13
 
-/// Rows stand at equal steps of ln g + 16 g/(g + 15): closest about g = 15, where the lobe of single kicks, which dies with
-/// e^-g, gives way to that of many.
+/// Rows stand at equal steps of ln g + 16 g/(g + 15): closest about g = 15, where the lobe of single kicks,
+/// which dies with e^-g, gives way to that of many.
 double row_coordinate(double g) {
     return std::log(g) + 16 * g / (g + 15);
 }
@@ -92,7 +92,8 @@ double g_of_row(std::size_t row) {
     return std::exp(log_g);
 }
 
-/// Coefficients of the cubic B-spline through values at 0, 1, ..., one more at each end; its slopes there are given.
+/// Coefficients of the cubic B-spline through values at 0, 1, ..., one more at each end;
+/// its slopes there are given.
 ///   stride   between values, and between coefficients
 void spline(std::span<const double> values, double first_slope, double last_slope,
             std::span<double> coefficients, std::size_t stride) {
@@ -201,7 +202,8 @@ LobeRow LobeIntegral::row(double g) const {
         row.second_.push_back(values[i].imag());
         if (row.lobe_[i] > row.lobe_[greatest]) greatest = i;
     }
-    // of one scale near 2 (D/-D'')^(1/2); of several that of the narrowest lobe, which it leaves slowly as g grows
+    // of one scale near 2 (D/-D'')^(1/2); of several that of the narrowest lobe, which it
+    // leaves slowly as g grows
     row.width_ = reach > 0 ? 1.77 * lobe / reach : std::sqrt(-2 * std::expm1(-g) / row.at_zero_);
     std::size_t end = greatest;
     while (end + 8 < points && row.lobe_[end] > least_share * row.lobe_[greatest]) ++end;
@@ -212,7 +214,8 @@ LobeRow LobeIntegral::row(double g) const {
     return row;
 }
 
-// --- all g ---------------------------------------------------------------------------------------------------
+// --- all g
+// ---------------------------------------------------------------------------------------------------
 
 LobeTable::LobeTable(const ShapePointer& shape) {
     const LobeIntegral integral{shape};

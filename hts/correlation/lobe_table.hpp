@@ -18,7 +18,8 @@ class LobeRow {
         double log_lobe, log_inverse_mean;
     };
 
-    /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the power of q it has there.
+    /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the
+    /// power of q it has there.
     [[nodiscard]] Value operator()(double q) const;
     /// Where the lobe has its shoulder, 1.77 D(0)/integral of f x^2 dx.
     [[nodiscard]] double width() const noexcept { return width_; }
@@ -35,7 +36,8 @@ class LobeRow {
     Value at_reach_{};
 };
 
-/// D by a logarithmic Hankel transform of e^(-g (1 - C)) - e^-g, and D2 by that of e^-g (Ei(g C) - ln(g C) - gamma).
+/// D by a logarithmic Hankel transform of e^(-g (1 - C)) - e^-g, and D2 by that of e^-g
+/// (Ei(g C) - ln(g C) - gamma).
 class LobeIntegral {
   public:
     ///   points   a power of 2, over a range of e^60 in x

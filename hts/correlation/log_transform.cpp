@@ -61,7 +61,8 @@ void LogTransform::complement(std::span<Complex> values, double bias) const {
 }
 
 void LogTransform::convolve(std::span<Complex> values, std::span<const Complex> multipliers) const {
-    // both transforms run forwards: the second turns x round to k ~ 1/x, and the signs of a centred index cancel
+    // both transforms run forwards: the second turns x round to k ~ 1/x, and the signs
+    // of a centred index cancel
     fourier(values);
     for (std::size_t m = 0; m < points_; ++m) values[m] *= multipliers[m] / static_cast<double>(points_);
     fourier(values);

@@ -12,8 +12,8 @@ namespace hts::correlation_detail {
 ///   error   1e-14, beside 1
 [[nodiscard]] std::complex<double> log_gamma(std::complex<double> z);
 
-/// For `points` values at x_n = x_c e^(n' step), n' = n - points/2, integrals over d ln x against a kernel of k x,
-/// at k_n = e^(n' step)/x_c.
+/// For `points` values at x_n = x_c e^(n' step), n' = n - points/2, integrals over d ln x against a kernel of
+/// k x, at k_n = e^(n' step)/x_c.
 class LogTransform {
   public:
     ///   points   a power of 2
@@ -22,7 +22,8 @@ class LogTransform {
     [[nodiscard]] std::size_t points() const noexcept { return points_; }
     [[nodiscard]] double step() const noexcept { return step_; }
 
-    /// k integral of a(x) J0(k x) dx, in place of a(x); of two functions at once, the real and the imaginary part.
+    /// k integral of a(x) J0(k x) dx, in place of a(x); of two functions at once, the
+    /// real and the imaginary part.
     ///   error   some 1e-15 of the greatest value, where a is smooth in ln x and vanishes at both ends
     void hankel(std::span<std::complex<double>> values) const;
     /// integral of a(k) (1 - J0(k x)) d ln k, over x^bias, in place of a(k) k^bias.

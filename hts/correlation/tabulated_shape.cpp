@@ -54,8 +54,8 @@ class TabulatedSpectrum final : public HeightShape {
             correlation[i] = whole[i].real() * std::exp(-log_x) / total;
             log_complement[i] = std::log(std::max(rest[i].real() / total, 1e-300)) + bias * log_x;
         }
-        // Far beyond the first period C is what rounding and the points' own corners leave. The factor smears the spectrum over
-        // a thirtieth of the first frequency.
+        // Far beyond the first period C is what rounding and the points' own corners leave. The factor smears
+        // the spectrum over a thirtieth of the first frequency.
         const double least_q = std::exp(curve_.first_log_x() + log_scale_);
         for (std::size_t i = 0; i < points; ++i) {
             const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
@@ -116,7 +116,8 @@ class TabulatedSpectrum final : public HeightShape {
 
 /// Integral of a spectrum's density over the plane of frequencies.
 double variance_of(const TabulatedSpectrum& spectrum, double first, double last) {
-    // below the first frequency the density is held; far beyond the last, what is continued is below rounding or refused
+    // below the first frequency the density is held; far beyond the last, what is continued is
+    // below rounding or refused
     double sum = 0;
     const double from = first - 20, to = last + 400;
     constexpr double fine = 0.005;

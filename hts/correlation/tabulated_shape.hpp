@@ -8,7 +8,8 @@
 
 namespace hts::correlation_detail {
 
-/// A curve through points, by monotone cubic pieces between logarithms [Fritsch, Butland 1984]; a power of x beyond either end.
+/// A curve through points, by monotone cubic pieces between logarithms [Fritsch, Butland 1984]; a
+/// power of x beyond either end.
 class LogCurve {
   public:
     ///   x   increasing      values   > 0
@@ -37,20 +38,22 @@ struct ScaledShape {
     double variance;  ///< of the heights, by the table and what continues it
 };
 
-/// A power spectrum over frequencies f: held below the first, beyond the last 0 (over a twentieth, in ln f) or continued as the
-/// power of f that it ends with.
+/// A power spectrum over frequencies f: held below the first, beyond the last 0 (over a twentieth, in ln f)
+/// or continued as the power of f that it ends with.
 ///   density   S2(f) > 0, with variance = integral of S2 2 pi f df
 [[nodiscard]] ScaledShape spectrum_shape(std::span<const double> frequency, std::span<const double> density,
                                          bool continued);
 
-/// S2 from a profile's one-sided spectrum S1, by Abel's transform: S2(f) = -1/(2 pi) integral of S1'(f cosh s) ds over s > 0,
-/// S1 continued beyond the last frequency as the power of f that it ends with. May be negative where S1 rises.
+/// S2 from a profile's one-sided spectrum S1, by Abel's transform: S2(f) = -1/(2 pi) integral of S1'(f cosh
+/// s) ds over s > 0, S1 continued beyond the last frequency as the power of f that it ends with. May be
+/// negative where S1 rises.
 [[nodiscard]] std::vector<double> abel_transform(std::span<const double> frequency,
                                                  std::span<const double> density);
 
-/// A correlation function over distances > 0, beside C(0) = 1: 1 - C a power of the distance below the first; beyond the last,
-/// C falls to 0 within a distance as long again.
-/// hts::Error where its spectrum is negative by more than most_negative of its greatest value; less is taken for 0.
+/// A correlation function over distances > 0, beside C(0) = 1: 1 - C a power of the distance below the first;
+/// beyond the last, C falls to 0 within a distance as long again.
+/// hts::Error where its spectrum is negative by more than most_negative of its greatest
+/// value; less is taken for 0.
 [[nodiscard]] ScaledShape autocorrelation_shape(std::span<const double> distance,
                                                 std::span<const double> correlation);
 inline constexpr double most_negative = 1e-2;

@@ -29,7 +29,8 @@ struct SurfaceTerms {
     AxisTerms axes;
 };
 
-/// A surface and its optical constants, one column per quantity, each padded to whole vectors with its last value.
+/// A surface and its optical constants, one column per quantity, each padded to whole
+/// vectors with its last value.
 struct Prepared {
     enum Column : std::size_t {
         wave_squared,  // k^2 [1/um^2]
@@ -50,8 +51,8 @@ struct Prepared {
     }
 };
 
-/// Below it a direction grazes so much that the exact path takes the pair: K = 2 / lowest_cosine still lies within
-/// lambert_octaves.
+/// Below it a direction grazes so much that the exact path takes the pair: K = 2 / lowest_cosine still lies
+/// within lambert_octaves.
 inline constexpr double lowest_cosine = 1.1e-5;
 
 [[nodiscard]] inline bool is_ordinary(const Direction& direction) noexcept {
@@ -61,11 +62,12 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
-/// A Gaussian correlation, lengths and indices whose products stay far from the ends of a double's range, in any order.
+/// A Gaussian correlation, lengths and indices whose products stay far from the ends of a
+/// double's range, in any order.
 [[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
 
-/// What each sample sees of a surface whose correlation is not Gaussian, its table prepared; nothing of others.
-/// hts::Error where the lobe is a limit that such a surface lacks, or the table does not reach g.
+/// What each sample sees of a surface whose correlation is not Gaussian, its table prepared; nothing of
+/// others. hts::Error where the lobe is a limit that such a surface lacks, or the table does not reach g.
 [[nodiscard]] std::vector<Surface> seen_surfaces(const Surface& surface,
                                                  std::span<const SpectralSample> samples, DiffuseLobe lobe);
 

@@ -10,15 +10,15 @@ namespace hts::evaluation_detail {
 ///   error   relative, at most 6e-11
 extern const std::array<double, 8> exp2_coefficients;
 
-/// exp(c^2) erfc(c) / y with y = erfcx_centre / (erfcx_centre + c), in powers of a position from -1/2 to 1/2 in
-/// y; 0 <= c <= erfcx_far, beyond which erfc(c) < 4e-20.
+/// exp(c^2) erfc(c) / y with y = erfcx_centre / (erfcx_centre + c), in powers of a position from -1/2 to 1/2
+/// in y; 0 <= c <= erfcx_far, beyond which erfc(c) < 4e-20.
 ///   error   relative, at most 3e-11
 extern const std::array<double, 12> erfcx_coefficients;
 inline constexpr double erfcx_centre = 2.5;
 inline constexpr double erfcx_far = 6.5;
 
-/// 1 + W_0(x) in pieces of octaves of v = 1 + e x, since W_0 branches at v = 0 and octaves of v converge alike;
-/// in powers of the position from -1/2 to 1/2 within a piece.
+/// 1 + W_0(x) in pieces of octaves of v = 1 + e x, since W_0 branches at v = 0 and octaves of v converge
+/// alike; in powers of the position from -1/2 to 1/2 within a piece.
 ///   domain  1 <= v < 2^lambert_octaves      error   relative, at most 5e-12
 inline constexpr int lambert_octaves = 32;
 inline constexpr int lambert_log2_pieces = 2;  // per octave

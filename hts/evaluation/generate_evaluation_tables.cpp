@@ -1,5 +1,5 @@
-// Writes evaluation_table.cpp, the coefficients of the lanes, to standard output: Chebyshev interpolants in long
-// double. cmake --build build/release --target hts_evaluation_tables runs it.
+// Writes evaluation_table.cpp, the coefficients of the lanes, to standard output: Chebyshev interpolants in
+// long double. cmake --build build/release --target hts_evaluation_tables runs it.
 #include "hts/evaluation/evaluation_table.hpp"
 
 #include <algorithm>

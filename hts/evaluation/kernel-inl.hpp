@@ -1,6 +1,7 @@
 // The directional-diffuse term in lanes, formula by formula; included once per instruction set.
 //
-// A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `fresnel_terms`. V is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
+// A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `fresnel_terms`. V
+// is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
 #if defined(HTS_EVALUATION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_EVALUATION_KERNEL_INL
 #undef HTS_EVALUATION_KERNEL_INL
@@ -69,8 +70,8 @@ HWY_INLINE V lambert_coordinate(const Lanes& o, V obstruction) {
     return o.mul_add(obstruction * o.real(scale), obstruction, o.real(1));
 }
 
-/// 1 + W_0 from that coordinate: one piece of a table, so value by value. Its result is a vector of one lane's
-/// worth, to be stored.
+/// 1 + W_0 from that coordinate: one piece of a table, so value by value. Its result is a vector of one
+/// lane's worth, to be stored.
 ///   error   relative, at most 5e-12
 HWY_INLINE double one_plus_lambert(double v) {
     constexpr hwy::HWY_NAMESPACE::CappedTag<double, 2> two;
@@ -215,8 +216,8 @@ HWY_INLINE V unpolarised(V scale, const FresnelTerms<V>& f) {
     return scale * f.p_mean / (f.s_below * f.s_below * f.p_below);
 }
 
-/// Mueller matrix of diag(F_s, F_p): p on both ends of the diagonal's first half, q beside it, and F_s F_p*. All
-/// times |c + r|^4 |c r + s^2|^2 / |d|^2.
+/// Mueller matrix of diag(F_s, F_p): p on both ends of the diagonal's first half, q beside it, and F_s F_p*.
+/// All times |c + r|^4 |c r + s^2|^2 / |d|^2.
 template <class V>
 struct FresnelMueller {
     V p, q, real, imaginary;

@@ -1,5 +1,5 @@
-// What pairs of directions contribute whatever the wavelength, a lane to a pair; included once per instruction
-// set.
+// What pairs of directions contribute whatever the wavelength, a lane to a pair; included once per
+// instruction set.
 #if defined(HTS_EVALUATION_PAIRS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_EVALUATION_PAIRS_INL
 #undef HTS_EVALUATION_PAIRS_INL

@@ -30,7 +30,8 @@ Complex exponential_less_one(double real, double imaginary) {
     return {less * cosine - 2 * half * half, (less + 1) * std::sin(imaginary)};
 }
 
-/// The root with a positive real part of a number whose imaginary part is not negative: quicker than std::sqrt.
+/// The root with a positive real part of a number whose imaginary part is not
+/// negative: quicker than std::sqrt.
 Complex root(const Complex& squared, double modulus) {
     const double larger = std::sqrt((modulus + std::abs(squared.real())) / 2);
     const double smaller = larger > 0 ? squared.imag() / (2 * larger) : 0;
@@ -127,8 +128,8 @@ CoatedIndex CoatedIndex::turned_over() const {
     return {{1 / substrate_.n(), 0}, std::move(layers)};
 }
 
-/// From the substrate to the outside. At each film `visit` gets the number of the interface below it, the fields there, the
-/// film, and the factors by which the fields of s and p above it are scaled.
+/// From the substrate to the outside. At each film `visit` gets the number of the interface below it, the
+/// fields there, the film, and the factors by which the fields of s and p above it are scaled.
 template <class Visit>
 CoatedIndex::Ray CoatedIndex::walk(double c, Visit&& visit) const noexcept {
     Ray at = deepest(c);

@@ -1,14 +1,17 @@
 /// Thin films on a substrate: amplitudes that take the place of Fresnel's, and what enters the substrate.
 ///
-/// A stack of plane films, coherent, by Abeles' characteristic matrices: F. Abeles, Ann. Phys. (Paris) 12, 596 and 706 (1950);
-/// Born and Wolf, Principles of Optics, section 1.6; Macleod, Thin-Film Optical Filters, chapter 2. Conventions of fresnel.hpp:
-/// N = n + ik for exp(-i omega t), F_s = -F_p at normal incidence. Phases are those of reflection at the outermost surface.
+/// A stack of plane films, coherent, by Abeles' characteristic matrices: F. Abeles, Ann. Phys. (Paris) 12,
+/// 596 and 706 (1950); Born and Wolf, Principles of Optics, section 1.6; Macleod, Thin-Film Optical Filters,
+/// chapter 2. Conventions of fresnel.hpp: N = n + ik for exp(-i omega t), F_s = -F_p at normal incidence.
+/// Phases are those of reflection at the outermost surface.
 ///
-///   (B, A)   of the field along an interface: B its part across the plane of incidence, electric for s and magnetic for p, A the
-///            other part along the interface; (1, Y) in the substrate, Y = r for s and r/N^2 for p, r = sqrt(N^2 - sin^2)
-///   a film   B' = C B - i S A, A' = C A - i r^2 S B for s; B' = C B - i N^2 S A, A' = C A - i (r^2/N^2) S B for p,
-///            C = cos(delta) e^(i delta), S = sin(delta)/r e^(i delta), delta = k d r. The common factor e^(i delta) has no
-///            effect on A/B and keeps C and S bounded however thick and absorbing the film is
+///   (B, A)   of the field along an interface: B its part across the plane of incidence, electric for s and
+///            magnetic for p, A the other part along the interface; (1, Y) in the substrate, Y = r for s and
+///            r/N^2 for p, r = sqrt(N^2 - sin^2)
+///   a film   B' = C B - i S A, A' = C A - i r^2 S B for s; B' = C B - i N^2 S A, A' = C A - i (r^2/N^2) S B
+///            for p, C = cos(delta) e^(i delta), S = sin(delta)/r e^(i delta), delta = k d r. The common
+///            factor e^(i delta) has no effect on A/B and keeps C and S bounded however thick
+///            and absorbing the film is
 ///   answer   F = (c - A/B)/(c + A/B) for s and for p
 ///
 /// Both are even in r, so no sign of a root and no film at its own critical angle needs care.
@@ -27,8 +30,9 @@
 namespace hts {
 
 namespace accuracy {
-/// Of `CoatedIndex::amplitudes` and of `transmittance`, absolute, times 1 plus the optical thickness of all films in radians,
-/// the sum of k d |N|, where all |N| lie from 0.05 to 20, and away from where Fresnel's amplitudes of the substrate are worse.
+/// Of `CoatedIndex::amplitudes` and of `transmittance`, absolute, times 1 plus the optical thickness of all
+/// films in radians, the sum of k d |N|, where all |N| lie from 0.05 to 20, and away from where Fresnel's
+/// amplitudes of the substrate are worse.
 inline constexpr double films = 1e-14;
 }  // namespace accuracy
 
@@ -38,7 +42,8 @@ struct Film {
     double thickness;  ///< [um]
 };
 
-/// What a surface is made of at one wavelength: a medium and the films that cover it, if any. Immutable; copies share the films.
+/// What a surface is made of at one wavelength: a medium and the films that cover it, if any.
+/// Immutable; copies share the films.
 ///
 ///     const std::vector<hts::Film> oxide{{{1.77, 0}, 0.004}};
 ///     const hts::CoatedIndex aluminium{{0.77, 6.08}, oxide, hts::Wavelength::from_micrometres(0.5)};
@@ -73,8 +78,8 @@ class CoatedIndex {
     ///   error       accuracy::films, see there, or accuracy::fresnel
     ///   cost        of one film two of `fresnel`, of each further film one more; allocates nothing
     [[nodiscard]] FresnelAmplitudes amplitudes(double cos_theta) const noexcept;
-    /// Share of unpolarised light that enters the substrate, just below its surface [1]; films may absorb the rest of what is
-    /// not reflected.
+    /// Share of unpolarised light that enters the substrate, just below its surface [1]; films may absorb the
+    /// rest of what is not reflected.
     ///   error   as of amplitudes
     [[nodiscard]] double transmittance(double cos_theta) const noexcept;
 

@@ -56,7 +56,8 @@ HWY_INLINE V polynomial(const Lanes& o, const std::array<double, size>& coeffici
     return o.mul_add(other, x, o.mul_add(last, x2, o.real(coefficients[0])));
 }
 
-/// Terms first ... first + count - 1 over x^first, by Estrin's rule: more to compute than Horner's, in fewer steps.
+/// Terms first ... first + count - 1 over x^first, by Estrin's rule: more to compute than
+/// Horner's, in fewer steps.
 ///   powers   x, x^2, x^4, x^8
 template <std::size_t first, std::size_t count, class Lanes, class V, std::size_t size>
 HWY_INLINE V estrin(const Lanes& o, const std::array<double, size>& coefficients, const V (&powers)[4]) {

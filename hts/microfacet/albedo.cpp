@@ -32,8 +32,8 @@ Panel panel(const Function& f, double from, double to) {
     return {from, to, value, error};
 }
 
-/// Integral over the panels between neighbouring ends; that of the largest error is halved until the errors together are
-/// below `relative` times the sum.
+/// Integral over the panels between neighbouring ends; that of the largest error is halved until the errors
+/// together are below `relative` times the sum.
 template <class Function>
 double adaptive_integral(const Function& f, const std::vector<double>& ends, double relative) {
     std::vector<Panel> panels;

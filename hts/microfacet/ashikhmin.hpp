@@ -1,13 +1,16 @@
-/// Reflectance made from any density of the normals of microfacets: reciprocal, energy-conserving, with a diffuse term
-/// that takes what the facets leave.
+/// Reflectance made from any density of the normals of microfacets: reciprocal, energy-conserving, with a
+/// diffuse term that takes what the facets leave.
 ///
-/// Source: Ashikhmin, Premoze, Shirley, "A microfacet-based BRDF generator", SIGGRAPH 2000, [Ashikhmin00]. Facets are mirrors
-/// (or Lambertian, `LambertianFacets`); one is shadowed with a probability that depends on the direction alone, not on the facet.
-///   rho = p(h) <h.n> F(k.h)/(4 g(k_1) g(k_2))   (26),     g(k) = <(h.k)+>   (18),     P(k) = (k.n) <h.n>/g(k)   (25)
+/// Source: Ashikhmin, Premoze, Shirley, "A microfacet-based BRDF generator", SIGGRAPH 2000, [Ashikhmin00].
+/// Facets are mirrors (or Lambertian, `LambertianFacets`); one is shadowed with a probability that depends on
+/// the direction alone, not on the facet.
+///   rho = p(h) <h.n> F(k.h)/(4 g(k_1) g(k_2))   (26),     g(k) = <(h.k)+>   (18),     P(k)
+///   = (k.n) <h.n>/g(k)   (25)
 ///
 ///     const AshikhminFacets facets{NormalDensity::gaussian(0.1, 1)};                       // once, 0.1 s
 ///     const AshikhminBrdf plastic{facets, FacetFresnel::schlick(0.05), 0.5};               // per wavelength
-///     const double f = plastic.brdf(Direction::from_degrees(30, 0), Direction::from_degrees(40, 180));   // 1/sr
+///     const double f = plastic.brdf(Direction::from_degrees(30, 0),
+///     Direction::from_degrees(40, 180)); // 1/sr
 #pragma once
 
 #include <memory>
@@ -30,7 +33,8 @@ inline constexpr double lambertian_facets = 3e-3;       ///< of `LambertianFacet
 /// How the facets reflect at one wavelength.
 class FacetFresnel {
   public:
-    /// f0 + (1 - f0)(1 - cos)^5 [Ashikhmin00 (31)].    f0   reflectance at normal incidence, 0 ... 1, else hts::Error
+    /// f0 + (1 - f0)(1 - cos)^5 [Ashikhmin00 (31)].    f0   reflectance at normal incidence,
+    /// 0 ... 1, else hts::Error
     [[nodiscard]] static FacetFresnel schlick(double f0);
     /// The reflectance of a plane interface for unpolarised light, under its films.
     [[nodiscard]] static FacetFresnel exact(const CoatedIndex& index);
@@ -50,7 +54,8 @@ class FacetFresnel {
 /// Whether a facet that is lit is the more likely to be seen.
 enum class FacetShadowing {
     uncorrelated,  ///< P(k_1) P(k_2) [Ashikhmin00 (13)]
-    correlated,  ///< (1 - t) P_1 P_2 + t min(P_1, P_2), t = exp(-(phi/15 deg)^2) [Ashikhmin00 (14)], for velvets
+    /// (1 - t) P_1 P_2 + t min(P_1, P_2), t = exp(-(phi/15 deg)^2) [Ashikhmin00 (14)], for velvets
+    correlated,
 };
 
 /// What a pair of directions contributes, whatever the wavelength.
@@ -64,7 +69,8 @@ class AshikhminFacets {
   public:
     struct Share;
 
-    /// Integrates g(k), at 64 elevations (isotropic: 512) and 32 azimuths per quarter turn, then R(k) at f0 = 0 and 1.
+    /// Integrates g(k), at 64 elevations (isotropic: 512) and 32 azimuths per quarter turn,
+    /// then R(k) at f0 = 0 and 1.
     explicit AshikhminFacets(NormalDensity density, FacetShadowing shadowing = FacetShadowing::uncorrelated);
     /// The mixture of shares, whose g(k) is that of their tables, added: only R(k) is integrated.
     ///   shares   as NormalDensity::mixture
@@ -76,8 +82,8 @@ class AshikhminFacets {
     /// g(k) from the table [1].   error   accuracy::tabulated_area; where the mean normal is tilted, g may
     ///           nearly vanish, and its relative error reaches 1
     [[nodiscard]] double projected_area(const Direction& k) const noexcept;
-    /// P(k), probability that a facet turned towards k is not hidden [Ashikhmin00 (25)]; above 1 only where the mean
-    /// normal is tilted.
+    /// P(k), probability that a facet turned towards k is not hidden [Ashikhmin00 (25)]; above 1 only where
+    /// the mean normal is tilted.
     [[nodiscard]] double visibility(const Direction& k) const noexcept;
 
     /// Geometry of a pair; a lobe of 0 where a direction grazes. Reciprocal.
@@ -101,16 +107,18 @@ struct AshikhminFacets::Share {
     AshikhminFacets facets;
 };
 
-/// The whole model at one wavelength, rho_s + c (t - R(k_1))(t - R(k_2)) rho_d [Ashikhmin00 (30)]; a ReflectanceModel.
-/// c = 1/int (t - R) cos dw makes the albedo R(k) + rho_d (t - R(k)), so that rho_d = t = 1 returns all light, in every direction.
+/// The whole model at one wavelength, rho_s + c (t - R(k_1))(t - R(k_2)) rho_d [Ashikhmin00 (30)]; a
+/// ReflectanceModel. c = 1/int (t - R) cos dw makes the albedo R(k) + rho_d (t - R(k)), so that rho_d = t = 1
+/// returns all light, in every direction.
 class AshikhminBrdf {
   public:
     /// A dielectric, t = 1: what the facets leave enters and is scattered.
-    ///   diffuse_albedo   rho_d, 0 ... 1, else hts::Error; 0 leaves the facets alone. With an exact F and rho_d > 0
-    ///                    the constructor integrates R(k) for this F; with Schlick's it costs microseconds
+    ///   diffuse_albedo   rho_d, 0 ... 1, else hts::Error; 0 leaves the facets alone. With an exact F and
+    ///                    rho_d > 0 the constructor integrates R(k) for this F; with
+    ///                    Schlick's it costs microseconds
     AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, double diffuse_albedo);
-    /// A metal with Schlick's F, t = rho_d = f0: its diffuse light is what the facets scatter more than once; 0 where
-    /// R(k) > f0 [Ashikhmin00 section 5.1].    f0   0 ... 1, else hts::Error
+    /// A metal with Schlick's F, t = rho_d = f0: its diffuse light is what the facets scatter more than once;
+    /// 0 where R(k) > f0 [Ashikhmin00 section 5.1].    f0   0 ... 1, else hts::Error
     [[nodiscard]] static AshikhminBrdf metal(AshikhminFacets facets, double f0);
 
     /// [1/sr], 0 on the horizon.
@@ -147,8 +155,8 @@ class AshikhminBrdf {
 };
 
 /// Lambertian facets, isotropic density, uncorrelated shadowing [Ashikhmin00 (33)]; a ReflectanceModel.
-///   formula   albedo <h.n>/(pi g(k_1) g(k_2)) int (h.k_1)+ (h.k_2)+ p(h) dw; the integral over g g is tabulated over the two
-///             elevations and the azimuth between
+///   formula   albedo <h.n>/(pi g(k_1) g(k_2)) int (h.k_1)+ (h.k_2)+ p(h) dw; the integral over g g is
+///             tabulated over the two elevations and the azimuth between
 ///   limit     flat facets: albedo/pi
 class LambertianFacets {
   public:

@@ -1,11 +1,12 @@
-/// Cook and Torrance's lobe (SIGGRAPH 1981): Beckmann's facets D, V-shaped grooves G, Schlick's reflectance F at theta_d:
+/// Cook and Torrance's lobe (SIGGRAPH 1981): Beckmann's facets D, V-shaped grooves G, Schlick's
+/// reflectance F at theta_d:
 ///
 ///   F D G / (4 cos theta_i cos theta_r),   G = min(1, 2 cos theta_h cos theta_i/cos theta_d,
 ///                                                     2 cos theta_h cos theta_r/cos theta_d)
 ///
-/// Normalisation: D as a density of normals, the integral of D cos theta_h being 1, and 1/4, with which the lobe reflects at
-/// most 1. The form that many texts print, F D' G/(pi cos theta_i cos theta_r) with D' = q/(m^2 cos^4 theta_h) = pi D, is
-/// 4 times this one: ks = 4 gives it.
+/// Normalisation: D as a density of normals, the integral of D cos theta_h being 1, and 1/4, with which the
+/// lobe reflects at most 1. The form that many texts print, F D' G/(pi cos theta_i cos theta_r) with D' =
+/// q/(m^2 cos^4 theta_h) = pi D, is 4 times this one: ks = 4 gives it.
 /// Flaws: light that would leave a groove after a second reflection is lost; G has kinks.
 #pragma once
 

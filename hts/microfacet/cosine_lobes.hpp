@@ -1,5 +1,5 @@
-/// Lobes that are powers of a cosine: Blinn's (SIGGRAPH 1977), Ashikhmin and Shirley's (JGT 5(2), 2000) and that of Lafortune,
-/// Foo, Torrance and Greenberg (SIGGRAPH 1997).
+/// Lobes that are powers of a cosine: Blinn's (SIGGRAPH 1977), Ashikhmin and Shirley's (JGT 5(2), 2000) and
+/// that of Lafortune, Foo, Torrance and Greenberg (SIGGRAPH 1997).
 #pragma once
 
 #include "hts/microfacet/lobes.hpp"
@@ -12,7 +12,8 @@ inline constexpr double cosine_lobes = 3.5e-12;
 }  // namespace accuracy
 
 /// Blinn-Phong, c_n cos^n theta_h.
-///   normalisation   c_n = (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)): reflects exactly 1 at normal incidence; Blinn has none
+///   normalisation   c_n = (n + 2)(n + 4)/(8 pi (2^(-n/2) + n)): reflects exactly 1 at normal
+///                   incidence; Blinn has none
 ///   flaws           reflects about cos^2 theta_i elsewhere, so it darkens towards grazing
 class BlinnPhongLobe {
   public:
@@ -39,8 +40,8 @@ class BlinnPhongLobe {
     double peak_;  // c_n
 };
 
-/// Ashikhmin and Shirley's specular lobe, F p / (4 cos theta_d max(cos theta_i, cos theta_r)) with Schlick's F at theta_d and
-/// p = sqrt((nx + 1)(ny + 1))/(2 pi) cos^e theta_h, e = nx cos^2 phi_h + ny sin^2 phi_h.
+/// Ashikhmin and Shirley's specular lobe, F p / (4 cos theta_d max(cos theta_i, cos theta_r)) with Schlick's
+/// F at theta_d and p = sqrt((nx + 1)(ny + 1))/(2 pi) cos^e theta_h, e = nx cos^2 phi_h + ny sin^2 phi_h.
 ///   normalisation   the integral of p is 1, that of p cos theta_h is not but (n + 1)/(n + 2) for nx = ny = n
 ///   flaws           so its facets cover less than the surface they stand for; the maximum has a kink
 class AshikhminShirleyLobe {
@@ -71,12 +72,12 @@ class AshikhminShirleyLobe {
 };
 
 /// Lafortune's lobe, (n + 2)/(2 pi) (cx x_i x_r + cy y_i y_r + z_i z_r)^n, 0 where the sum is negative.
-/// cx = cy = -1 is Phong's lobe about the mirror direction, 1 one back to the light. A published lobe (Cx x_i x_r + ...)^n
-/// is this one with cx = Cx/Cz, cy = Cy/Cz and ks = 2 pi Cz^n/(n + 2).
+/// cx = cy = -1 is Phong's lobe about the mirror direction, 1 one back to the light. A published lobe (Cx x_i
+/// x_r + ...)^n is this one with cx = Cx/Cz, cy = Cy/Cz and ks = 2 pi Cz^n/(n + 2).
 ///   normalisation   reflects exactly 1 at normal incidence, whatever the coefficients
-///   flaws           |cx| or |cy| above 1 turns the peak off the mirror direction, towards the horizon, and makes it grow
-///                   like (cx^2 sin^2 + cos^2)^(n/2): the albedo exceeds 1; at -1 the lobe sinks below the horizon
-///                   and darkens towards grazing
+///   flaws           |cx| or |cy| above 1 turns the peak off the mirror direction, towards the horizon, and
+///                   makes it grow like (cx^2 sin^2 + cos^2)^(n/2): the albedo exceeds 1; at -1 the lobe
+///                   sinks below the horizon and darkens towards grazing
 class LafortuneLobe {
   public:
     ///   cx, cy   -10 ... 10      exponent   n, 0 ... 1e8; else hts::Error
@@ -111,8 +112,8 @@ using Lafortune = DiffuseAndLobes<LafortuneLobe>;
 
 /// Ashikhmin and Shirley's model: ks times their lobe and their own diffuse term,
 ///   28 rd/(23 pi) (1 - f0) (1 - (1 - cos theta_i/2)^5) (1 - (1 - cos theta_r/2)^5),
-/// which leaves room for the lobe's Fresnel reflectance. The paper has no ks, which is 1; fits to measurements
-/// take it for every lobe alike [Ngan, Durand, Matusik 2005; Kurt10 section 5.1].
+/// which leaves room for the lobe's Fresnel reflectance. The paper has no ks, which is 1; fits to
+/// measurements take it for every lobe alike [Ngan, Durand, Matusik 2005; Kurt10 section 5.1].
 class AshikhminShirley {
   public:
     ///   rd   diffuse reflectance, 0 ... 1      ks   specular reflectivity, 0 ... 1e6; else hts::Error

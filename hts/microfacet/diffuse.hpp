@@ -29,9 +29,12 @@ class LambertianModel {
 
 /// The qualitative model of Oren and Nayar: Lambertian V-shaped grooves of Gaussian slope,
 ///   albedo/pi (A + B max(0, cos(phi_i - phi_r)) sin(max theta) tan(min theta)),
-///   A = 1 - 0.5 s^2/(s^2 + 0.33),   B = 0.45 s^2/(s^2 + 0.09),   s the standard deviation of the slope's angle
-///   normalisation   none: for albedo 1 it reflects about A at normal incidence, since light between facets is left out
-///   flaws           reflects A + B/2 at grazing, above 1 for s below 0.326; a kink at 90 deg between the azimuths
+///   A = 1 - 0.5 s^2/(s^2 + 0.33),   B = 0.45 s^2/(s^2 + 0.09),   s the standard
+///   deviation of the slope's angle
+///   normalisation   none: for albedo 1 it reflects about A at normal incidence, since light
+///                   between facets is left out
+///   flaws           reflects A + B/2 at grazing, above 1 for s below 0.326; a kink at 90
+///                   deg between the azimuths
 class OrenNayar {
   public:
     ///   albedo   of the facets, 0 ... 1      slope_angle   s [rad], 0 ... pi/2; else hts::Error

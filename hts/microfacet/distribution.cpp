@@ -88,10 +88,11 @@ double ggx_density(double tan_squared, double alpha) {
     return square((1 + tan_squared) / (square(alpha) + tan_squared)) * square(alpha) * inv_pi;
 }
 
-/// The slope q along v, in units of alpha, of a visible facet with Gaussian slopes: the root of C(q) = u C(a), where C(q) is
-/// the integral of (1 - x t) exp(-x^2)/sqrt(pi) up to q and t = 1/a the tangent of v in those units; C(a) = 1/G_1.
-/// The density is log-concave on x < a, so ln C is concave, and Newton's method climbs to the root from any point
-/// below it without passing it. -sqrt(-ln u) is below: there C <= u (1/2 + t/(2 sqrt pi)) = u C(0) <= u C(a).
+/// The slope q along v, in units of alpha, of a visible facet with Gaussian slopes: the root of C(q) = u
+/// C(a), where C(q) is the integral of (1 - x t) exp(-x^2)/sqrt(pi) up to q and t = 1/a the tangent of v in
+/// those units; C(a) = 1/G_1. The density is log-concave on x < a, so ln C is concave, and Newton's method
+/// climbs to the root from any point below it without passing it. -sqrt(-ln u) is below: there C <= u (1/2 +
+/// t/(2 sqrt pi)) = u C(0) <= u C(a).
 double visible_gaussian_slope(double a, double u) {
     const double t = 1 / a;
     const double target = std::log(u * gaussian_obstruction(a));
@@ -130,8 +131,8 @@ Vector3 visible_beckmann(const Direction& v, double alpha, double u0, double u1)
     return unit(turned(v, -alpha * q, -alpha * across, 1));
 }
 
-/// Stretched until alpha is 1, facets are a hemisphere; v mirrored by its visible normals covers a cap of the sphere
-/// uniformly [Dupuy23].
+/// Stretched until alpha is 1, facets are a hemisphere; v mirrored by its visible normals covers a cap of the
+/// sphere uniformly [Dupuy23].
 Vector3 visible_ggx(const Direction& v, double alpha, double u0, double u1) {
     const double stretched = std::sqrt(square(alpha * v.sin_theta()) + square(v.cos_theta()));
     const double sine = alpha * v.sin_theta() / stretched;
@@ -191,7 +192,8 @@ FacetDistribution FacetDistribution::widened_for(const Direction& v) const noexc
     return {shape_, wider, 2 / square(wider) - 2, form_};
 }
 
-/// The distribution whose visible normals are drawn; its G_1 is the one that makes their density integrate to 1.
+/// The distribution whose visible normals are drawn; its G_1 is the one that makes
+/// their density integrate to 1.
 FacetDistribution FacetDistribution::with_visible_draw() const noexcept {
     const FacetShape shape = shape_ == FacetShape::phong ? FacetShape::ggx : shape_;
     return {shape, alpha_, 0, SmithForm::exact};

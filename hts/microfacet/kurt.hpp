@@ -1,16 +1,19 @@
-/// The anisotropic model of Kurt, Szirmay-Kalos and Krivanek (Computer Graphics 44(1), 2010), for fitting and sampling:
+/// The anisotropic model of Kurt, Szirmay-Kalos and Krivanek (Computer Graphics 44(1), 2010),
+/// for fitting and sampling:
 ///
-///   f = kd/pi + sum_l ks_l F_l D_l / (4 cos theta_d (cos theta_i cos theta_r)^alpha_l)    [Kurt10 (11), (14)]
-///   f = kd (1 - F)/pi + the same with one lobe                                            [Kurt10 (13), coupled]
+///   f = kd/pi + sum_l ks_l F_l D_l / (4 cos theta_d (cos theta_i cos theta_r)^alpha_l)    [Kurt10 (11),
+///   (14)] f = kd (1 - F)/pi + the same with one
+///   lobe [Kurt10 (13), coupled]
 ///
 /// F is Schlick's reflectance from f0 (12) at theta_d, D Gaussian slopes of widths mx, my (5).
-/// The printed (10) to (14) have lost the pair of parentheses around the two cosines, which reciprocity and the paper's own
-/// weight (21) ask for.
+/// The printed (10) to (14) have lost the pair of parentheses around the two cosines, which reciprocity and
+/// the paper's own weight (21) ask for.
 ///
 /// Energy. With alpha = 0, ks = 1, kd = 0 a lobe reflects at most 1. It stays below (9), F D/(4 cos theta_d
-/// max(cos theta_i, cos theta_r)), which the paper calls energy conserving, but which is so only for m up to about 1.5: at
-/// grazing it reflects 1.24 for m = 2.5, 2.3 for m = 5. With alpha > 0 it does so only away from the horizon: as theta_i -> 90 deg the
-/// albedo grows like cos(theta_i)^-alpha without bound, however small alpha is. `hts figures kurt` maps where it passes 1.
+/// max(cos theta_i, cos theta_r)), which the paper calls energy conserving, but which is so only for m up to
+/// about 1.5: at grazing it reflects 1.24 for m = 2.5, 2.3 for m = 5. With alpha > 0 it does so only away
+/// from the horizon: as theta_i -> 90 deg the albedo grows like cos(theta_i)^-alpha without bound, however
+/// small alpha is. `hts figures kurt` maps where it passes 1.
 #pragma once
 
 #include <array>

@@ -1,8 +1,10 @@
-/// Models made of a diffuse term and weighted lobes, f = kd/pi + sum_l ks_l lobe_l(in, out) [Kurt10 (14)], and how
-/// directions are drawn from them: the sum, its density and its sampling are here once, a model adds the shape of its lobe.
+/// Models made of a diffuse term and weighted lobes, f = kd/pi + sum_l ks_l lobe_l(in, out) [Kurt10 (14)],
+/// and how directions are drawn from them: the sum, its density and its sampling are here once, a model
+/// adds the shape of its lobe.
 ///
-/// Half directions: the facet that mirrors `in` into `out` has the normal h = (in + out)/|in + out| and sees both under
-/// theta_d, cos theta_d = in.h = out.h. A density p(h) of normals is one of p/(4 cos theta_d) of outgoing directions.
+/// Half directions: the facet that mirrors `in` into `out` has the normal h = (in + out)/|in + out| and sees
+/// both under theta_d, cos theta_d = in.h = out.h. A density p(h) of normals is one of p/(4 cos
+/// theta_d) of outgoing directions.
 #pragma once
 
 #include <algorithm>
@@ -36,19 +38,20 @@ struct HalfDirection {
     return f0 + (1 - f0) * square * square * rest;
 }
 
-/// The strength (see LobeShape) of a lobe with Schlick's reflectance: that at the angle of incidence, at least 0.05, since
-/// facets at other angles reflect even where this one is 0.
+/// The strength (see LobeShape) of a lobe with Schlick's reflectance: that at the angle of incidence, at
+/// least 0.05, since facets at other angles reflect even where this one is 0.
 [[nodiscard]] double schlick_strength(double f0, const Direction& in) noexcept;
 
-/// Unit vector of polar angle theta and azimuth phi with cos theta = `base`^(1/(exponent + 1)): for a uniform base in
-/// (0, 1] the density of theta is (exponent + 1) cos^exponent theta sin theta.
+/// Unit vector of polar angle theta and azimuth phi with cos theta = `base`^(1/(exponent + 1)): for a uniform
+/// base in (0, 1] the density of theta is (exponent + 1) cos^exponent theta sin theta.
 [[nodiscard]] Vector3 cosine_power_vector(double base, double exponent, double cos_phi,
                                           double sin_phi) noexcept;
 
 /// Unit vector with the density cos theta / pi over the hemisphere.
 [[nodiscard]] Vector3 cosine_vector(double u1, double u2) noexcept;
 
-/// Whether both are above the horizon; a cosine below 1e-30 counts as on it, so that no product of cosines underflows.
+/// Whether both are above the horizon; a cosine below 1e-30 counts as on it, so that no
+/// product of cosines underflows.
 [[nodiscard]] inline bool above_horizon(const Direction& in, const Direction& out) noexcept {
     constexpr double on_horizon = 1e-30;
     return in.cos_theta() > on_horizon && out.cos_theta() > on_horizon;
@@ -59,7 +62,8 @@ struct HalfDirection {
 [[nodiscard]] double checked_reflectivity(const char* quantity, double value);  ///< 0 ... 1e6
 [[nodiscard]] double checked_exponent(const char* quantity, double value);      ///< 0 ... 1e8
 
-/// A direction that a model drew, with the model's own weight and density; nothing drawn if it lies below the horizon.
+/// A direction that a model drew, with the model's own weight and density; nothing drawn if
+/// it lies below the horizon.
 template <ReflectanceModel Model>
 [[nodiscard]] Draw weighted(const Model& model, const Direction& in, Vector3 drawn) noexcept {
     if (!(drawn.z > 0)) return Draw::none(in);
@@ -95,7 +99,8 @@ struct LobeGeometry {
     [[nodiscard]] double brdf(double f0) const noexcept { return (f0 + (1 - f0) * incidence) * mirrors; }
 };
 
-/// A lobe that is its geometry times Schlick's reflectance, so that many wavelengths cost little more than one.
+/// A lobe that is its geometry times Schlick's reflectance, so that many wavelengths
+/// cost little more than one.
 ///   same_facets   whether the geometry of two lobes is the same
 template <class Shape>
 concept FacetLobeShape = LobeShape<Shape> &&

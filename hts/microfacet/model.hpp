@@ -1,7 +1,8 @@
 /// What every reflectance model offers at one wavelength, so that whatever uses one takes them all.
 ///
-/// A model is a plain value: its constructor checks the parameters (hts::Error), its calls are const, noexcept, total
-/// and allocate nothing. Directions point away from the surface as everywhere (direction.hpp); unpolarised light.
+/// A model is a plain value: its constructor checks the parameters (hts::Error), its calls are const,
+/// noexcept, total and allocate nothing. Directions point away from the surface as everywhere
+/// (direction.hpp); unpolarised light.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ struct Draw {
     Direction out;  ///< the mirror direction for Lobe::none
     /// brdf cos theta_out / pdf, of a specular draw reflectance / pdf [1]; 0 of none. Its mean is the albedo.
     double weight;
-    /// Density in solid angle of drawing `out`, whatever diffuse lobe it came from [1/sr]; of a specular draw the
-    /// probability of the delta [1]; 0 of none.
+    /// Density in solid angle of drawing `out`, whatever diffuse lobe it came from [1/sr]; of a specular draw
+    /// the probability of the delta [1]; 0 of none.
     double pdf;
     Lobe lobe = Lobe::directional_diffuse;
 
@@ -58,8 +59,9 @@ concept ReflectanceModel = requires(const Model& model, const Direction& in, con
     noexcept->std::same_as<Draw>;
 };
 
-/// A model that lets light through as well. `behind` leads to a viewer on the far side, its polar angle measured from the
-/// inward normal, its azimuth that of the front: straight on through the surface from (theta, phi) is (theta, phi + 180 deg).
+/// A model that lets light through as well. `behind` leads to a viewer on the far side, its polar angle
+/// measured from the inward normal, its azimuth that of the front: straight on through the surface from
+/// (theta, phi) is (theta, phi + 180 deg).
 ///   transmits   whether it does at all; then
 ///   btdf        radiance that leaves along `behind` per irradiance from `in` [1/sr]; 0 on the horizon
 template <class Model>

@@ -1,5 +1,5 @@
-/// One model at all wavelengths of a spectrum at once: a value of the model for each, whose BRDFs of a pair of directions share
-/// what depends on the directions alone.
+/// One model at all wavelengths of a spectrum at once: a value of the model for each, whose BRDFs of a pair
+/// of directions share what depends on the directions alone.
 ///
 ///     const std::vector<WalterBrdf> gold{{ggx, blue_index}, {ggx, green_index}, {ggx, red_index}};
 ///     std::array<double, 3> f;
@@ -13,10 +13,11 @@
 
 namespace hts {
 
-/// A model that computes many wavelengths for little more than one. No model needs it: any other is asked for each
-/// wavelength alone.
-///   shares_geometry   whether two values of the model differ in nothing but what each wavelength may have for itself, such as
-///                     reflectivities; roughness may depend on wavelength, but the costs are then those of each alone
+/// A model that computes many wavelengths for little more than one. No model needs it: any other is asked for
+/// each wavelength alone.
+///   shares_geometry   whether two values of the model differ in nothing but what each wavelength may have
+///                     for itself, such as reflectivities; roughness may depend on wavelength, but the costs
+///                     are then those of each alone
 ///   brdf              of values that all share their geometry, one or more, the same bits as each alone
 template <class Model>
 concept GeometrySharingModel = ReflectanceModel<Model> &&
@@ -29,7 +30,8 @@ concept GeometrySharingModel = ReflectanceModel<Model> &&
 };
 
 /// The BRDF of each model [1/sr], the same bits as model.brdf(in, out).
-///   models   any; neighbours that share their geometry are computed together      result   models.size() values
+///   models   any; neighbours that share their geometry are computed together
+///            result models.size() values
 template <ReflectanceModel Model>
 void spectral_brdf(std::span<const Model> models, const Direction& in, const Direction& out,
                    std::span<double> result) noexcept {

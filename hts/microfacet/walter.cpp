@@ -55,8 +55,8 @@ Facet drawn_refracting_facet(Vector3 normal, double cos_in, double eta_in, doubl
     return {normal, cos_in, cos_out, eta_out * eta_out * cos_out / (length * length)};
 }
 
-/// Refraction: h_t of (16), turned towards the side of `in`. `out` is on the other side: its z is negative. No facet where
-/// the directions do not lie on opposite sides of it.
+/// Refraction: h_t of (16), turned towards the side of `in`. `out` is on the other side: its z is negative.
+/// No facet where the directions do not lie on opposite sides of it.
 Facet refracting_facet(Vector3 in, Vector3 out, double eta_in, double eta_out) {
     const Vector3 sum = eta_in * in + eta_out * out;
     const double length_squared = dot(sum, sum);
@@ -74,9 +74,11 @@ double transmittance(double cos_in, double cos_out, double eta_in, double eta_ou
     return 2 * eta_in * eta_out * cos_in * cos_out * (1 / (s * s) + 1 / (p * p));
 }
 
-/// (|F_s|^2 + |F_p|^2)/2 in real arithmetic. With N = n + ik, d = N^2 - 1, sqrt(N^2 - sin^2) = A + iB, M = A^2 + B^2:
+/// (|F_s|^2 + |F_p|^2)/2 in real arithmetic. With N = n + ik, d = N^2 - 1, sqrt(N^2 - sin^2)
+/// = A + iB, M = A^2 + B^2:
 ///   |F_s|^2 = |d|^2/(M + c^2 + 2Ac)^2,   |F_p|^2 = |F_s|^2 (M c^2 + s^4 - 2Ac s^2)/(M c^2 + s^4 + 2Ac s^2)
-/// Where A is the smaller of A and B it is nk/B, so that nothing cancels. No branch keeps a loop over wavelengths from vectors.
+/// Where A is the smaller of A and B it is nk/B, so that nothing cancels. No branch keeps a loop over
+/// wavelengths from vectors.
 inline double reflectance(double c, double n, double k) {
     const double c2 = c * c;
     const double s2 = (1 - c) * (1 + c);

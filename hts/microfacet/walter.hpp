@@ -1,19 +1,23 @@
-/// Rough conductors and dielectrics as facets that reflect and refract, each as a small plane interface: Walter, Marschner,
-/// Li, Torrance, Microfacet models for refraction through rough surfaces, EGSR 2007 [Walter07]. Geometric optics, single
-/// scattering, unpolarised light.
+/// Rough conductors and dielectrics as facets that reflect and refract, each as a small plane interface:
+/// Walter, Marschner, Li, Torrance, Microfacet models for refraction through rough surfaces, EGSR 2007
+/// [Walter07]. Geometric optics, single scattering, unpolarised light.
 ///
-///   reflection   f_r = F G D(h_r) / (4 (i.n)(o.n))                                                       (20)
-///   refraction   f_t = |i.h_t||o.h_t|/((i.n)(o.n)) eta_o^2 (1 - F) G D(h_t) / |eta_i i + eta_o o|^2       (21)
+///   reflection   f_r = F G
+///                D(h_r) / (4 (i.n)(o.n)) (20)
+///   refraction   f_t = |i.h_t||o.h_t|/((i.n)(o.n)) eta_o^2 (1 - F) G D(h_t) /
+///                |eta_i i + eta_o o|^2 (21)
 ///
-/// i points towards the light, o towards the viewer, n on the side of i; G = G_1(i) G_1(o) (23), D and G_1 from
-/// distribution.hpp. `WalterBrdf` is reflection from the front alone, off metals and glass alike, and a ReflectanceModel;
-/// `WalterBsdf` is both, on both sides of a rough interface of two transparent media.
+/// i points towards the light, o towards the viewer, n on the side of i; G = G_1(i) G_1(o) (23), D and G_1
+/// from distribution.hpp. `WalterBrdf` is reflection from the front alone, off metals and glass alike, and a
+/// ReflectanceModel; `WalterBsdf` is both, on both sides of a rough interface of two transparent media.
 ///
-/// Energy. Light that facets send into other facets is lost. With F = 1 the albedo is the mean of G_1(o) over the visible
-/// normals whose reflection leaves, so it is at most 1 (SmithForm::exact): at alpha 0.5 Beckmann keeps 0.943 of the
-/// light at 0 deg and 0.918 at 80 deg, GGX 0.688 and 0.747 (hts/microfacet/tests/reference/walter_furnace.csv).
+/// Energy. Light that facets send into other facets is lost. With F = 1 the albedo is the mean of G_1(o) over
+/// the visible normals whose reflection leaves, so it is at most 1 (SmithForm::exact): at alpha 0.5 Beckmann
+/// keeps 0.943 of the light at 0 deg and 0.918 at 80 deg, GGX 0.688 and 0.747
+/// (hts/microfacet/tests/reference/walter_furnace.csv).
 ///
-/// Roughness to none. As alpha -> 0 the lobes become those of a mirror and of Snell's law with Fresnel's shares.
+/// Roughness to none. As alpha -> 0 the lobes become those of a mirror and of Snell's
+/// law with Fresnel's shares.
 #pragma once
 
 #include <array>
@@ -27,8 +31,8 @@
 namespace hts {
 
 namespace accuracy {
-/// Of the BRDF and BSDF, relative, for alpha >= 0.01, indices apart by 0.1 or more and lobes above 1e-30 of their peak: the
-/// last bits of the directions, over alpha.
+/// Of the BRDF and BSDF, relative, for alpha >= 0.01, indices apart by 0.1 or more and lobes above 1e-30 of
+/// their peak: the last bits of the directions, over alpha.
 inline constexpr double microfacet = 1.4e-12;
 inline constexpr double facet_reflectance = 1.7e-15;  ///< absolute
 }  // namespace accuracy
@@ -44,7 +48,8 @@ struct Facet {
 /// Reflection: h_r of (13). Both directions above the horizon.
 [[nodiscard]] Facet mirror_facet(const Direction& in, const Direction& out) noexcept;
 
-/// What a facet reflects of unpolarised light, `fresnel(...).unpolarised_reflectance()` in real arithmetic, which is quicker.
+/// What a facet reflects of unpolarised light, `fresnel(...).unpolarised_reflectance()` in real
+/// arithmetic, which is quicker.
 ///   cos_in   0 ... 1    range   0 ... 1; 1 in total reflection
 ///   error    accuracy::facet_reflectance, absolute, away from the critical angle
 [[nodiscard]] double facet_reflectance(double cos_in, const CoatedIndex& index) noexcept;
@@ -61,10 +66,12 @@ struct FacetLobe {
 /// Reflection from the front, (20): a ReflectanceModel.
 ///
 ///     const hts::WalterBrdf gold{hts::FacetDistribution::ggx(0.2), {0.18, 3.4}};
-///     const double f = gold.brdf(hts::Direction::from_degrees(30, 0), hts::Direction::from_degrees(40, 170));
+///     const double f = gold.brdf(hts::Direction::from_degrees(30, 0),
+///     hts::Direction::from_degrees(40, 170));
 class WalterBrdf {
   public:
-    ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0 of glass; with its films
+    ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0
+    ///           of glass; with its films
     WalterBrdf(const FacetDistribution& facets, const CoatedIndex& index,
                NormalDraw normals = NormalDraw::visible) noexcept
         : facets_{facets}, index_{index}, normals_{normals} {}
@@ -80,8 +87,9 @@ class WalterBrdf {
     }
     /// Density of `sample` [1/sr], normal_pdf times the Jacobian (38).
     [[nodiscard]] double pdf(const Direction& in, const Direction& out) const noexcept;
-    /// Mirrors `in` at a normal drawn with uniforms 0 and 1 (39). Weight F G |i.m| D/((i.n) p_m), which is (41) times F for
-    /// NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction falls below the horizon.
+    /// Mirrors `in` at a normal drawn with uniforms 0 and 1 (39). Weight F G |i.m| D/((i.n) p_m), which is
+    /// (41) times F for NormalDraw::all and F G_1(out) for visible ones; 0 where the mirrored direction
+    /// falls below the horizon.
     [[nodiscard]] Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept;
 
     [[nodiscard]] const CoatedIndex& index() const noexcept { return index_; }
@@ -101,9 +109,9 @@ static_assert(GeometrySharingModel<WalterBrdf>);
 /// The side of an interface that a direction points to; its front is where the outward normal +z points.
 enum class Side { front, back };
 
-/// A direction that points away from an interface to either side. `direction` is measured from that side's own normal, so
-/// it is always "above" its side; x and y, and so azimuths, are those of the front. Straight on through the
-/// interface from (theta, phi) leads to the other side's (theta, phi + 180 deg).
+/// A direction that points away from an interface to either side. `direction` is measured from that side's
+/// own normal, so it is always "above" its side; x and y, and so azimuths, are those of the front. Straight
+/// on through the interface from (theta, phi) leads to the other side's (theta, phi + 180 deg).
 struct SidedDirection {
     Side side;
     Direction direction;
@@ -136,30 +144,33 @@ struct DrawnScattering {
 ///     const double f = glass.bsdf(light, view);
 class WalterBsdf {
   public:
-    ///   front_index, back_index   real indices of the two media   0.01 ... 100, apart by at least 1e-6 of the
-    ///                             greater, else hts::Error; the error of refraction grows as 1/(their difference)
+    ///   front_index, back_index   real indices of the two media   0.01 ... 100, apart by at least 1e-6 of
+    ///                             the greater, else hts::Error; the error of refraction
+    ///                             grows as 1/(their difference)
     WalterBsdf(const FacetDistribution& facets, double front_index, double back_index,
                NormalDraw normals = NormalDraw::visible);
-    /// With films between the two media, which reflect F and let T through in place of 1 - F. `sample` draws reflection with
-    /// probability F, so its weight of refraction has a factor T/(1 - F) where films absorb.
+    /// With films between the two media, which reflect F and let T through in place of 1 - F. `sample` draws
+    /// reflection with probability F, so its weight of refraction has a factor T/(1 - F) where films absorb.
     ///   back   the medium behind, k = 0, and the films, relative to vacuum
     WalterBsdf(const FacetDistribution& facets, double front_index, const CoatedIndex& back,
                NormalDraw normals = NormalDraw::visible);
 
-    /// Radiance that leaves along `out` per irradiance from `in` [1/sr]: f_r on one side, f_t across. 0 on the horizon.
-    ///   reciprocity   f_r(i, o) = f_r(o, i);  f_t(i, o)/eta_o^2 = f_t(o, i)/eta_i^2. The adjoint, for importance carried
-    ///                 as if it were radiance, is bsdf(out, in)
+    /// Radiance that leaves along `out` per irradiance from `in` [1/sr]: f_r on one side, f_t
+    /// across. 0 on the horizon.
+    ///   reciprocity   f_r(i, o) = f_r(o, i);  f_t(i, o)/eta_o^2 = f_t(o, i)/eta_i^2. The adjoint, for
+    ///                 importance carried as if it were radiance, is bsdf(out, in)
     ///   error         accuracy::microfacet
     [[nodiscard]] double bsdf(const SidedDirection& in, const SidedDirection& out) const noexcept;
 
     /// Density of `sample` drawing `out`, whichever way the path goes [1/sr].
     [[nodiscard]] double pdf(const SidedDirection& known, const SidedDirection& out) const noexcept;
 
-    /// Draws a normal with uniforms 0 and 1, reflects where uniform 2 is below its Fresnel reflectance and refracts
-    /// elsewhere: (39), (40) with the square of eta that the first print lacks. Total reflection needs no case of its own.
+    /// Draws a normal with uniforms 0 and 1, reflects where uniform 2 is below its Fresnel reflectance and
+    /// refracts elsewhere: (39), (40) with the square of eta that the first print lacks. Total reflection
+    /// needs no case of its own.
     ///   from light   weight bsdf(known, out) cos theta_out / pdf = (41), G_1(out) for visible normals
-    ///   from eye     weight bsdf(out, known) cos theta_out / pdf = the same times (eta_known/eta_out)^2: radiance is
-    ///                compressed into the denser medium
+    ///   from eye     weight bsdf(out, known) cos theta_out / pdf = the same times (eta_known/eta_out)^2:
+    ///                radiance is compressed into the denser medium
     [[nodiscard]] DrawnScattering sample(const SidedDirection& known, const Uniforms& uniforms,
                                          PathFrom from = PathFrom::light) const noexcept;
 
@@ -172,8 +183,8 @@ class WalterBsdf {
     [[nodiscard]] const Media& media(Side side) const noexcept {
         return side == Side::front ? front_ : back_;
     }
-    /// What sends one direction into another: a facet, F or T there, and the probability with which it is drawn; all 0 where
-    /// there is none.
+    /// What sends one direction into another: a facet, F or T there, and the probability with which it is
+    /// drawn; all 0 where there is none.
     struct Event {
         Facet facet;
         double share, chance;
@@ -187,9 +198,10 @@ class WalterBsdf {
     NormalDraw normals_;
 };
 
-/// Reflects as WalterBrdf does, and where the material is transparent lets the rest through: a TransmittingModel. A
-/// diffuse albedo, which the paper has not, stands for what a pigment inside sends back: it adds albedo/pi, and nothing
-/// passes through. It is not reduced by what the facets reflect, so that both together may exceed 1.
+/// Reflects as WalterBrdf does, and where the material is transparent lets the rest through: a
+/// TransmittingModel. A diffuse albedo, which the paper has not, stands for what a pigment inside sends back:
+/// it adds albedo/pi, and nothing passes through. It is not reduced by what the facets reflect, so that
+/// both together may exceed 1.
 class WalterInterface : public WalterBrdf {
   public:
     ///   index            of the material, transparent if k = 0: then as WalterBsdf wants it
@@ -221,8 +233,8 @@ class WalterInterface : public WalterBrdf {
 
 static_assert(GeometrySharingModel<WalterInterface> && TransmittingModel<WalterInterface>);
 
-/// A glass that the paper measured: widths fitted at normal incidence with index 1.51, and the scale from the fitted
-/// model to its relative measurements (its Fig. 12).
+/// A glass that the paper measured: widths fitted at normal incidence with index 1.51, and the scale from the
+/// fitted model to its relative measurements (its Fig. 12).
 struct MeasuredGlass {
     const char* name;
     double beckmann_scale, beckmann_alpha;

@@ -3,10 +3,11 @@
 ///   Ward        q / (4 pi mx my sqrt(cos theta_i cos theta_r))
 ///   Ward-Duer   q / (4 pi mx my cos theta_i cos theta_r)
 ///
-/// Normalisation: as printed, q over pi mx my without the cos^4 theta_h of a density of normals, so that each reflects 1 at
-/// normal incidence only in the limit of narrow lobes, less for wide ones.
-/// Flaws: a narrow Ward lobe reflects cos theta_i, so it darkens towards grazing; Ward-Duer has 1 there. At grazing, once
-/// cos theta_i is well below m, both grow beyond 1 without bound, like cos(theta_i)^-1/2 and 1/cos theta_i.
+/// Normalisation: as printed, q over pi mx my without the cos^4 theta_h of a density of normals, so that each
+/// reflects 1 at normal incidence only in the limit of narrow lobes, less for wide ones.
+/// Flaws: a narrow Ward lobe reflects cos theta_i, so it darkens towards grazing; Ward-Duer has 1 there. At
+/// grazing, once cos theta_i is well below m, both grow beyond 1 without bound, like
+/// cos(theta_i)^-1/2 and 1/cos theta_i.
 #pragma once
 
 #include "hts/microfacet/lobes.hpp"

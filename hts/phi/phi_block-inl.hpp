@@ -21,9 +21,9 @@ namespace hl = lanes::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// scale Phi(g, t) for a block of items, in passes, so that no pass waits for the one before: coordinates across
-/// lanes, the directory item by item (quicker than a gather), places across lanes, polynomials item by item (a
-/// row of coefficients fills a vector), exponentials across lanes.
+/// scale Phi(g, t) for a block of items, in passes, so that no pass waits for the one before: coordinates
+/// across lanes, the directory item by item (quicker than a gather), places across lanes, polynomials item by
+/// item (a row of coefficients fills a vector), exponentials across lanes.
 ///   Items   g(i), t(i), inverse_g(i) and scale(i): vectors of items i ... i + lanes - 1
 template <class Spec, std::size_t most_lanes, class Items>
 struct PhiBlock {

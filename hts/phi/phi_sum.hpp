@@ -18,7 +18,8 @@ struct PhiSum {
 
 /// The sums.
 ///   domain  0 < g <= 1e300, 0 <= t < infinity
-///   error   log: 1e-14 of max(|log|, 1); excess: 1e-13 of <m> + g; inverse_mean and rest: 1e-13 of themselves
+///   error   log: 1e-14 of max(|log|, 1); excess: 1e-13 of <m> + g; inverse_mean and
+///           rest: 1e-13 of themselves
 ///   cost    about 0.1 to 1 microsecond, whatever g
 [[nodiscard]] PhiSum phi_sum(double g, double t) noexcept;
 

@@ -25,8 +25,8 @@ namespace hl = lanes::HWY_NAMESPACE;
 /// Beyond it Phi < 1e-287 for every g < 2^emin.
 inline constexpr double largest_term_t = 15000;
 
-/// Terms that count for g < 2^emin and t. There w = ln(m*/g) > 4.8, so the largest is at m* < sqrt(t/4.8) and the
-/// width sqrt(m*/(1 + 2w)) < sqrt(m*/10); nine widths and three terms leave 1e-17.
+/// Terms that count for g < 2^emin and t. There w = ln(m*/g) > 4.8, so the largest is at m* < sqrt(t/4.8) and
+/// the width sqrt(m*/(1 + 2w)) < sqrt(m*/10); nine widths and three terms leave 1e-17.
 HWY_INLINE double terms_that_count(double t) {
     const double peak = std::sqrt(t * (1 / 4.8));
     return peak + std::sqrt(peak * 8.1) + 3;

@@ -1,4 +1,5 @@
-// The mixtures of the sampler: shares of the least variance at each node, by trial draws from every component.
+// The mixtures of the sampler: shares of the least variance at each node, by trial
+// draws from every component.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,8 +32,8 @@ double cosine_of(std::size_t index) {
     return std::ldexp(1 + (eighth + 0.5) / 8, octave - 8);
 }
 
-/// How far a lobe reaches in units of that of one term: the root of the mean m of Phi's Poisson sum. Of another correlation half
-/// the q at which the lobe has fallen by e, which for exp(-q^2/4m) is the same.
+/// How far a lobe reaches in units of that of one term: the root of the mean m of Phi's Poisson sum. Of
+/// another correlation half the q at which the lobe has fallen by e, which for exp(-q^2/4m) is the same.
 double reach(const Surface& surface, double g) {
     const double mean = g > 0 ? g / -std::expm1(-g) : 1;  // of m >= 1
     if (!surface.correlation() || !(g > 0)) return std::sqrt(mean);
@@ -45,8 +46,8 @@ double reach(const Surface& surface, double g) {
     return std::exp(below) / 2;
 }
 
-/// The widths that follow Phi: those of the mean m of its Poisson sum. At grazing light cos theta_i understates v_z over
-/// the lobe, whose extent in v_xy is 2/(k tau) at least.
+/// The widths that follow Phi: those of the mean m of its Poisson sum. At grazing light cos theta_i
+/// understates v_z over the lobe, whose extent in v_xy is 2/(k tau) at least.
 Mixture scales(const ScatteringLobe& lobe, const Direction& in) {
     const double k_tau = lobe.wave_number * lobe.surface.correlation_length();
     const double c = in.cos_theta();

@@ -123,8 +123,8 @@ HWY_INLINE double unstretched_squared(const StretchedLight& /*light*/, PlanePoin
     return o.mul_add(v.x, v.x, v.y * v.y);
 }
 
-/// The point or its partner, which has the opposite x and the same density: mirrored above an isotropic surface, else the point
-/// across the centre.
+/// The point or its partner, which has the opposite x and the same density: mirrored above an isotropic
+/// surface, else the point across the centre.
 HWY_INLINE PlanePoint partner(const Light& /*light*/, PlanePoint v) {
     return {-v.x, v.y};
 }
@@ -149,8 +149,8 @@ struct Skews {
     double lowered, raised;
 };
 
-/// factor (1 + q_x a), the bracket moved into 0 ... 2, for both skews a; 2 in its place where the facet of -q_x mirrors
-/// the light to below the horizon. No jumps, since none could be foreseen.
+/// factor (1 + q_x a), the bracket moved into 0 ... 2, for both skews a; 2 in its place where the facet of
+/// -q_x mirrors the light to below the horizon. No jumps, since none could be foreseen.
 HWY_INLINE Skews skewed(const Mixture& m, const Light& light, double q_x, double q_squared, double factor) {
     const double partner = o.neg_mul_add(2 * light.sine, q_x, light.cosine * (1 - q_squared));  // > 0: above
 #if HWY_TARGET == HWY_SCALAR
@@ -169,8 +169,8 @@ HWY_INLINE Skews skewed(const Mixture& m, const Light& light, double q_x, double
 #endif
 }
 
-/// Sum over all diffuse parts. Since every density is at least that of the uniform one, what lies below 2^-1021 of
-/// another is not missed.
+/// Sum over all diffuse parts. Since every density is at least that of the uniform one, what lies below
+/// 2^-1021 of another is not missed.
 template <class AnyLight>
 HWY_INLINE double density(const Mixture& m, const AnyLight& light, Vector3 out) {
     constexpr hn::CappedTag<double, lanes> d;
@@ -255,7 +255,8 @@ HWY_INLINE Vector3 hemisphere_point(double z, PlanePoint turn) {
     return {radius * turn.x, radius * turn.y, z};
 }
 
-/// v_xy of the beam, or its partner: either if both lie inside the circle of directions, else the one that does.
+/// v_xy of the beam, or its partner: either if both lie inside the circle of
+/// directions, else the one that does.
 template <class AnyLight>
 HWY_INLINE PlanePoint drawn_across(const AnyLight& light, PlanePoint v, double horizontal, double u) {
     const PlanePoint in_front = forward(light, v);

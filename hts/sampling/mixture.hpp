@@ -1,4 +1,5 @@
-// What a direction is drawn from: the shares and scales of lobe_sampler.hpp's mixture at one angle of incidence.
+// What a direction is drawn from: the shares and scales of lobe_sampler.hpp's mixture
+// at one angle of incidence.
 #pragma once
 
 #include <array>
@@ -39,7 +40,8 @@ inline constexpr std::array<double, 3> roots_of_widths{std::numbers::sqrt2 / 2, 
 /// Lane 0 has the exponential of the beam, the others those of the widths.
 inline constexpr std::size_t lanes = 4;
 
-/// One angle of incidence, ready for the kernel: each part's factor is its share times its density's constants.
+/// One angle of incidence, ready for the kernel: each part's factor is its share times
+/// its density's constants.
 struct alignas(64) Mixture {
     using Lanes = std::array<double, lanes>;
 
@@ -67,7 +69,8 @@ inline constexpr std::size_t mixture_count = 66;
     return index > 0 ? static_cast<std::size_t>(index) : 0;
 }
 
-/// Of an anisotropic surface as many for each of these parts of a right angle between light and an axis, one of all azimuths else.
+/// Of an anisotropic surface as many for each of these parts of a right angle between light and an axis,
+/// one of all azimuths else.
 inline constexpr std::size_t azimuth_count = 6;
 
 /// The part that a light is in, from the first axis on.

@@ -13,8 +13,9 @@ struct Light {
     double cosine, sine;
 };
 
-/// The same above a surface of two correlation lengths. In its frame vectors v of the plane are stretched as t has them,
-/// S v with S = ((xx, xy), (xy, yy)) symmetric and of determinant 1: S turns the ellipses of the lobe into circles.
+/// The same above a surface of two correlation lengths. In its frame vectors v of the plane are stretched as
+/// t has them, S v with S = ((xx, xy), (xy, yy)) symmetric and of determinant 1: S turns the ellipses
+/// of the lobe into circles.
 struct StretchedLight : Light {
     double xx, xy, yy;
     double reach;  // (xy^2 + yy^2)^(1/2), how far S^-1 takes a unit vector along x at most

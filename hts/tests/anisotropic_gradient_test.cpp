@@ -66,7 +66,8 @@ TEST_CASE("derivatives of anisotropic surfaces agree with 50 digits") {
         const auto matrix = directional_diffuse_mueller_gradient(pair, one_um, row.index());
         const auto specular =
             specular_reflectance_gradient(s, view_gradient(s, row.in()), one_um, row.index());
-        // a length p times the derivative beside the value, and an angle's beside the value over the lobe's width
+        // a length p times the derivative beside the value, and an angle's beside the
+        // value over the lobe's width
         const double width = lobe_width(row);
         const std::array<std::pair<const char*, double>, 7> parameters{{{"sigma", row("sigma")},
                                                                         {"along", row("along")},

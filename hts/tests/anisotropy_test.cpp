@@ -1,4 +1,5 @@
-// Surfaces of two correlation lengths: the exact path against 50 digits and against identities, the lanes against the exact path.
+// Surfaces of two correlation lengths: the exact path against 50 digits and against identities, the
+// lanes against the exact path.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -214,7 +215,8 @@ TEMPLATE_TEST_CASE("turned surfaces, exchanged axes and exchanged directions ref
 }
 
 TEST_CASE("short wavelengths meet Beckmann's facets of two widths") {
-    // [Walter07 (20), (25)] with alpha_x = 2 sigma/tau_x, alpha_y = 2 sigma/tau_y, q the slopes of the half vector
+    // [Walter07 (20), (25)] with alpha_x = 2 sigma/tau_x, alpha_y = 2 sigma/tau_y, q the
+    // slopes of the half vector
     WorstCase published{"he in the rough limit", 8e-7};
     WorstCase successor{"he_unified in the rough limit", 8e-7};
     Random random{5};

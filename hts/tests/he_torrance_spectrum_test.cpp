@@ -83,7 +83,8 @@ std::string describe(const DirectionPair& p, const Surface& s, const SpectralSam
     text.precision(17);
     text << "theta " << std::acos(p.in.cos_theta()) << ", " << std::acos(p.out.cos_theta()) << ", sigma0 "
          << s.rms_roughness() << ", tau " << s.correlation_length() << ", lambda "
-         << sample.wavelength.micrometres() << ", N " << sample.index.substrate().n() << " + " << sample.index.substrate().k() << 'i';
+         << sample.wavelength.micrometres() << ", N " << sample.index.substrate().n() << " + "
+         << sample.index.substrate().k() << 'i';
     return text.str();
 }
 

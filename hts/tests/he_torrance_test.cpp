@@ -1,5 +1,5 @@
-// The sampler against its density and against the model, by quadrature of both. HTS_EXHAUSTIVE=1 takes every case with
-// 10^6 draws, a few minutes; otherwise every seventh with 4 10^4.
+// The sampler against its density and against the model, by quadrature of both. HTS_EXHAUSTIVE=1 takes every
+// case with 10^6 draws, a few minutes; otherwise every seventh with 4 10^4.
 #include "hts/he_torrance.hpp"
 
 #include <algorithm>
@@ -60,7 +60,8 @@ struct Case {
     }
 };
 
-/// 210 cases, sigma0/lambda 0.02 ... 5, sigma0/tau 0.005 ... 1, 0 ... 89 deg, a metal, a glass and a glass over white.
+/// 210 cases, sigma0/lambda 0.02 ... 5, sigma0/tau 0.005 ... 1, 0 ... 89 deg, a metal, a
+/// glass and a glass over white.
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = [] {
         const std::array<hts::RefractiveIndex, 3> index{{{0.77, 6.08}, {1.5, 0}, {1.5, 0}}};
@@ -86,8 +87,8 @@ std::size_t draws() {
     return hts::testing::exhaustive() ? 1'000'000 : 40'000;
 }
 
-/// Reflectance of the directional-diffuse term by adaptive quadrature of the exact BRDF, finer about the mirror
-/// direction.
+/// Reflectance of the directional-diffuse term by adaptive quadrature of the exact BRDF, finer about the
+/// mirror direction.
 template <class Model>
 double reflectance_by_quadrature(const Case& c) {
     const Surface surface = c.surface();

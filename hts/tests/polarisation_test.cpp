@@ -101,8 +101,8 @@ TEST_CASE("the facet's Jones matrix is that of the paper but for a sign") {
 }
 
 TEST_CASE("the gold facets computed with SCATMECH") {
-    // normalised Mueller matrices, n = 0.183, k = 3.43, computed with NIST SCATMECH. Its frames have s = z x k, the
-    // opposite of ours, and its S3 the opposite sign, so that S2 and S3 change sign together
+    // normalised Mueller matrices, n = 0.183, k = 3.43, computed with NIST SCATMECH. Its frames have s = z x
+    // k, the opposite of ours, and its S3 the opposite sign, so that S2 and S3 change sign together
     const Mueller mirror = normalised_facet(Direction::from_degrees(60, 0), Direction::from_degrees(60, 180));
     const double at_60[4][4] = {
         {1, 0.035982, 0, 0}, {0.035982, 1, 0, 0}, {0, 0, -0.695831, 0.717304}, {0, 0, -0.717304, -0.695831}};

@@ -175,7 +175,8 @@ TEST_CASE("limits of the directional-diffuse term") {
         CHECK(at(rough, theta, theta, 0, half) == Approx(at(rough, theta, theta, 1e-7, half)).epsilon(1e-7));
         CHECK(at(rough, theta, theta, 0, half) > 0);
     }
-    // an uncorrelated surface scatters nothing coherently, an endlessly correlated one only into the mirror direction
+    // an uncorrelated surface scatters nothing coherently, an endlessly correlated one only
+    // into the mirror direction
     CHECK(at({0.28, 1e-20}, 30, 40, 180, half) < 1e-30);
     CHECK(at({0.28, 1e20}, 30, 40, 180, half) == 0);
     CHECK(at({0.28, 1e20}, 30, 30, 180, half) > 1e30);

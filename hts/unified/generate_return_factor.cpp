@@ -1,7 +1,8 @@
-// Writes return_factor_table.cpp to standard output, a minute or two: cmake --build build/release --target hts_return_factor.
-// The equation of return_factor.hpp at Chebyshev's nodes in y, for each of Chebyshev's nodes in the slope. The integral is over
-// the slopes of facets, alpha rho (cos psi, sin psi), out to where the reflected ray meets the horizon; there the integrand
-// is smooth. psi = pi/2 -+ cos theta sinh(x) follows the way to the horizon at grazing incidence.
+// Writes return_factor_table.cpp to standard output, a minute or two: cmake --build build/release --target
+// hts_return_factor. The equation of return_factor.hpp at Chebyshev's nodes in y, for each of Chebyshev's
+// nodes in the slope. The integral is over the slopes of facets, alpha rho (cos psi, sin psi), out to where
+// the reflected ray meets the horizon; there the integrand is smooth. psi = pi/2 -+ cos theta sinh(x) follows
+// the way to the horizon at grazing incidence.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -70,7 +71,8 @@ std::vector<double> interpolant(const Values& values, std::size_t size) {
     return result;
 }
 
-/// The kernel for one incident direction: the integral of kernel times m is the sum of row times m at the nodes.
+/// The kernel for one incident direction: the integral of kernel times m is the sum of
+/// row times m at the nodes.
 Row kernel_row(double slope, double y) {
     const double alpha = 2 * slope, c = 1 / y - 1;
     const double cosine = alpha * c / std::hypot(alpha * c, 1.0), sine = 1 / std::hypot(alpha * c, 1.0);

@@ -1,4 +1,5 @@
-/// The successor of He-Torrance at one wavelength as a value: evaluated, and drawn from as lobe_sampler.hpp says.
+/// The successor of He-Torrance at one wavelength as a value: evaluated, and drawn from
+/// as lobe_sampler.hpp says.
 #pragma once
 
 #include "hts/rough_surface_model.hpp"

@@ -48,7 +48,8 @@ struct ReturnRows {
     double centre = 0, scale = 0;
 };
 
-/// By Chebyshev's interpolation between the least and the greatest width, the terms left out that count for nothing.
+/// By Chebyshev's interpolation between the least and the greatest width, the terms left
+/// out that count for nothing.
 ReturnRows return_rows(const Surface& surface) {
     if (surface.isotropic()) return {};
     constexpr std::size_t nodes = 32;

@@ -1,4 +1,5 @@
-/// The three terms of he_unified (unified_terms.hpp) for one surface at several wavelengths, prepared once for many evaluations.
+/// The three terms of he_unified (unified_terms.hpp) for one surface at several wavelengths, prepared
+/// once for many evaluations.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +17,17 @@ namespace hts {
 /// hts::Error for the second-order mirror and the mixing of polarisations, which no theory extends to films.
 void require_theory_of_films(const UnifiedChoices& choices);
 
-/// Surface, optical constants at each wavelength, tolerance and choices; the calls are those of HeTorranceSpectrum.
+/// Surface, optical constants at each wavelength, tolerance and choices; the calls are
+/// those of HeTorranceSpectrum.
 ///
 ///     const hts::HeUnifiedSpectrum prepared{surface, samples, hts::Tolerance{1e-6}};
 ///     std::vector<double> spectrum(samples.size());
 ///     prepared.brdf({in, out}, spectrum);
 ///
-/// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and where that takes the
-/// exact path so does this; so it does for surfaces with films. Every call is const, allocates nothing and may run on any thread. A pair's result has the same bits
-/// alone, in any batch and at any place in it.
+/// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and
+/// where that takes the exact path so does this; so it does for surfaces with films. Every call is const,
+/// allocates nothing and may run on any thread. A pair's result has the same bits alone, in any
+/// batch and at any place in it.
 class HeUnifiedSpectrum {
   public:
     /// hts::Error for films with choices that have no theory of them: require_theory_of_films.

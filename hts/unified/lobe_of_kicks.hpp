@@ -1,5 +1,5 @@
-/// The lobe of he_unified from Phi and beta of the caller's: those of surfaces that are no Gaussian ones in two dimensions, as of
-/// profiles. Not installed.
+/// The lobe of he_unified from Phi and beta of the caller's: those of surfaces that are no Gaussian ones in
+/// two dimensions, as of profiles. Not installed.
 #pragma once
 
 #include "hts/unified/unified_terms.hpp"

@@ -1,12 +1,16 @@
-/// The light that meets the surface more than once, as a factor of each direction beside the lobe of single reflection.
+/// The light that meets the surface more than once, as a factor of each direction beside the
+/// lobe of single reflection.
 ///
-/// m(theta; sigma_0/tau) is the reciprocal factor with which the geometric-optics lobe of a perfect mirror returns everything:
+/// m(theta; sigma_0/tau) is the reciprocal factor with which the geometric-optics lobe of a perfect
+/// mirror returns everything:
 ///
-///   m(theta_i) integral of D(h) / (4 c_i c_r (1 + Lambda_i + Lambda_r)) m(theta_r) c_r domega = 1      for all theta_i,
+///   m(theta_i) integral of D(h) / (4 c_i c_r (1 + Lambda_i + Lambda_r)) m(theta_r) c_r
+///   domega = 1 for all theta_i,
 ///
-/// D Beckmann's density of facets of width 2 sigma_0/tau, Lambda Smith's function (Sinkhorn's scaling). It depends on no
-/// wavelength. What is used is the interpolant of a table, in Chebyshev polynomials of y = 1/(1 + c), c = tau cot theta/(2 sigma_0),
-/// and of sigma_0/tau; beyond sigma_0/tau = 1 that of 1 is held, where such surfaces are far outside the theory's validity.
+/// D Beckmann's density of facets of width 2 sigma_0/tau, Lambda Smith's function (Sinkhorn's scaling). It
+/// depends on no wavelength. What is used is the interpolant of a table, in Chebyshev polynomials of y = 1/(1
+/// + c), c = tau cot theta/(2 sigma_0), and of sigma_0/tau; beyond sigma_0/tau = 1 that of 1 is held, where
+/// such surfaces are far outside the theory's validity.
 #pragma once
 
 #include <array>
@@ -28,13 +32,14 @@ class ReturnFactor {
 
     ///   slope   sigma_0/tau   >= 0
     explicit ReturnFactor(double slope) noexcept;
-    /// That of an isotropic surface. Of others sigma_0/tau is that of sqrt(tau_x tau_y), while the single reflection is the mean
-    /// over all azimuths, each with its own tau(alpha): what `returned` needs of them.
+    /// That of an isotropic surface. Of others sigma_0/tau is that of sqrt(tau_x tau_y), while the single
+    /// reflection is the mean over all azimuths, each with its own tau(alpha): what `returned` needs of them.
     explicit ReturnFactor(const Surface& surface) noexcept;
 
     /// m(theta) [1]; 0.5 ... 4.5.
     [[nodiscard]] double operator()(const Direction& direction) const noexcept;
-    /// E, the share of uniform light that the geometric-optics lobe of a perfect mirror returns after one reflection [1].
+    /// E, the share of uniform light that the geometric-optics lobe of a perfect mirror returns
+    /// after one reflection [1].
     [[nodiscard]] double single_reflection() const noexcept { return single_reflection_; }
     /// The factor of light that is reflected again and again, R being lost at each: R E/(1 - R (1 - E)).
     ///   reflectance   R, of uniform light by the flat surface   [1]   0 ... 1

@@ -31,7 +31,8 @@ double scaled_bessel(int nu, double z) {
     return sum / std::sqrt(2 * std::numbers::pi * z);
 }
 
-/// Integrals over the azimuth of W(q - k) times 1, cos, sin^2 and cos^2, W = (k tau)^2/(4 pi) exp(-(k tau)^2 |q - k|^2/4).
+/// Integrals over the azimuth of W(q - k) times 1, cos, sin^2 and cos^2, W = (k tau)^2/(4 pi)
+/// exp(-(k tau)^2 |q - k|^2/4).
 struct Azimuths {
     double one, cosine, sines, cosines;
 
@@ -60,8 +61,8 @@ struct Wave {
     }
 };
 
-/// The integral of f(wave, azimuths) over all waves, in pieces that end where the spectrum does, at k, and at the horizon:
-/// q = sin u up to there and cosh u beyond, which has no root left.
+/// The integral of f(wave, azimuths) over all waves, in pieces that end where the spectrum does, at k, and at
+/// the horizon: q = sin u up to there and cosh u beyond, which has no root left.
 template <class Function>
 Complex over_waves(double k, double k_tau, Complex square_of_index, Function&& f) {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 21>;
@@ -88,7 +89,8 @@ Complex over_waves(double k, double k_tau, Complex square_of_index, Function&& f
     return sum;
 }
 
-/// A perfect conductor loses from the mirror what it scatters: R2/F is minus half of the scattered power over (k sigma_0)^2.
+/// A perfect conductor loses from the mirror what it scatters: R2/F is minus half of the scattered
+/// power over (k sigma_0)^2.
 FresnelAmplitudes of_conductor(double c, double k_tau, const FresnelAmplitudes& flat) {
     const double k = std::sqrt((1 - c) * (1 + c));
     const auto power = [&](auto&& share) {

@@ -2,13 +2,14 @@
 ///
 ///   rho_q = |F_q(theta)|^2 exp(-x_q)
 ///   x_s = 4 (k sigma_0)^2 c (c^4 + a^4)^(1/4),   a^4 = 0.229 s^2/(k tau)^2
-///   x_p = 4 (k sigma_0)^2 c [(c^4 + a^4)^(1/4) + 0.65 (k tau)^(-3/2) s^4/|c + 1/N|^2],   1/N the impedance at the normal where films are
+///   x_p = 4 (k sigma_0)^2 c [(c^4 + a^4)^(1/4) + 0.65 (k tau)^(-3/2) s^4/|c + 1/N|^2],   1/N the impedance
+///   at the normal where films are
 ///
 /// Of an anisotropic surface a has tau along the azimuth of the light, and the last term sqrt(tau_x tau_y).
-/// Closed approximations of second-order perturbation theory: x is g at the normal and on gentle slopes, and goes with c to 0 at
-/// the horizon, where a rough surface becomes a mirror; only a perfect conductor's p dies there, with x ~ 1/c. They are within
-/// 10 % of the second order of x_s for tau >= lambda/2 (conductors) and tau >= lambda (others; 17 % at grazing), and within 18 %
-/// of x_p.
+/// Closed approximations of second-order perturbation theory: x is g at the normal and on gentle slopes, and
+/// goes with c to 0 at the horizon, where a rough surface becomes a mirror; only a perfect conductor's p dies
+/// there, with x ~ 1/c. They are within 10 % of the second order of x_s for tau >= lambda/2 (conductors) and
+/// tau >= lambda (others; 17 % at grazing), and within 18 % of x_p.
 #pragma once
 
 #include "hts/unified/unified_terms.hpp"

@@ -1,20 +1,23 @@
 /// The successor of He-Torrance at one wavelength, nearer to exact scattering: `"model": "he_unified"`.
 ///
-/// NOT part of the published model. One lobe between Kirchhoff's theory, which the published model is, and perturbation theory,
-/// which is exact for smooth surfaces; derivations in docs/models/he_unified.md. With k = 2 pi/lambda, c and s the cosine and sine
-/// of each polar angle, up = c_i + c_r, phi the azimuth of the reflected ray from the forward direction,
-/// g = (k sigma_0 up)^2 (sigma_0, not the effective roughness) and t = v_xy^2 tau^2/4:
+/// NOT part of the published model. One lobe between Kirchhoff's theory, which the published model is, and
+/// perturbation theory, which is exact for smooth surfaces; derivations in docs/models/he_unified.md. With k
+/// = 2 pi/lambda, c and s the cosine and sine of each polar angle, up = c_i + c_r, phi the azimuth of the
+/// reflected ray from the forward direction, g = (k sigma_0 up)^2 (sigma_0, not the effective
+/// roughness) and t = v_xy^2 tau^2/4:
 ///
-///   f = (k tau)^2 Phi(g, t) G/(4 pi up^2 c_i c_r) |M|^2 + a/pi,     |M|^2 half the sum over the elements of a Jones matrix
-///   M = K + beta' (B - K)       K = 2 cos^2 theta_d facet_jones: Kirchhoff's      B = 2 c_i c_r b: Bragg's, `bragg_jones`
-///   beta = -d ln Phi/dt         the mean of 1/m over the terms of Phi: how much of Bragg's
-///   beta' = 1 - w (1 - L(c_i)) (1 - L(c_r)),   w = 1 - beta,   L(c) = (1 + 1.25 k sigma_0 c)^-4: all of it near the horizon
-///   G = (1 + R' w (m(theta_i) m(theta_r) - 1))/(1 + w (Lambda_i + Lambda_r)): shadowing of correlated heights, and the return of
+///   f = (k tau)^2 Phi(g, t) G/(4 pi up^2 c_i c_r) |M|^2 + a/pi,     |M|^2 half the sum over the elements of
+///   a Jones matrix M = K + beta' (B - K)       K = 2 cos^2 theta_d facet_jones: Kirchhoff's      B = 2 c_i
+///   c_r b: Bragg's, `bragg_jones` beta = -d ln Phi/dt         the mean of 1/m over the terms of Phi: how
+///   much of Bragg's beta' = 1 - w (1 - L(c_i)) (1 - L(c_r)),   w = 1 - beta,   L(c) = (1 + 1.25 k sigma_0
+///   c)^-4: all of it near the horizon G = (1 + R' w (m(theta_i) m(theta_r) - 1))/(1 + w (Lambda_i +
+///   Lambda_r)): shadowing of correlated heights, and the return of
 ///                               light reflected more than once (return_factor.hpp)
 ///   specular                    |F_q|^2 exp(-x_q) for q = s and p, not shadowed: unified_mirror.hpp
 ///
-/// Fitted are 1.25 and the power 4, and 0.25 in Z, to exact scattering from perfectly conducting profiles; the rest is computed.
-/// Frames as in polarisation.hpp. BRDFs are in 1/sr. Every function is total, never NaN; the lobe is 0 at the horizon.
+/// Fitted are 1.25 and the power 4, and 0.25 in Z, to exact scattering from perfectly conducting profiles;
+/// the rest is computed. Frames as in polarisation.hpp. BRDFs are in 1/sr. Every function is total, never
+/// NaN; the lobe is 0 at the horizon.
 #pragma once
 
 #include <complex>
@@ -26,8 +29,8 @@
 
 namespace hts {
 
-// Of `unified_lobe`, beside element 00 of the Mueller matrix, above 1e-280, for sigma_0/tau >= 0.003, against the formula with
-// the table of return_factor.hpp.
+// Of `unified_lobe`, beside element 00 of the Mueller matrix, above 1e-280, for sigma_0/tau >= 0.003, against
+// the formula with the table of return_factor.hpp.
 namespace accuracy {
 inline constexpr double unified_brdf = 4e-13;
 inline constexpr double kicks = 2e-13;       ///< of beta and of w, relative
@@ -71,15 +74,17 @@ struct UnifiedWave {
 [[nodiscard]] double flat_reflectance(const CoatedIndex& index);
 
 /// Z, which lifts cos theta in the denominators of Bragg's p: 0.25 (k sigma_0)^2 (k tau)^(-3/2).
-/// Fitted for k sigma_0 <= 6 and k tau >= 2; beyond, it fades with 6/(k sigma_0) and with (k tau/2)^(5/2), so that it vanishes in
-/// the limit of geometric optics and for correlation lengths far below a wavelength.
+/// Fitted for k sigma_0 <= 6 and k tau >= 2; beyond, it fades with 6/(k sigma_0) and with (k tau/2)^(5/2), so
+/// that it vanishes in the limit of geometric optics and for correlation lengths far below a wavelength.
 [[nodiscard]] double bragg_lift(double k_sigma, double k_tau) noexcept;
 
 /// Bragg's matrix b, that of the first order of perturbation theory (Rayleigh-Rice).
 ///   formula   with e = N^2, r = sqrt(e - s^2), N_x = e (c_x + Z) + r_x:
-///             ss: -(e - 1) cos phi/((c_i + r_i)(c_r + r_r)),    pp: (e - 1)(r_i r_r cos phi - e s_i s_r)/(N_i N_r),
-///             sp: -(e - 1) r_i sin phi/(N_i (c_r + r_r)),       ps: -(e - 1) r_r sin phi/((c_i + r_i) N_r)
-///   limits    2 c_i c_r b is 2 cos^2 theta_d facet_jones in the mirror direction with Z = 0, and differs from it by O(v_xy^2)
+///             ss: -(e - 1) cos phi/((c_i + r_i)(c_r + r_r)),    pp: (e - 1)(r_i r_r cos phi - e s_i
+///             s_r)/(N_i N_r), sp: -(e - 1) r_i sin phi/(N_i (c_r + r_r)),       ps: -(e - 1) r_r
+///             sin phi/((c_i + r_i) N_r)
+///   limits    2 c_i c_r b is 2 cos^2 theta_d facet_jones in the mirror direction with Z = 0, and
+///             differs from it by O(v_xy^2)
 [[nodiscard]] JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedIndex& index,
                                       double lift) noexcept;
 
@@ -89,10 +94,11 @@ struct Kicks {
     PhiMethod method;
 };
 
-/// The mean of 1/m over the terms of Phi, m the number of kicks by the roughness that a wave has had: 1 in the first order,
-/// 1/g in the limit of geometric optics.
+/// The mean of 1/m over the terms of Phi, m the number of kicks by the roughness that a wave has had: 1 in
+/// the first order, 1/g in the limit of geometric optics.
 ///   lobe        with a limit of Phi, that of beta
-///   tolerance   of Phi, of beta and of w, relative: from accuracy::quick_kicks on by the derivative of Phi's table
+///   tolerance   of Phi, of beta and of w, relative: from accuracy::quick_kicks on by the
+///               derivative of Phi's table
 ///   error       accuracy::phi, accuracy::kicks, or the tolerance
 ///   cost        some 0.2 to 1 microsecond, a fifth of it by the table
 [[nodiscard]] Kicks kicks(double g, double t, DiffuseLobe lobe = DiffuseLobe::full,
@@ -127,7 +133,8 @@ struct UnifiedLobe {
 /// The share of the lobe that polarisation_mixing mixes, of an isotropic surface.
 [[nodiscard]] double mixed_share(const Surface& surface) noexcept;
 
-/// Its Mueller matrix [1/sr] in the frames of polarisation.hpp: (1 - l) Mueller(M) + l Mueller(P M P), P exchanging s and p.
+/// Its Mueller matrix [1/sr] in the frames of polarisation.hpp: (1 - l) Mueller(M) + l Mueller(P M
+/// P), P exchanging s and p.
 ///   mixed   l, `mixed_share` or 0
 [[nodiscard]] Mueller unified_mueller(const JonesMatrix& jones, double mixed) noexcept;
 

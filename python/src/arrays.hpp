@@ -31,8 +31,8 @@ class Operand {
     /// One number.
     Operand(std::string name, double value);
     /// Whatever numpy.asarray makes an array of real numbers; hts::Error that names the argument otherwise.
-    ///   last_axis   length that the last axis has to have, which then is no axis of the operand but holds the
-    ///               components of one value; 0 for none
+    ///   last_axis   length that the last axis has to have, which then is no axis of the operand but holds
+    ///               the components of one value; 0 for none
     Operand(std::string name, nb::handle value, std::ptrdiff_t last_axis = 0);
     Operand(Operand&& other) noexcept;
     Operand& operator=(Operand&&) = delete;
@@ -91,8 +91,8 @@ class Result {
   public:
     ///   shape   of the result; where `out` is given, its own, else hts::Error
     ///   out     None, or an array of float64 that may be written
-    ///   inputs  what must not change before it is read: where `out` shares memory with one of them, results wait in a
-    ///           new array
+    ///   inputs  what must not change before it is read: where `out` shares memory with one of them, results
+    ///           wait in a new array
     ///   together   how many of the last axes hold the values of one element, which then lie side by side
     Result(const Shape& shape, nb::object out, std::span<const Operand* const> inputs,
            std::size_t together = 0);

@@ -150,8 +150,8 @@ class Team {
     int before_;
 };
 
-/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock; now and then looks
-/// whether somebody wants it to stop. The error of the lowest block is thrown.
+/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock; now
+/// and then looks whether somebody wants it to stop. The error of the lowest block is thrown.
 template <class Function>
 void in_blocks(std::size_t count, int threads, const Function& f) {
     constexpr int at_a_time = 4;

@@ -1,4 +1,5 @@
-/// Evaluates a material over broadcast wavelengths and directions: what all calls of hts.Material have in common.
+/// Evaluates a material over broadcast wavelengths and directions: what all calls of
+/// hts.Material have in common.
 #pragma once
 
 #include <functional>
@@ -25,7 +26,8 @@ struct Quantity {
         of_sampler;
 };
 
-/// The arguments of a call that says where: wavelengths, directions, and what goes before the material's values.
+/// The arguments of a call that says where: wavelengths, directions, and what goes
+/// before the material's values.
 struct Where {
     nb::handle wavelength, theta_i, theta_r, phi, phi_i, incident, reflected;
     nb::handle rms_roughness, correlation_length, n, k, diffuse_albedo;

@@ -69,7 +69,8 @@ nb::object mueller_of_pair(const PyMaterial& self, nb::handle wavelength, nb::ha
                 compensate_energy, threads);
 }
 
-// ------------------------------------------------------------------------------------------------ derivatives
+// ------------------------------------------------------------------------------------------------
+// derivatives
 
 /// In the order of quantity::derivatives.
 constexpr const char* parameters[]{"rms_roughness_um",
@@ -148,7 +149,8 @@ nb::object validity(const PyMaterial& self, nb::handle wavelength, nb::handle th
                     how_from(1e-6, "error", false), nb::none());
 }
 
-// ------------------------------------------------------------------------------------------------ construction
+// ------------------------------------------------------------------------------------------------
+// construction
 
 /// From a file of any kind, a copy, or a description of Python made into JSON by hts/_description.py.
 void construct(PyMaterial* self, nb::object source, nb::kwargs keywords) {
@@ -194,7 +196,8 @@ std::string repr(const PyMaterial& self) {
 constexpr const char* arguments_doc = R"(
 
 wavelength         in vacuum [um]
-theta_i, theta_r   polar angles of light and view from the normal [rad], 0 ... pi/2; in degrees with degrees=True
+theta_i, theta_r   polar angles of light and view from the normal [rad], 0 ... pi/2; in degrees with
+                   degrees=True
 phi, phi_i         azimuth of the view less that of the light, and of the light [rad]
 incident,reflected unit vectors (..., 3) away from the surface, instead of angles
 tolerance          relative error of rough surfaces, 1e-12 ... 1
@@ -286,8 +289,9 @@ void bind_material(nb::module_& module) {
         R"(Derivatives by every parameter of model he, a dict of arrays by name.
 
 of      "brdf", "mueller" (of the lobe) or "specular" (by theta_i alone, the mirror direction turns along)
-by      rms_roughness_um, correlation_length_um [1/um], n, k, diffuse_albedo [1], theta_i, theta_r, phi [1/rad, or 1/deg];
-        of two correlation lengths correlation_length_x_um, correlation_length_y_um [1/um] and azimuth [1/rad, or 1/deg]
+by      rms_roughness_um, correlation_length_um [1/um], n, k, diffuse_albedo [1], theta_i, theta_r, phi
+        [1/rad, or 1/deg]; of two correlation lengths correlation_length_x_um, correlation_length_y_um [1/um]
+        and azimuth [1/rad, or 1/deg]
 error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_torrance_gradient.hpp)",
         nb::arg("wavelength"), nb::arg("theta_i"), nb::arg("theta_r") = nb::none(),
         nb::arg("phi") = nb::none(), nb::arg("phi_i") = 0.0, nb::arg("of") = "brdf",

@@ -13,7 +13,8 @@ using spectral::WavelengthGrid;
 
 constexpr std::size_t most_kept = 256;
 
-/// A material of the same description whose optical constants are what a Python function says at these wavelengths.
+/// A material of the same description whose optical constants are what a Python function
+/// says at these wavelengths.
 spectral::Material with_index(const std::string& description, const nb::object& index,
                               const WavelengthGrid& grid) {
     const nb::gil_scoped_acquire python;

@@ -65,7 +65,8 @@ class PyMaterial {
     std::shared_ptr<Kept> kept_;
 };
 
-/// A material, whatever the file: a description in JSON, or what a reader of measured and tabulated BRDFs makes of it.
+/// A material, whatever the file: a description in JSON, or what a reader of measured and
+/// tabulated BRDFs makes of it.
 ///   format        of the file; "" to recognise it
 ///   wavelengths   what its channels are called [um], where the file does not say
 [[nodiscard]] PyMaterial material_of_any_file(const std::string& path, const std::string& format = {},

@@ -13,7 +13,8 @@
 namespace hts::python {
 namespace {
 
-/// (theta_r, phi_r, pdf, weight, lobe code) of `uniforms`, an array (…, 3), light broadcast with its leading axes.
+/// (theta_r, phi_r, pdf, weight, lobe code) of `uniforms`, an array (…, 3), light
+/// broadcast with its leading axes.
 nb::tuple sample(const PyMaterial& self, double wavelength, nb::handle theta_i, nb::handle phi_i,
                  nb::handle uniforms, bool degrees, double tolerance, const std::string& outside) {
     const Operand polar{"theta_i", theta_i}, azimuth{"phi_i", phi_i}, drawn{"uniforms", uniforms, 3};

@@ -19,7 +19,8 @@ namespace {
 using spectral::WavelengthGrid;
 using tables::Table;
 
-/// Reflectance that a file or a table has at its own wavelengths, as something to evaluate anywhere between them.
+/// Reflectance that a file or a table has at its own wavelengths, as something to
+/// evaluate anywhere between them.
 PyMaterial as_material(const spectral::Reflectance& reflectance, std::vector<std::string> notes,
                        const std::string& model, const std::string& source,
                        std::vector<std::string> channels = {}) {

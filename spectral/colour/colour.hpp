@@ -5,7 +5,8 @@
 /// Conventions: wavelengths in micrometres; X, Y and Z relative to the perfect white reflector, whose Y is 1
 /// (not 100). A reflecting surface is coloured by its radiance factor, and for a BRDF f [1/sr] that is pi f:
 /// the perfect diffuser has f = 1/pi and comes out white, a gloss peak may exceed Y = 1. Nothing is clipped.
-/// For a screen go on with spectral/colour/display_colour.hpp, to compare with spectral/colour/colour_difference.hpp.
+/// For a screen go on with spectral/colour/display_colour.hpp, to compare with
+/// spectral/colour/colour_difference.hpp.
 #pragma once
 
 #include <span>

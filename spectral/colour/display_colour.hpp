@@ -3,8 +3,8 @@
 /// Source: sRGB of IEC 61966-2-1 [IEC61966]; chromatic adaptation by the linear Bradford transform (Lam 1985)
 /// [Lam85].
 ///
-/// Conventions: XYZ as in spectral/colour/colour.hpp, Y = 1 for the perfect white; linear components are 1 for it.
-/// Colours out of gamut keep their values; only `DisplayRgb` clips, and says so.
+/// Conventions: XYZ as in spectral/colour/colour.hpp, Y = 1 for the perfect white; linear components are 1
+/// for it. Colours out of gamut keep their values; only `DisplayRgb` clips, and says so.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 /// Spectra from values at a few wavelengths, for planned evaluators.
 ///
-/// Between the nodes runs the cubic through the two on either side (of lower degree where there are fewer than four
-/// nodes), in 1/lambda^2, of which both arguments of Phi are multiples.
+/// Between the nodes runs the cubic through the two on either side (of lower degree where there are fewer
+/// than four nodes), in 1/lambda^2, of which both arguments of Phi are multiples.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ class SpectrumInterpolation {
 
     /// A spectrum on the grid; 0 where the cubic is negative. Not for the identity.
     void operator()(std::span<const double> at_nodes, std::span<double> spectrum) const noexcept;
-    /// Weights of the nodes that do to their values what `weights` do to the spectrum (before negative values become 0).
+    /// Weights of the nodes that do to their values what `weights` do to the spectrum (before
+    /// negative values become 0).
     [[nodiscard]] std::vector<Xyz> folded(std::span<const Xyz> weights) const;
 
   private:

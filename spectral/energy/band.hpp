@@ -1,10 +1,13 @@
-/// Means over a band of wavelengths: by the response of an instrument, by the radiation of a black body, or by both.
+/// Means over a band of wavelengths: by the response of an instrument, by the radiation of
+/// a black body, or by both.
 ///
-///   mean   integral of v(lambda) w(lambda) dlambda over that of w(lambda) dlambda, over the wavelengths given, v a straight line
-///          between them; w = R for a response R, w = B for a temperature, w = R B for both
-///   B      Planck's radiance per wavelength, in proportion to x^5/(exp(x) - 1), x = c_2/(lambda T), c_2 = 14387.76877 um K
-///          (CODATA 2018, exact)
-/// The total emissivity at a temperature is the mean by B over all wavelengths; `covered` says how far the given ones are that.
+///   mean   integral of v(lambda) w(lambda) dlambda over that of w(lambda) dlambda, over the wavelengths
+///          given, v a straight line between them; w = R for a response R, w = B for a
+///          temperature, w = R B for both
+///   B      Planck's radiance per wavelength, in proportion to x^5/(exp(x) - 1), x = c_2/(lambda T), c_2 =
+///          14387.76877 um K (CODATA 2018, exact)
+/// The total emissivity at a temperature is the mean by B over all wavelengths; `covered` says how far
+/// the given ones are that.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +23,8 @@ namespace accuracy {
 inline constexpr double band_weight = 1e-10;  ///< of each weight, beside the largest
 }  // namespace accuracy
 
-/// x^5/(exp(x) - 1), x = c_2/(lambda T): the radiance of a black body per wavelength, but for a factor (T/c_2)^5 2 h c^2.
+/// x^5/(exp(x) - 1), x = c_2/(lambda T): the radiance of a black body per wavelength, but for a
+/// factor (T/c_2)^5 2 h c^2.
 ///   um       wavelength [um] > 0        kelvin   temperature [K] > 0
 [[nodiscard]] double planck_shape(double um, double kelvin) noexcept;
 
@@ -33,8 +37,8 @@ class Band {
     /// hts::Error where one of both is out of range, or where none is given.
     Band(std::optional<PiecewiseLinear> response, std::optional<double> temperature);
 
-    /// Factors of the values at each wavelength, of which the mean is the sum. hts::Error for a single wavelength, and where w
-    /// vanishes at all of them.
+    /// Factors of the values at each wavelength, of which the mean is the sum. hts::Error for a single
+    /// wavelength, and where w vanishes at all of them.
     ///   error   accuracy::band_weight
     [[nodiscard]] std::vector<double> weights(const WavelengthGrid& wavelengths) const;
     /// Share of the whole integral of w that lies between the first and the last wavelength, 0 ... 1.

@@ -1,23 +1,26 @@
 /// Optional energy compensation: a rough surface whose facets lose nothing then reflects everything.
 ///
-/// NOT part of the published model, and off unless asked for. The model's lobes together reflect between 0.006 and
-/// 1.05 of the light where |F|^2 = 1 (`hts furnace`), since what is shadowed or meets a second facet is lost. Here the
-/// specular and the directional-diffuse term are multiplied by a factor of each direction,
+/// NOT part of the published model, and off unless asked for. The model's lobes together reflect between
+/// 0.006 and 1.05 of the light where |F|^2 = 1 (`hts furnace`), since what is shadowed or meets a second
+/// facet is lost. Here the specular and the directional-diffuse term are multiplied by a
+/// factor of each direction,
 ///
 ///   f' = s(in) s(out) f,    rho_s' = s(in)^2 rho_s,
 ///   s(in) [ s(in) exp(-g) S + integral of lobe(in, out) s(out) cos(theta_r) domega ] = 1  for all in,
 ///
-/// (Sinkhorn's scaling of a symmetric kernel), which keeps reciprocity and cannot become negative. The usual additive
-/// term (1 - E(in))(1 - E(out))/(pi (1 - E_mean)) of microfacet models can: E passes 1 here.
+/// (Sinkhorn's scaling of a symmetric kernel), which keeps reciprocity and cannot become negative. The usual
+/// additive term (1 - E(in))(1 - E(out))/(pi (1 - E_mean)) of microfacet models can: E passes 1 here.
 ///
 /// What it does besides:
-///   * Real facets absorb |F|^2 < 1 once, so the light it returns has the colour of a single reflection; light that
-///     truly met n facets would have |F|^(2n): coloured metals come out too bright and too little saturated.
+///   * Real facets absorb |F|^2 < 1 once, so the light it returns has the colour of a single reflection;
+///     light that truly met n facets would have |F|^(2n): coloured metals come out too bright
+///     and too little saturated.
 ///   * The light stays in the shape of the lobe; multiple scattering would spread it.
-///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the specular term: grazing incidence gives a mirror.
+///   * Where sigma_0 << lambda, s = 1/S undoes the shadowing of the specular term: grazing
+///     incidence gives a mirror.
 ///   * The uniform-diffuse term stays as it is, so rho_dh <= 1 needs the same care with a(lambda).
-///   * Of he_unified, whose mirror is not shadowed and whose lobe already returns what is reflected more than once, little is
-///     left to do for real materials; of a perfect conductor it repairs p at the horizon.
+///   * Of he_unified, whose mirror is not shadowed and whose lobe already returns what is reflected more than
+///     once, little is left to do for real materials; of a perfect conductor it repairs p at the horizon.
 ///   * s grows towards the horizon. Beyond 89.9 degrees it is kept, and energy is lost again.
 ///
 /// Material::at evaluates f' where its options say so; Mueller matrices are scaled like their element 00.
@@ -35,13 +38,13 @@
 namespace hts::spectral {
 
 namespace accuracy {
-/// Of rho_dh of a lossless surface from 1, for incidence up to 85 degrees, sigma_0/tau 0.005 ... 1 and sigma_0/lambda
-/// 0.01 ... 5.
+/// Of rho_dh of a lossless surface from 1, for incidence up to 85 degrees, sigma_0/tau 0.005 ... 1 and
+/// sigma_0/lambda 0.01 ... 5.
 inline constexpr double compensated_energy = 4e-4;
 }  // namespace accuracy
 
-/// Where a direction stands in every table of s, found once for all wavelengths: a value there is the weighted sum of those
-/// at four nodes, by cubic interpolation.
+/// Where a direction stands in every table of s, found once for all wavelengths: a value there is the
+/// weighted sum of those at four nodes, by cubic interpolation.
 ///   cost   about 20 ns
 struct CompensationPlace {
     explicit CompensationPlace(const Direction& direction) noexcept;
@@ -95,7 +98,8 @@ class EnergyCompensation {
 };
 
 /// rho_dh with compensation, of a surface without uniform diffuse term.
-///   error   of the specular and directional-diffuse terms as without; the factors are those of `compensation`
+///   error   of the specular and directional-diffuse terms as without; the factors
+///           are those of `compensation`
 [[nodiscard]] HemisphericalReflectance directional_hemispherical_reflectance(
     const EnergyCompensation& compensation, const RoughSurface& surface, const Facets& facets,
     const Wavelength& wavelength, const Direction& in) noexcept;

@@ -29,7 +29,8 @@ double directional_diffuse_part(const RoughSurface& surface, const Facets& facet
         [](const Direction&) { return 1.0; }, Tolerance{accuracy::hemispherical_reflectance});
 }
 
-/// Where in from ... to a function is largest: the best of equally spaced points, refined between its neighbours.
+/// Where in from ... to a function is largest: the best of equally spaced points,
+/// refined between its neighbours.
 struct Maximum {
     double place, value;
 };

@@ -46,7 +46,8 @@ BothTheories both(const Values& values) {
     return {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
 }
 
-/// Normal equations of a plane for several quantities; Gauss's elimination without pivots, since the matrix is positive definite.
+/// Normal equations of a plane for several quantities; Gauss's elimination without pivots, since the
+/// matrix is positive definite.
 using System = std::array<std::array<double, terms + quantities>, terms>;
 
 Values constant_of(System system) {
@@ -140,7 +141,8 @@ class Study {
         for (double& value : values) value = std::exp(value);
         double nearest = std::numeric_limits<double>::infinity();
         for (const Case& each : cases_) nearest = std::fmin(nearest, squared_distance(each.place, place));
-        constexpr double far_from_all = 2;  // the middle of a cell of the grid of cases is 1.9 from its corners
+        constexpr double far_from_all =
+            2;  // the middle of a cell of the grid of cases is 1.9 from its corners
         const bool studied = roughness_.has(point.rms_roughness) && length_.has(point.correlation_length) &&
                              slope_.has(point.rms_roughness / point.correlation_length) &&
                              angle_.has(point.theta_i_deg) && nearest <= far_from_all * far_from_all;

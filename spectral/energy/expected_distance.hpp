@@ -1,10 +1,13 @@
-/// How far the published model and its successor he_unified are to be expected from exact scattering, by surface, wavelength, index
-/// and angle of incidence, per polarisation. Not a bound: an interpolation between cases that were solved exactly, profiles that
-/// are rough along one direction (`hts truth models`, kept in spectral/energy/data/).
+/// How far the published model and its successor he_unified are to be expected from exact scattering, by
+/// surface, wavelength, index and angle of incidence, per polarisation. Not a bound: an interpolation between
+/// cases that were solved exactly, profiles that are rough along one direction (`hts truth models`, kept
+/// in spectral/energy/data/).
 ///
-///   cases    two studies: perfect conductors, which stand for metals, and glass of index 1.5, which stands for dielectrics
-///   between  ln of the distance is a plane over (log2 sigma_0/lambda, log2 tau/lambda, theta_i), fitted to the cases with
-///            weights exp(-d^2/2), d in units of 0.6, 0.6 and 10 degrees, so that the nearest count most
+///   cases    two studies: perfect conductors, which stand for metals, and glass of index 1.5,
+///            which stands for dielectrics
+///   between  ln of the distance is a plane over (log2 sigma_0/lambda, log2 tau/lambda, theta_i), fitted to
+///            the cases with weights exp(-d^2/2), d in units of 0.6, 0.6 and 10 degrees, so
+///            that the nearest count most
 ///   error    `left_out`: each case is predicted from the others
 /// Not installed.
 #pragma once

@@ -45,7 +45,8 @@ class MirrorDisc {
     /// Whether there is a lobe at all.
     [[nodiscard]] bool empty() const { return smooth_ || cosine_ == 0; }
 
-    /// Calls visit(side, hand) for each part of the disc: both sides, and both hands of each where the surface is not isotropic.
+    /// Calls visit(side, hand) for each part of the disc: both sides, and both hands of each where the
+    /// surface is not isotropic.
     template <class Visit>
     void for_each_part(Visit&& visit) const {
         for (const int side : {1, -1}) {

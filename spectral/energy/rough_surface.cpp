@@ -38,7 +38,8 @@ ReflectedLight by_published_model(const Surface& surface, const CoatedIndex& ind
             [=](const Direction& in) -> ReflectedLight::Lobe {
                 return [=, lobe = lossless.lobe(in)](const Direction& out, double t) {
                     const double cos_theta_d = wave_vector_change(in, out).cos_theta_d();
-                    return lobe(out, t) * reflected(facet_jones(in, out, index.amplitudes(cos_theta_d)), light);
+                    return lobe(out, t) *
+                           reflected(facet_jones(in, out, index.amplitudes(cos_theta_d)), light);
                 };
             }};
 }
@@ -46,11 +47,12 @@ ReflectedLight by_published_model(const Surface& surface, const CoatedIndex& ind
 ReflectedLight by_successor(const RoughSurface& surface, const Facets& facets, const Wavelength& wavelength,
                             const Polarisation& light) {
     const auto* const index = std::get_if<CoatedIndex>(&facets);
-    const HeUnifiedSpectrum model{surface,
-                                  {{wavelength, index == nullptr ? CoatedIndex{perfect_conductor()} : *index, 0}},
-                                  Tolerance{hts::accuracy::quick_kicks},
-                                  DiffuseLobe::full,
-                                  *surface.unified()};
+    const HeUnifiedSpectrum model{
+        surface,
+        {{wavelength, index == nullptr ? CoatedIndex{perfect_conductor()} : *index, 0}},
+        Tolerance{hts::accuracy::quick_kicks},
+        DiffuseLobe::full,
+        *surface.unified()};
     const double mixed = surface.unified()->polarisation_mixing ? mixed_share(surface) : 0;
     const Polarisation mixed_light{light.s + mixed * (light.p - light.s),
                                    light.p + mixed * (light.s - light.p)};

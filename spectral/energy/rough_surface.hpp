@@ -1,4 +1,5 @@
-/// A rough surface with the theory by which it reflects: that of He, Torrance, Sillion and Greenberg, or its successor he_unified.
+/// A rough surface with the theory by which it reflects: that of He, Torrance, Sillion and Greenberg, or
+/// its successor he_unified.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,8 @@
 
 namespace hts::spectral {
 
-/// The frequencies [1/um] that an rms roughness was stated for: those of the periods of a file's "rms_band_um".
+/// The frequencies [1/um] that an rms roughness was stated for: those of the periods
+/// of a file's "rms_band_um".
 struct FrequencyBand {
     double from, to;  ///< to may be infinite
 };
@@ -36,7 +38,8 @@ class RoughSurface : public Surface {
         other.unified_ = unified_;
         return other;
     }
-    /// The same with the band that its rms roughness was stated for; rms_roughness() is that of all frequencies.
+    /// The same with the band that its rms roughness was stated for; rms_roughness() is
+    /// that of all frequencies.
     [[nodiscard]] RoughSurface stated_for(const FrequencyBand& band) const {
         RoughSurface other{*this};
         other.band_ = band;
@@ -51,8 +54,8 @@ class RoughSurface : public Surface {
     std::optional<FrequencyBand> band_;
 };
 
-/// Facets that reflect everything, |F|^2 = 1 at every angle: what is missing from 1 is then the model's own loss. Of he_unified: a
-/// perfect conductor.
+/// Facets that reflect everything, |F|^2 = 1 at every angle: what is missing from 1 is then the model's own
+/// loss. Of he_unified: a perfect conductor.
 struct PerfectMirror {};
 /// What a facet of the surface reflects.
 using Facets = std::variant<PerfectMirror, CoatedIndex>;
@@ -61,7 +64,8 @@ using Facets = std::variant<PerfectMirror, CoatedIndex>;
 ///   cos_theta   cosine of the angle of incidence on the facet   [1]   0 ... 1
 [[nodiscard]] double facet_reflectance(const Facets& facets, double cos_theta) noexcept;
 
-/// Shares of s and p in the light; by the mirror symmetry of the surface nothing else of its polarisation counts.
+/// Shares of s and p in the light; by the mirror symmetry of the surface nothing else of
+/// its polarisation counts.
 struct Polarisation {
     double s = 0.5, p = 0.5;
 };
@@ -79,7 +83,8 @@ struct ReflectedLight {
 [[nodiscard]] ReflectedLight reflected_light(const RoughSurface& surface, const Facets& facets,
                                              const Wavelength& wavelength, const Polarisation& light = {});
 
-/// What is left of a mirror's light by shadowing alone, S at theta_r = theta_i [1]; 1 of he_unified, whose mirror is not shadowed.
+/// What is left of a mirror's light by shadowing alone, S at theta_r = theta_i [1]; 1 of he_unified,
+/// whose mirror is not shadowed.
 [[nodiscard]] double mirror_shadowing(const RoughSurface& surface, const Direction& in,
                                       const Wavelength& wavelength) noexcept;
 

@@ -7,7 +7,8 @@
 ///         job.done();
 ///     }
 ///
-/// A job inside another one counts as its share of the outer one's next part. parallel_for is a job of its own.
+/// A job inside another one counts as its share of the outer one's next part.
+/// parallel_for is a job of its own.
 #pragma once
 
 #include <atomic>
@@ -26,8 +27,8 @@ struct JobState {
     std::chrono::steady_clock::time_point first_begun;  ///< the outermost job
 };
 
-/// Outside of parallel regions, one thread at a time makes and ends jobs; inside, and where nobody watches, a job is
-/// nothing.
+/// Outside of parallel regions, one thread at a time makes and ends jobs; inside, and where nobody watches, a
+/// job is nothing.
 class Job {
   public:
     ///   step    what is done, in a word or two; "" of a part that needs no name

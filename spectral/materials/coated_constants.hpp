@@ -1,4 +1,5 @@
-/// Optical constants of a substance with the thin films that cover it: what the keys "index" and "films" of a material file say.
+/// Optical constants of a substance with the thin films that cover it: what the keys "index" and
+/// "films" of a material file say.
 #pragma once
 
 #include <filesystem>
@@ -43,7 +44,8 @@ class CoatedConstants {
     std::vector<FilmConstants> films_;
 };
 
-/// The keys "index" and "films" of a material file: "films" is a list of {"index": …, "thickness_um": …}, empty if left out.
+/// The keys "index" and "films" of a material file: "films" is a list of {"index": …,
+/// "thickness_um": …}, empty if left out.
 ///   folder   relative paths of files start here
 [[nodiscard]] CoatedConstants coated_constants_from(const JsonValue& material,
                                                     const std::filesystem::path& folder);

@@ -19,9 +19,9 @@ class DispersionFormula {
   public:
     ///   number         1 Sellmeier, 2 Sellmeier-2, 3 polynomial, 4 RefractiveIndex.INFO, 5 Cauchy, 6 gases,
     ///                  7 Herzberger, 8 retro, 9 exotic; else hts::Error
-    ///   coefficients   C1, C2, … as in the database, finite; whole terms at the end may be left out, but no part of a
-    ///                  term. Formulas 1, 2, 3, 5, 6 are sums over any number of pairs; 4, 7, 8, 9 take at most 17,
-    ///                  6, 4, 6, else hts::Error
+    ///   coefficients   C1, C2, … as in the database, finite; whole terms at the end may be left out, but no
+    ///                  part of a term. Formulas 1, 2, 3, 5, 6 are sums over any number of pairs; 4, 7, 8, 9
+    ///                  take at most 17, 6, 4, 6, else hts::Error
     ///   range          where the formula was fitted; wavelengths, the shorter first, else hts::Error
     /// A term whose leading coefficient is 0 is absent, whatever its other coefficients.
     DispersionFormula(int number, std::vector<double> coefficients, WavelengthRange range);

@@ -16,8 +16,8 @@ class IndexRows {
     /// Imaginary part at a wavelength [um]; hts::Error if wavelength or k is none.
     void add_k(double um, double k);
 
-    /// The same of a page of a database, of which one row far from where it is needed should not refuse all: what is no n or no k
-    /// there is unknown up to the rows beside it, and noted.
+    /// The same of a page of a database, of which one row far from where it is needed should not refuse all:
+    /// what is no n or no k there is unknown up to the rows beside it, and noted.
     ///   quantity   'n' or 'k'      place   "path:line"
     void add_if_physical(char quantity, double um, double value, const std::string& place);
     /// A line for each of those.

@@ -35,8 +35,8 @@ class OpticalConstants {
     /// Where both n and k are known.
     [[nodiscard]] WavelengthRange range() const noexcept;
 
-    /// Index at a wavelength; outside the range as `policy` says, where n and k are held each at the end of its own range. A table or formula that yields n <= 0 or k
-    /// < 0 there is an hts::Error too.
+    /// Index at a wavelength; outside the range as `policy` says, where n and k are held each at the end of
+    /// its own range. A table or formula that yields n <= 0 or k < 0 there is an hts::Error too.
     [[nodiscard]] RefractiveIndex index(const Wavelength& wavelength,
                                         OutsideRange policy = OutsideRange::error) const;
 

@@ -52,7 +52,8 @@ OpticalConstants material_from_csv(const CsvTable& table) {
     return {table.name(), table.name(), rows.n().value(), rows.k()};
 }
 
-// One of the two tables that the website writes below each other; lines of the other stand empty, so that lines count on.
+// One of the two tables that the website writes below each other; lines of the other stand
+// empty, so that lines count on.
 std::string website_part(std::string_view text, char quantity) {
     std::string result;
     char part = 0;

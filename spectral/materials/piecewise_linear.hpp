@@ -10,8 +10,8 @@
 
 namespace hts::spectral {
 
-/// What to do outside the range where something is known: a wavelength beyond a table or formula, directions beyond what was
-/// measured.
+/// What to do outside the range where something is known: a wavelength beyond a table or formula, directions
+/// beyond what was measured.
 enum class OutsideRange {
     error,  ///< hts::Error that names the range
     hold,   ///< take the value at the nearer end
@@ -43,7 +43,8 @@ struct WavelengthRange {
     static constexpr double rounding = 4e-16;
 };
 
-/// Straight lines between tabulated points. A point whose value is NaN has none, nor has anything up to the points beside it.
+/// Straight lines between tabulated points. A point whose value is NaN has none, nor has anything up
+/// to the points beside it.
 class PiecewiseLinear {
   public:
     struct Point {

@@ -8,7 +8,8 @@
 
 namespace hts::spectral {
 
-/// The factors of the compensation beside what `model` evaluates; Mueller matrices are scaled like their element 00.
+/// The factors of the compensation beside what `model` evaluates; Mueller matrices are
+/// scaled like their element 00.
 ///   model          of a rough surface, else hts::Error
 ///   compensation   solved for its surface, one per wavelength of `model`, else hts::Error
 [[nodiscard]] Reflectance compensated(const Reflectance& model, std::vector<EnergyCompensation> compensation);

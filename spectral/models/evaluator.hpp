@@ -1,7 +1,8 @@
-/// What a Reflectance evaluates: the interface that models, lookup tables, measured files and plans implement.
+/// What a Reflectance evaluates: the interface that models, lookup tables, measured
+/// files and plans implement.
 ///
-/// Programs use spectral/models/reflectance.hpp. This page is for who adds something that reflects; a hts::ReflectanceModel needs
-/// no evaluator of its own: model_evaluator.hpp makes one.
+/// Programs use spectral/models/reflectance.hpp. This page is for who adds something that reflects; a
+/// hts::ReflectanceModel needs no evaluator of its own: model_evaluator.hpp makes one.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +30,12 @@ struct Properties {
     bool specular_term = false;  ///< may reflect into the mirror direction alone
     bool isotropic = false;      ///< the same when both directions turn together about the normal
     bool partial = false;        ///< only known at some pairs of directions: see `knows`
-    /// What its wavelengths stand for where they are channels of a colour, no spectrum: B, G, R or Z, Y, X or Y.
+    /// What its wavelengths stand for where they are channels of a colour, no spectrum:
+    /// B, G, R or Z, Y, X or Y.
     std::vector<std::string> channels{};
-    /// Statistics of the heights and the theory, where the model is one of a rough surface: then the limits of DiffuseLobe,
-    /// tolerances, validity, energy compensation, `samples` and `detail` mean something. None for others.
+    /// Statistics of the heights and the theory, where the model is one of a rough surface: then the limits
+    /// of DiffuseLobe, tolerances, validity, energy compensation, `samples` and `detail` mean
+    /// something. None for others.
     std::optional<RoughSurface> surface{};
 };
 
@@ -53,15 +56,16 @@ struct MeasuredDomain {
     std::string axes = "theta_i 0 to 90 deg, theta_r 0 to 90 deg, phi 0 to 360 deg";
 };
 
-/// Draws directions at one wavelength. Immutable; calls are total, allocate nothing and may run on any thread.
+/// Draws directions at one wavelength. Immutable; calls are total, allocate nothing
+/// and may run on any thread.
 class DirectionSampler {
   public:
     virtual ~DirectionSampler() = default;
 
     /// Density in solid angle of `sample` drawing `out` from a diffuse lobe [1/sr].
     [[nodiscard]] virtual double pdf(const Direction& in, const Direction& out) const noexcept = 0;
-    /// Draws a direction; the mean weight is the albedo. Models without a specular term say Lobe::uniform_diffuse where
-    /// that part is all there is, else directional_diffuse, or none.
+    /// Draws a direction; the mean weight is the albedo. Models without a specular term say
+    /// Lobe::uniform_diffuse where that part is all there is, else directional_diffuse, or none.
     [[nodiscard]] virtual Draw sample(const Direction& in, const Uniforms& uniforms) const noexcept = 0;
     /// The same without its weight, which may be NaN, where that is quicker.
     [[nodiscard]] virtual Draw draw(const Direction& in, const Uniforms& uniforms) const noexcept {
@@ -71,8 +75,9 @@ class DirectionSampler {
     [[nodiscard]] virtual double specular_probability(const Direction& /*in*/) const noexcept { return 0; }
 };
 
-/// Immutable. Evaluation is total, allocates nothing and may run on any thread. On the horizon lobes are 0; the uniform-diffuse
-/// term stays there of rough surfaces, and is 0 of others. Spans hold what each call says: Reflectance checks them.
+/// Immutable. Evaluation is total, allocates nothing and may run on any thread. On the horizon lobes are 0;
+/// the uniform-diffuse term stays there of rough surfaces, and is 0 of others. Spans hold what each call
+/// says: Reflectance checks them.
 class Evaluator {
   public:
     virtual ~Evaluator() = default;
@@ -81,8 +86,8 @@ class Evaluator {
     [[nodiscard]] const WavelengthGrid& wavelengths() const noexcept { return wavelengths_; }
     /// `isotropic` may be left false where it is not known: Reflectance then tries.
     [[nodiscard]] virtual Properties properties() const { return {}; }
-    /// Whether the data reach a pair above the horizon; models are known everywhere. What is evaluated elsewhere is the value at
-    /// the nearer end.
+    /// Whether the data reach a pair above the horizon; models are known everywhere. What is evaluated
+    /// elsewhere is the value at the nearer end.
     [[nodiscard]] virtual bool knows(const DirectionPair& /*pair*/) const noexcept { return true; }
     [[nodiscard]] virtual MeasuredDomain domain() const { return {}; }
     /// Memory of this object alone, not of tables that several share; 0 where not known.
@@ -95,7 +100,8 @@ class Evaluator {
     /// The same for many pairs, all wavelengths of a pair together, on the calling thread.
     ///   values   pairs.size() * wavelengths().size()
     virtual void brdf_batch(std::span<const DirectionPair> pairs, std::span<double> values) const noexcept;
-    /// Its part that is the same for all directions above the horizon [1/sr], one value per wavelength; 0 where not known.
+    /// Its part that is the same for all directions above the horizon [1/sr], one value per
+    /// wavelength; 0 where not known.
     virtual void uniform_diffuse(std::span<double> values) const noexcept;
     /// The rest, the lobe [1/sr]: without cancellation also where it is far smaller.
     virtual void directional_diffuse(const DirectionPair& pair, std::span<double> values) const noexcept;
@@ -110,11 +116,12 @@ class Evaluator {
     virtual void specular_mueller(const Direction& in, std::span<Mueller> values) const noexcept;
     /// Whether light passes through the surface at a wavelength.
     [[nodiscard]] virtual bool transmits(std::size_t wavelength) const noexcept;
-    /// Radiance that leaves along pair.out, behind the surface, per irradiance from pair.in [1/sr], see hts::TransmittingModel;
-    /// 0 of an opaque surface.
+    /// Radiance that leaves along pair.out, behind the surface, per irradiance from pair.in [1/sr], see
+    /// hts::TransmittingModel; 0 of an opaque surface.
     virtual void btdf(const DirectionPair& pair, std::span<double> values) const noexcept;
 
-    /// What the lobe of a rough surface is made of, by the exact formulas, one per wavelength; untouched by others.
+    /// What the lobe of a rough surface is made of, by the exact formulas, one per
+    /// wavelength; untouched by others.
     virtual void detail(const DirectionPair& pair, std::span<LobeDetail> values) const noexcept;
 
     /// Directional-hemispherical reflectance by term at one of the wavelengths.

@@ -1,4 +1,5 @@
-/// Materials of the He-Torrance model and of its successor he_unified: roughness, optical constants and uniform-diffuse albedo.
+/// Materials of the He-Torrance model and of its successor he_unified: roughness, optical constants
+/// and uniform-diffuse albedo.
 #pragma once
 
 #include <string>
@@ -26,9 +27,11 @@ class DiffuseAlbedo {
     Dispersion value_;
 };
 
-/// A rough surface of a substance: what a file with "model": "he" says, or "he_unified" where the surface is one of that theory.
+/// A rough surface of a substance: what a file with "model": "he" says, or "he_unified" where the
+/// surface is one of that theory.
 ///
-///     const Material aluminium = he_torrance_material("rough aluminium", {0.28, 1.77}, built_in_optical_constants("Al"));
+///     const Material aluminium = he_torrance_material("rough aluminium", {0.28, 1.77},
+///     built_in_optical_constants("Al"));
 [[nodiscard]] Material he_torrance_material(const std::string& name, const RoughSurface& surface,
                                             const CoatedConstants& constants,
                                             const DiffuseAlbedo& albedo = DiffuseAlbedo{0});
@@ -44,12 +47,14 @@ class DiffuseAlbedo {
 /// Reads
 ///   {"name": "roughened aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
 ///    "index": "Al", "diffuse_albedo": 0.0}
-/// "correlation_length_um" may be [along, across] of two axes, with "azimuth_deg" of the first from x, 0 if left out;
-/// "index" is a built-in name, {"n": …, "k": …}, {"file": path relative to this file} or {"table": [[um, n, k], …]};
-/// "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out. "films" may cover it: coated_constants.hpp.
+/// "correlation_length_um" may be [along, across] of two axes, with "azimuth_deg" of the first from x, 0 if
+/// left out; "index" is a built-in name, {"n": …, "k": …}, {"file": path relative to this file} or {"table":
+/// [[um, n, k], …]}; "diffuse_albedo" a number or {"table": [[um, a], …]}, 0 if left out. "films" may cover
+/// it: coated_constants.hpp.
 [[nodiscard]] Material read_he_torrance(const MaterialFile& file);
 /// Reads the same keys of "model": "he_unified", and
-///   "mirror": "closed" or "second_order", "polarisation_mixing": true or false       "closed" and false if left out
+///   "mirror": "closed" or "second_order", "polarisation_mixing": true or false
+///   "closed" and false if left out
 [[nodiscard]] Material read_he_unified(const MaterialFile& file);
 
 }  // namespace hts::spectral

@@ -5,9 +5,9 @@
 
 namespace hts::spectral {
 
-/// Share of uniform incident light that is reflected at one of the wavelengths, by term: 2 times the integral of the
-/// directional-hemispherical reflectance times cos theta d(cos theta). By Kirchhoff's law 1 less the total is the hemispherical
-/// emissivity of a surface that lets no light through.
+/// Share of uniform incident light that is reflected at one of the wavelengths, by term: 2 times the integral
+/// of the directional-hemispherical reflectance times cos theta d(cos theta). By Kirchhoff's law 1 less the
+/// total is the hemispherical emissivity of a surface that lets no light through.
 ///   domain   isotropic reflectances, else hts::Error
 ///   error    accuracy::bihemispherical_reflectance of each term, absolute, or that of Reflectance::albedo
 ///   cost     some 30 of Reflectance::albedo

@@ -4,8 +4,9 @@
 ///     const Reflectance reflectance = aluminium.at(WavelengthGrid::linear(0.4, 0.7, 4));
 ///     const std::vector<double> brdf = reflectance.brdf({in, out});                              // 1/sr
 ///
-/// `built_in_models` is the registry that gives meaning to the key "model", a line per model in model_readers.cpp. A program adds
-/// a line of its own, or needs no file at all: material_of (model_evaluator.hpp) takes any hts::ReflectanceModel.
+/// `built_in_models` is the registry that gives meaning to the key "model", a line per model in
+/// model_readers.cpp. A program adds a line of its own, or needs no file at all: material_of
+/// (model_evaluator.hpp) takes any hts::ReflectanceModel.
 #pragma once
 
 #include <filesystem>
@@ -24,11 +25,13 @@
 
 namespace hts::spectral {
 
-/// Values of a rough surface that a caller knows better than its material does: they go before the material's.
+/// Values of a rough surface that a caller knows better than its material does: they
+/// go before the material's.
 struct RoughSurfaceValues {
     std::optional<double> n{}, k{};  ///< at every wavelength, where the material then need not be known
     std::optional<double> rms_roughness{}, correlation_length{};  ///< [um]
-    /// Along both axes [um], and a direction with the azimuth of the first; a single correlation_length goes before them.
+    /// Along both axes [um], and a direction with the azimuth of the first; a single
+    /// correlation_length goes before them.
     std::optional<double> correlation_length_x{}, correlation_length_y{};
     std::optional<Direction> axis{};
     std::optional<double> diffuse_albedo{};
@@ -77,8 +80,8 @@ class Material {
     /// What can be asked of it. `transmitting` and `isotropic` may depend on wavelength: a Reflectance knows.
     [[nodiscard]] const Properties& properties() const noexcept { return properties_; }
 
-    /// The material at wavelengths. hts::Error where it is not known at one of them and the options say error, or where the model
-    /// has no such lobe, no energy compensation or no such values.
+    /// The material at wavelengths. hts::Error where it is not known at one of them and the options say
+    /// error, or where the model has no such lobe, no energy compensation or no such values.
     ///   cost   with energy compensation some 50 ms a wavelength
     [[nodiscard]] Reflectance at(const WavelengthGrid& wavelengths,
                                  const EvaluationOptions& options = {}) const;

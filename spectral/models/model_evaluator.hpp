@@ -1,6 +1,8 @@
-/// Any hts::ReflectanceModel at a list of wavelengths, a value of the model for each, as a Reflectance or as a Material.
+/// Any hts::ReflectanceModel at a list of wavelengths, a value of the model for each, as a
+/// Reflectance or as a Material.
 ///
-///     const Material mine = material_of([](const Wavelength& at, OutsideRange) { return MyModel{at.micrometres()}; });
+///     const Material mine = material_of([](const Wavelength& at, OutsideRange) { return
+///     MyModel{at.micrometres()}; });
 #pragma once
 
 #include <algorithm>
@@ -126,8 +128,8 @@ class ModelEvaluator final : public Evaluator {
 [[nodiscard]] Reflectance uniform_part_of(const Reflectance& whole);
 
 /// A material of a model.
-///   make   from a wavelength and the policy outside what is known, a ReflectanceModel or a ModelAtWavelength;
-///          hts::Error where the material is not known at the wavelength
+///   make   from a wavelength and the policy outside what is known, a ReflectanceModel or a
+///          ModelAtWavelength; hts::Error where the material is not known at the wavelength
 template <class Make>
 [[nodiscard]] Material material_of(Make make, std::vector<std::string> warnings = {}) {
     const auto prepare = [make = std::move(make)](const std::string& name, const WavelengthGrid& wavelengths,

@@ -1,7 +1,8 @@
 /// How material files become models: what a line of the registry is made of.
 ///
-/// A model that is made from numbers needs no reader of its own: a line names its keys in the order of its constructor's
-/// arguments, model_of_numbers<OrenNayar>("oren_nayar", "Oren, Nayar 1994", {{"diffuse_albedo", 0}, …}).
+/// A model that is made from numbers needs no reader of its own: a line names its keys in the order of its
+/// constructor's arguments, model_of_numbers<OrenNayar>("oren_nayar", "Oren, Nayar 1994",
+/// {{"diffuse_albedo", 0}, …}).
 #pragma once
 
 #include <array>
@@ -24,14 +25,15 @@ inline constexpr double degree = std::numbers::pi / 180;
 /// A key whose value is a number or {"table": [[um, value], …]}.
 struct NumberKey {
     const char* name;
-    double
-        legal;  ///< any value that is allowed: the other keys are checked beside it, so that a message names one key
+    /// any value that is allowed: the other keys are checked beside it, so that a message names one key
+    double legal;
     double unit = 1;  ///< of the file's number in the library's unit: pi/180 for degrees
     std::optional<double>
         otherwise{};  ///< the file's number where the key is left out; else it must be there
 };
 
-/// A value made from numbers of a file, whatever the wavelength: Make{}(double …) returns it or throws hts::Error.
+/// A value made from numbers of a file, whatever the wavelength: Make{}(double …) returns
+/// it or throws hts::Error.
 template <class Make, std::size_t N>
 class ValueOfNumbers {
   public:
@@ -114,8 +116,8 @@ template <ReflectanceModel Model, std::size_t N>
     return model_made_by<Construct<Model>>(std::move(name), std::move(source), std::to_array(keys));
 }
 
-/// "kd", 0 if left out, and "lobes", a list of objects with the key "ks" and those of `keys`, in the order of the
-/// arguments of Lobe's constructor.
+/// "kd", 0 if left out, and "lobes", a list of objects with the key "ks" and those of `keys`, in the order of
+/// the arguments of Lobe's constructor.
 template <LobeShape Lobe, std::size_t N>
 class LobesOfNumbers {
   public:

@@ -1,14 +1,15 @@
-/// A material at wavelengths: evaluates, samples and integrates. Everything that reflects becomes one: a model, a lookup table, a
-/// measured file, a plan.
+/// A material at wavelengths: evaluates, samples and integrates. Everything that reflects becomes one: a
+/// model, a lookup table, a measured file, a plan.
 ///
 ///     const Reflectance reflectance = material.at(wavelengths, {.tolerance = Tolerance{1e-9}});
 ///     std::vector<double> spectrum(reflectance.size());
 ///     reflectance.brdf({in, out}, spectrum);  // allocates nothing
 ///
-/// Conventions of directions in hts/direction.hpp, of Stokes vectors and frames in hts/polarisation.hpp. What does not depend on
-/// wavelength is computed once per pair of directions; spectra come in the grid's order. One contract for sizes: a span that does
-/// not hold what the call says is a hts::Error that names both numbers. So is a pair that measured data do not reach, unless the
-/// options said what stands there (OutsideRange).
+/// Conventions of directions in hts/direction.hpp, of Stokes vectors and frames in hts/polarisation.hpp. What
+/// does not depend on wavelength is computed once per pair of directions; spectra come in the grid's order.
+/// One contract for sizes: a span that does not hold what the call says is a hts::Error that names both
+/// numbers. So is a pair that measured data do not reach, unless the options said what
+/// stands there (OutsideRange).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@
 
 namespace hts::spectral {
 
-/// Draws directions at one wavelength, as Reflectance::sampler makes it. Copies share what they hold; calls are total, allocate
-/// nothing and may run on any thread.
+/// Draws directions at one wavelength, as Reflectance::sampler makes it. Copies share what they hold; calls
+/// are total, allocate nothing and may run on any thread.
 class Sampler {
   public:
     explicit Sampler(std::shared_ptr<const DirectionSampler> sampler) : sampler_{std::move(sampler)} {}
@@ -76,8 +77,8 @@ class Reflectance {
         require_known(pair);
         evaluator_->brdf(pair, result);
     }
-    /// The same for many pairs, into pairs.size() * size() values, all wavelengths of a pair together. Runs on all cores; the
-    /// same bits for any number of threads.
+    /// The same for many pairs, into pairs.size() * size() values, all wavelengths of a pair together. Runs
+    /// on all cores; the same bits for any number of threads.
     void brdf(std::span<const DirectionPair> pairs, std::span<double> result) const;
     /// Its part that is the same for all directions above the horizon [1/sr].
     [[nodiscard]] std::vector<double> uniform_diffuse() const;
@@ -89,8 +90,8 @@ class Reflectance {
     [[nodiscard]] std::vector<SpecularReflectance> specular_reflectance(const Direction& in) const;
     void specular_reflectance(const Direction& in, std::span<double> result) const;
 
-    /// Mueller matrices of the diffuse terms [1/sr], of the lobe alone [1/sr], and of the specular term [1], one per wavelength;
-    /// hts::Error unless properties().polarised.
+    /// Mueller matrices of the diffuse terms [1/sr], of the lobe alone [1/sr], and of the specular term [1],
+    /// one per wavelength; hts::Error unless properties().polarised.
     [[nodiscard]] std::vector<Mueller> mueller(const DirectionPair& pair) const;
     void mueller(const DirectionPair& pair, std::span<Mueller> result) const;
     [[nodiscard]] std::vector<Mueller> directional_diffuse_mueller(const DirectionPair& pair) const;
@@ -100,16 +101,17 @@ class Reflectance {
 
     /// Whether light passes through the surface at a wavelength.
     [[nodiscard]] bool transmits(std::size_t wavelength) const;
-    /// Radiance that leaves along pair.out, behind the surface, per irradiance from pair.in [1/sr], one value per wavelength; see
-    /// hts::TransmittingModel. 0 where the surface is opaque.
+    /// Radiance that leaves along pair.out, behind the surface, per irradiance from pair.in [1/sr], one value
+    /// per wavelength; see hts::TransmittingModel. 0 where the surface is opaque.
     [[nodiscard]] std::vector<double> btdf(const DirectionPair& pair) const;
 
     /// Directional-hemispherical reflectance by term at one of the wavelengths.
-    ///   error   accuracy::hemispherical_reflectance for rough surfaces, else hts::accuracy::directional_albedo
+    ///   error   accuracy::hemispherical_reflectance for rough surfaces, else
+    ///           hts::accuracy::directional_albedo
     ///   cost    1 to 100 ms
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength) const;
-    /// The same of light in a state of polarisation; hts::Error unless properties().polarised. By Kirchhoff's law 1 less the
-    /// total is the emissivity towards `in`, behind a polariser that passes this state.
+    /// The same of light in a state of polarisation; hts::Error unless properties().polarised. By Kirchhoff's
+    /// law 1 less the total is the emissivity towards `in`, behind a polariser that passes this state.
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength,
                                                   const Stokes& light) const;
     /// Draws directions at one of the wavelengths; hts::Error where nobody knows how.

@@ -16,8 +16,8 @@ struct ReflectedTerms {
     std::vector<double> specular_reflectance;  ///< [1], into the mirror direction of the light
 };
 
-/// Where the lobe is 0 the uniform-diffuse term is the BRDF, at most what Reflectance::uniform_diffuse says: on the horizon all of
-/// it of a rough surface, nothing of other models.
+/// Where the lobe is 0 the uniform-diffuse term is the BRDF, at most what Reflectance::uniform_diffuse says:
+/// on the horizon all of it of a rough surface, nothing of other models.
 [[nodiscard]] ReflectedTerms reflected_terms(const Reflectance& reflectance, const DirectionPair& pair);
 
 }  // namespace hts::spectral

@@ -1,4 +1,5 @@
-/// Surfaces as material files describe them: roughness, correlation lengths, shape of correlation. Not installed.
+/// Surfaces as material files describe them: roughness, correlation lengths, shape of
+/// correlation. Not installed.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +17,14 @@ namespace hts::spectral {
 /// Reads
 ///   "rms_roughness_um": 0.28, "correlation_length_um": 1.77 or [along, across] with "azimuth_deg": 30
 ///   "correlation": "gaussian", "exponential", {"type": "matern", "nu": 1.5},
-///                  {"type": "k_correlation", "B_um": 5.0, "C": 2.5, "psd": "1d one-sided" or "2d"}, without length; with "A"
-///                  [um^3, um^4] also without rms roughness
+///                  {"type": "k_correlation", "B_um": 5.0, "C": 2.5, "psd": "1d one-sided" or "2d"}, without
+///                  length; with "A" [um^3, um^4] also without rms roughness
 ///                  {"type": "sum", "of": [[weight, {"type": …, "length_um": …}], …]}, without length
 ///                  {"type": "psd", "file": "psd.csv"}, without length and rms roughness
 ///                  {"type": "autocorrelation", "file": "acf.csv"}, without length
 ///   "rms_band_um": [shortest period, longest period or "infinity"] that the rms roughness holds for
-/// hts::Error of a key that is missing, unknown, out of range or does not belong beside another, and of rows of files.
+/// hts::Error of a key that is missing, unknown, out of range or does not belong beside
+/// another, and of rows of files.
 [[nodiscard]] RoughSurface surface_from(const JsonValue& file, const std::filesystem::path& folder);
 
 }  // namespace hts::spectral

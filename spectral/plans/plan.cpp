@@ -62,7 +62,8 @@ std::vector<WavelengthGrid> grids(const Scene& scene) {
     return grids;
 }
 
-/// The least that a model takes beside what its wavelengths share: fewer of them must pay their interpolation.
+/// The least that a model takes beside what its wavelengths share: fewer of them must
+/// pay their interpolation.
 constexpr std::array whole_or_uniform{LobeForm{DiffuseLobe::none, 1e-12, 1},
                                       LobeForm{DiffuseLobe::full, 1e-12, 3.2}};
 

@@ -40,15 +40,16 @@ struct Rung {
 ///     std::vector<double> spectrum(aluminium.size());
 ///     aluminium.brdf({light, view}, spectrum);
 ///
-/// The last two arguments of read_plan, from tables/formats/measured_model.hpp and tables/table/table.hpp (link hts::tables), are for
-/// plans with lookup tables or materials of model measured; without these read_plan("plan.json") is enough.
+/// The last two arguments of read_plan, from tables/formats/measured_model.hpp and tables/table/table.hpp
+/// (link hts::tables), are for plans with lookup tables or materials of model measured; without these
+/// read_plan("plan.json") is enough.
 class PlannedForm {
   public:
     /// Most wavelengths of a rung, unless they are all the scene's.
     static constexpr std::size_t most_nodes = 64;
 
-    /// Anything that stands for the model at the rung's wavelengths, else hts::Error; hts::Error too if these are more than
-    /// `most_nodes` and not the scene's.
+    /// Anything that stands for the model at the rung's wavelengths, else hts::Error; hts::Error too if these
+    /// are more than `most_nodes` and not the scene's.
     PlannedForm(const Scene& scene, Rung rung, Reflectance at_nodes);
 
     [[nodiscard]] const std::string& name() const noexcept { return nodes_.name(); }
@@ -83,8 +84,8 @@ class MaterialForms {
     MaterialForms(const Scene& scene, const Material& material);
 
     [[nodiscard]] const Material& material() const noexcept { return material_; }
-    /// hts::Error if the rung's wavelengths leave the range of the material and the scene does not clamp, or if the model has no
-    /// such form.
+    /// hts::Error if the rung's wavelengths leave the range of the material and the scene does not clamp, or
+    /// if the model has no such form.
     [[nodiscard]] PlannedForm at(const Rung& rung) const;
     /// What the form of a rung evaluates at the rung's wavelengths.
     [[nodiscard]] Reflectance at_nodes(const Rung& rung) const;

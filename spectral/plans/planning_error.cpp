@@ -58,7 +58,8 @@ class PairSource {
     }
 
   private:
-    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more; of an anisotropic surface `stretched`.
+    /// |v_xy| in units of 2 pi / wavelength at which t is 1, or g where that is more; of an
+    /// anisotropic surface `stretched`.
     [[nodiscard]] double lobe_width(const Direction& in, const Wavelength& wavelength) const {
         const Surface& surface = *surface_;
         const Surface seen = surface.seen_by(wavelength);

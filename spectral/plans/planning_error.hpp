@@ -8,7 +8,8 @@
 
 namespace hts::spectral {
 
-/// The pairs on which a material is measured: `sampling.pairs` random ones and a few at the edges of the domain.
+/// The pairs on which a material is measured: `sampling.pairs` random ones and a few at
+/// the edges of the domain.
 [[nodiscard]] std::vector<DirectionPair> planning_pairs(const Scene& scene, const Material& material,
                                                         const PlanSampling& sampling);
 

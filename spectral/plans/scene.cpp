@@ -172,8 +172,8 @@ void add_samples(Checksum& checksum, const Reflectance& reflectance) {
     }
 }
 
-/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface singles out, one
-/// wavelength after the other.
+/// The BRDF seen from the mirror direction, nearby and far from it, in planes that no symmetry of a surface
+/// singles out, one wavelength after the other.
 void add_probes(Checksum& checksum, const Reflectance& reflectance) {
     constexpr int digits = 9;
     std::vector<std::vector<double>> probes;

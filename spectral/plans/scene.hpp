@@ -1,5 +1,5 @@
-/// What a scene asks of its materials: where from, at which wavelengths, for what purpose and how exactly. It is
-/// what spectral/plans/plan.hpp plans for.
+/// What a scene asks of its materials: where from, at which wavelengths, for what purpose and how exactly. It
+/// is what spectral/plans/plan.hpp plans for.
 #pragma once
 
 #include <cstddef>
@@ -48,21 +48,22 @@ void require_tolerance(ErrorMeasure measure, double tolerance);
 ///    "wavelengths_um": "0.4:0.7:31", "output": "spectral", "polarised": false,
 ///    "largest_theta_i_deg": 80, "largest_theta_r_deg": 80,
 ///    "tolerance": {"relative_brdf_error": 1e-2}, "memory_budget_bytes": 1000000}
-/// "materials" are material files of any model, relative to this file, or their content; "wavelengths_um" is text as
-/// WavelengthGrid::parse takes it, or a list; "output" is "spectral" or "rgb", the latter with an optional
-/// "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error and delta_e_2000, the latter for
-/// unpolarised rgb alone. "outside" (error if left out, hold, zero; "clamp": true is hold) says what stands outside a material's range. "polarised" is
-/// false if left out, and without a budget memory does not count. "compensate_energy" (false if left out) is the optional
-/// energy compensation, which is not part of the published model. Both are for materials of model he alone.
-/// hts::Error "path: key "…": …" names the key and the legal range, or what contradicts what.
+/// "materials" are material files of any model, relative to this file, or their content; "wavelengths_um" is
+/// text as WavelengthGrid::parse takes it, or a list; "output" is "spectral" or "rgb", the latter with an
+/// optional "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error and
+/// delta_e_2000, the latter for unpolarised rgb alone. "outside" (error if left out, hold, zero; "clamp":
+/// true is hold) says what stands outside a material's range. "polarised" is false if left out, and without a
+/// budget memory does not count. "compensate_energy" (false if left out) is the optional energy compensation,
+/// which is not part of the published model. Both are for materials of model he alone. hts::Error "path: key
+/// "…": …" names the key and the legal range, or what contradicts what.
 ///   models   that material files may name
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path,
                                const std::vector<ModelEntry>& models = built_in_models());
 
 /// A checksum, 16 hexadecimal digits, of all that a plan depends on: every member but `path`, and of each
-/// material its name, its model, and at the wavelengths and between them: of model he index and albedo (to 12 digits) beside
-/// the roughness, of others BRDF values of a few directions (to 9, so that another compiler's last bits do not change them).
-/// Files may be moved or formatted anew without changing it.
+/// material its name, its model, and at the wavelengths and between them: of model he index and albedo (to 12
+/// digits) beside the roughness, of others BRDF values of a few directions (to 9, so that another compiler's
+/// last bits do not change them). Files may be moved or formatted anew without changing it.
 [[nodiscard]] std::string fingerprint(const Scene& scene);
 
 }  // namespace hts::spectral

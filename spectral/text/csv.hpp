@@ -1,11 +1,13 @@
-/// Tables with a header line, read as a stream of rows or as a whole: what spreadsheets and instruments write.
+/// Tables with a header line, read as a stream of rows or as a whole: what
+/// spreadsheets and instruments write.
 ///
-/// The first line names the columns; each further line is a row with as many fields. Fields stand between commas, semicolons or
-/// tabs, or between white space where header and first row have no other: one separator a file, found from the header, from a
-/// first line "sep=;" where there is one. Where it is no comma, numbers may have decimal commas, all of them. Lines that are
-/// blank, hold separators alone or begin with `#` are passed over anywhere, empty fields behind the last column too. White space
-/// around a field does not count; a field may stand in quotation marks, a quotation mark inside is doubled, and a line break ends
-/// the row even there. Line ends LF or CR LF; UTF-8, with or without byte order mark.
+/// The first line names the columns; each further line is a row with as many fields. Fields stand between
+/// commas, semicolons or tabs, or between white space where header and first row have no other: one separator
+/// a file, found from the header, from a first line "sep=;" where there is one. Where it is no comma, numbers
+/// may have decimal commas, all of them. Lines that are blank, hold separators alone or begin with `#` are
+/// passed over anywhere, empty fields behind the last column too. White space around a field does not count;
+/// a field may stand in quotation marks, a quotation mark inside is doubled, and a line break ends the row
+/// even there. Line ends LF or CR LF; UTF-8, with or without byte order mark.
 #pragma once
 
 #include <cstddef>

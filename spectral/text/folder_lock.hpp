@@ -5,7 +5,8 @@
 
 namespace hts::spectral {
 
-/// A lock on a folder, which lasts until it is closed or the process ends; -1 where another process has one, or the folder is gone.
+/// A lock on a folder, which lasts until it is closed or the process ends; -1 where another process has
+/// one, or the folder is gone.
 ///   surely   -1 also where the medium knows no locks
 [[nodiscard]] int locked(const std::string& folder, bool surely);
 

@@ -10,10 +10,10 @@ namespace hts::spectral {
 
 class RunFiles;
 
-/// Removes the files that are under construction now, of every thread, and ends a program that is drawing one.
-/// Safe to call from a signal handler: it only reads lock-free atomics and calls kill, unlink and rmdir. The
-/// library installs no handler; a program that wants a signal to leave nothing behind installs one that calls
-/// this and then ends the program, as `hts` does.
+/// Removes the files that are under construction now, of every thread, and ends a program that is drawing
+/// one. Safe to call from a signal handler: it only reads lock-free atomics and calls kill, unlink and rmdir.
+/// The library installs no handler; a program that wants a signal to leave nothing behind installs one that
+/// calls this and then ends the program, as `hts` does.
 void remove_partial_files() noexcept;
 
 /// A file under construction. Text goes to a file in a folder of its own beside the target, and `commit`

@@ -48,8 +48,8 @@ class Image {
     png_image image_{};
 };
 
-/// libpng's own interface, which alone gives numbers as they stand in the file. What fails in it comes back by longjmp,
-/// past no destructor.
+/// libpng's own interface, which alone gives numbers as they stand in the file. What fails in it comes back
+/// by longjmp, past no destructor.
 class GreyReader {
   public:
     explicit GreyReader(std::string_view bytes)

@@ -103,7 +103,8 @@ class RunFiles {
         std::string staged{};
         std::unique_ptr<Unfinished> unfinished{};
     };
-    /// The folder beside some targets. A lock says that this run lives: one without is left from a killed process.
+    /// The folder beside some targets. A lock says that this run lives: one without is
+    /// left from a killed process.
     struct Stage {
         Stage() = default;
         ~Stage();

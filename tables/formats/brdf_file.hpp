@@ -3,8 +3,8 @@
 ///     const auto nickel = hts::tables::read_brdf("nickel.binary");
 ///
 /// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
-/// (rgl.hpp) and KAIST's polarised one (pbsdf.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index of several
-/// of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
+/// (rgl.hpp) and KAIST's polarised one (pbsdf.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index
+/// of several of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
 /// FRED's tables, ASTM scatter files and CSV (scatter_points.hpp).
 #pragma once
 
@@ -49,8 +49,9 @@ struct BrdfFormat {
 /// A line per format; the first that recognises a file reads it.
 [[nodiscard]] const std::vector<BrdfFormat>& readable_formats();
 
-/// Reads a file, or a pipe. The last note says which wavelengths, angles and share of the hemisphere it covers.
-/// hts::Error "path: …", with line or offset where there is one, if it cannot be read, no format recognises it or it is damaged.
+/// Reads a file, or a pipe. The last note says which wavelengths, angles and share of the hemisphere it
+/// covers. hts::Error "path: …", with line or offset where there is one, if it cannot be read, no format
+/// recognises it or it is damaged.
 [[nodiscard]] BrdfFile read_brdf(const std::filesystem::path& path, const BrdfReading& how = {});
 
 }  // namespace hts::tables

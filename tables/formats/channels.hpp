@@ -1,7 +1,7 @@
 /// Few channels in place of a spectrum, for file formats that hold no more: linear sRGB, or luminance alone.
 ///
-/// Such a channel is no wavelength, but spectral::Reflectance needs one to name it by: 0.46, 0.55 and 0.62 um stand for blue, green
-/// and red, 0.55 um for luminance, as everywhere in this project.
+/// Such a channel is no wavelength, but spectral::Reflectance needs one to name it by: 0.46, 0.55 and 0.62 um
+/// stand for blue, green and red, 0.55 um for luminance, as everywhere in this project.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,8 @@ namespace hts::tables {
 /// Most wavelengths that a spectrum may have where channels are made of it: 1024.
 inline constexpr std::size_t most_channels = 1024;
 
-/// Linear sRGB of a BRDF [1/sr] and of its specular reflectance [1], blue first; a perfect white has 1/pi and 1 in all three.
+/// Linear sRGB of a BRDF [1/sr] and of its specular reflectance [1], blue first; a perfect white has
+/// 1/pi and 1 in all three.
 ///   formula   colour.hpp and display_colour.hpp; components below 0 (out of gamut) become 0
 ///   source    must cover the visible (else hts::Error, see tristimulus_weights)
 [[nodiscard]] spectral::Reflectance linear_srgb_brdf(spectral::Reflectance source,

@@ -1,5 +1,6 @@
-/// Directions of view to integrate over: some drawn around the lobe, as many in proportion to the cosine, with the
-/// weights of the balance heuristic (Veach and Guibas, SIGGRAPH 1995). Private to the exchange formats.
+/// Directions of view to integrate over: some drawn around the lobe, as many in proportion to the cosine,
+/// with the weights of the balance heuristic (Veach and Guibas, SIGGRAPH 1995). Private
+/// to the exchange formats.
 #pragma once
 
 #include <utility>
@@ -24,8 +25,8 @@ class FacetDraws {
     double alpha_squared_;  // exp(-slope^2/alpha^2) is the density of slopes
 };
 
-/// A cone about the mirror direction that holds the specular term where that is spread over a solid angle, as a box or as a lobe of
-/// facets (specular_box.hpp), with a quarter to spare.
+/// A cone about the mirror direction that holds the specular term where that is spread over a solid angle, as
+/// a box or as a lobe of facets (specular_box.hpp), with a quarter to spare.
 class SpecularCone {
   public:
     ///   solid_angle   of the box [sr], > 0

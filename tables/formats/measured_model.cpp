@@ -82,7 +82,8 @@ Direction turned(double cosine, double azimuth, const Direction& from) {
         {x * from.cos_phi() - y * from.sin_phi(), x * from.sin_phi() + y * from.cos_phi(), cosine});
 }
 
-// Which cell of the hemisphere how much light goes to, per angle of incidence; azimuths are those from the light.
+// Which cell of the hemisphere how much light goes to, per angle of incidence; azimuths
+// are those from the light.
 class CellDraws {
   public:
     explicit CellDraws(const OneWavelength& brdf) : running_(incidences * cells) {

@@ -73,8 +73,8 @@ Direction raised(Vector3 v) {
     return Direction::from_vector({v.x, v.y, std::max(v.z, horizon)});
 }
 
-// That of the bin's centre, or of the point nearest to it (of 5 in each coordinate) that is above the horizon; of a bin below it beside
-// such ones that of the centre, raised to the horizon.
+// That of the bin's centre, or of the point nearest to it (of 5 in each coordinate) that is above the
+// horizon; of a bin below it beside such ones that of the centre, raised to the horizon.
 std::optional<DirectionPair> pair_of_bin(const std::array<std::size_t, 3>& bin) {
     const auto offset_by = [&](const std::array<double, 3>& offset) {
         Coordinates at;
@@ -173,7 +173,8 @@ class MerlBrdf final : public spectral::Evaluator {
     [[nodiscard]] double at_theta_d(std::size_t row, std::size_t d, std::size_t c) const noexcept {
         return values_[3 * (row + bins[2] * d) + c];
     }
-    // Where four values in a row are positive, a cubic through their logarithms; else a straight line between the two.
+    // Where four values in a row are positive, a cubic through their logarithms; else a
+    // straight line between the two.
     void add_row(std::size_t row, const Neighbours& d, std::size_t c, double weight, double& sum,
                  double& share) const noexcept {
         const double before = d.low > 0 ? at_theta_d(row, d.low - 1, c) : 0, low = at_theta_d(row, d.low, c),

@@ -1,9 +1,10 @@
 /// How much of a reflectance survives a file: what was written compared with what a reader of the file gives.
 ///
-/// The error at a pair of directions and a wavelength is |read - original|/peak, where peak is the largest BRDF of the
-/// original for that angle of incidence and wavelength. Half of the pairs are drawn around the lobe (facets with Gaussian
-/// slopes about as wide), half uniformly over the hemisphere, as many in a spread specular term; the light is uniform over the
-/// hemisphere; all polar angles are at most 88 degrees. Same seed, same pairs, on every machine.
+/// The error at a pair of directions and a wavelength is |read - original|/peak, where peak is the largest
+/// BRDF of the original for that angle of incidence and wavelength. Half of the pairs are drawn around the
+/// lobe (facets with Gaussian slopes about as wide), half uniformly over the hemisphere, as many in a spread
+/// specular term; the light is uniform over the hemisphere; all polar angles are at most 88 degrees. Same
+/// seed, same pairs, on every machine.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +40,8 @@ struct PeakError {
     double original = 0, read_back = 0;  ///< [1/sr]
 };
 
-/// Directional-hemispherical reflectance of the diffuse terms [1], at the wavelength where the two differ most.
+/// Directional-hemispherical reflectance of the diffuse terms [1], at the wavelength
+/// where the two differ most.
 struct AlbedoError {
     double theta_i;  ///< [rad]
     double wavelength_um;
@@ -72,8 +74,8 @@ struct RoundTripOptions {
     std::uint64_t seed = 1;
     /// Slope of the lobe to draw about (lobe.hpp); 0 for that of the original.
     double slope = 0;
-    /// Of the box or lobe over which the original's specular term is spread (specular_box.hpp) [sr], so that as many pairs are drawn
-    /// there and the integrals see it; 0 for none.
+    /// Of the box or lobe over which the original's specular term is spread (specular_box.hpp) [sr], so that
+    /// as many pairs are drawn there and the integrals see it; 0 for none.
     double specular_solid_angle = 0;
 };
 

@@ -1,6 +1,8 @@
-/// What stands beside a file of another program, FILE.json: what the file holds, and the specular term that it does not.
+/// What stands beside a file of another program, FILE.json: what the file holds, and the
+/// specular term that it does not.
 ///
-///   {"file", "format", "name", "value", "units", "normalisation", "wavelengths_um", "notes", ["suggested_alpha"],
+///   {"file", "format", "name", "value", "units", "normalisation", "wavelengths_um",
+///   "notes", ["suggested_alpha"],
 ///    "specular": {"treatment", "theta_i_deg": [...], "reflectance": [[per wavelength] per angle]}}
 #pragma once
 
@@ -34,7 +36,8 @@ struct Exported {
 [[nodiscard]] std::string sidecar_json(const std::filesystem::path& file, const spectral::Reflectance& brdf,
                                        const Sidecar& sidecar);
 
-/// Writes the files and beside them FILE.json, all of them or none (spectral::write_files); hts::Error where one cannot be written.
+/// Writes the files and beside them FILE.json, all of them or none (spectral::write_files); hts::Error
+/// where one cannot be written.
 ///   file   the exported file, whose whole name gets ".json" appended
 ///   brdf   whose specular reflectance the sidecar tells
 void write_with_sidecar(const std::filesystem::path& file, const spectral::Reflectance& brdf,

@@ -7,9 +7,10 @@
 
 namespace hts::tables {
 
-/// All bytes of a file, or of a pipe until its writer closes it. hts::Error "path: …" if it is missing, a directory or may not be read.
-///   most   largest size to read [bytes], else hts::Error: of a file before anything is allocated, of a pipe (of which at most 2^30
-///          are read) before more is
+/// All bytes of a file, or of a pipe until its writer closes it. hts::Error "path: …" if it is missing, a
+/// directory or may not be read.
+///   most   largest size to read [bytes], else hts::Error: of a file before anything is allocated, of a pipe
+///          (of which at most 2^30 are read) before more is
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path,
                                           std::uint64_t most = std::uint64_t{1} << 33);
 

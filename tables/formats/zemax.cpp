@@ -23,7 +23,8 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t most_angles = 100'000;  // per axis
 constexpr std::string_view wavelength_comment = "# wavelength_um ";
 
-// The grid's cells cut into four along the polar angle and two along the azimuth: their middles, with solid angles.
+// The grid's cells cut into four along the polar angle and two along the azimuth: their
+// middles, with solid angles.
 struct FineGrid {
     AngularGrid grid;
     std::vector<double> solid_angle;  // per azimuth and polar angle

@@ -21,8 +21,8 @@ using spectral::PlannedMaterial;
 using spectral::Rung;
 using spectral::Scene;
 
-/// What a table may be wrong by so that, with what the choice is wrong by already, the whole is likely to stay within the
-/// tolerance; the measurement decides.
+/// What a table may be wrong by so that, with what the choice is wrong by already, the whole is likely to
+/// stay within the tolerance; the measurement decides.
 double table_tolerance(const Plan& plan, const PlannedMaterial& material) {
     constexpr double relative_of_delta_e =
         0.005;  // a colour's lightness changes by so much for a unit of CIEDE2000

@@ -16,8 +16,8 @@ struct TriedTables {
     std::vector<spectral::TextFile> files;  ///< those that were taken, to be written together with the plan
 };
 
-/// Builds a table for each material at the wavelengths of its choice, and puts it in the choice's place where it is quicker as
-/// measured, within the tolerance as measured, and within the memory budget.
+/// Builds a table for each material at the wavelengths of its choice, and puts it in the choice's place where
+/// it is quicker as measured, within the tolerance as measured, and within the memory budget.
 ///   plan_file   beside which the tables are to stand, as "<its stem>-<number>-<material>.htst"
 [[nodiscard]] TriedTables try_tables(spectral::Plan& plan, const std::filesystem::path& plan_file);
 

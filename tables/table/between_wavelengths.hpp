@@ -1,7 +1,9 @@
-/// Values of a table between its wavelengths: ln f is linear in ln wavelength between neighbours, f itself where one of them is 0.
+/// Values of a table between its wavelengths: ln f is linear in ln wavelength between neighbours, f
+/// itself where one of them is 0.
 ///
-/// The table's promise is for its own wavelengths. What is lost between them depends on the spectrum: `hts table check` measures it
-/// half-way between neighbours, with table_error of `at_wavelengths` against the exact model there.
+/// The table's promise is for its own wavelengths. What is lost between them depends on the spectrum: `hts
+/// table check` measures it half-way between neighbours, with table_error of `at_wavelengths`
+/// against the exact model there.
 #pragma once
 
 #include <cstddef>

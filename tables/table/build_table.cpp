@@ -19,7 +19,8 @@ LobeNodes lobe_nodes(const TablePlan& plan) {
     return {plan.nodes.grazing, plan.nodes.ratio, plan.nodes.turn};
 }
 
-/// As many more nodes as the error of a cubic spline says, which falls with the fourth power of their distance.
+/// As many more nodes as the error of a cubic spline says, which falls with the fourth
+/// power of their distance.
 TablePlan refined(TablePlan plan, const TableError& error, const std::string& name) {
     constexpr std::size_t most_refinements = 3;
     constexpr double margin = 1.05, most_growth = 2;

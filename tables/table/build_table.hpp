@@ -4,12 +4,14 @@
 ///     const Table table = build_table(*exact, {reflector.name()}, {.tolerance = 1e-3});
 ///
 /// In three steps, each deterministic: the same bytes for any number of threads, shards or interruptions.
-///   plan     a basis of spectra grows until every random direction's spectrum is a sum of them; the number of nodes of each
-///            axis until the error on random directions meets three quarters of the tolerance, and then shrinks as far as
-///            it may: half as many nodes on any axis would fail
-///   slices   exact values at the nodes of one grazing angle, in any order, on machines of one instruction set
-///   finish   splines, the small curves, and the error measured on random directions, the last of several sets that the plan
-///            was tried on; where it misses the tolerance, slices of a denser plan; `table_error` with another seed is independent
+///   plan     a basis of spectra grows until every random direction's spectrum is a sum of them; the number
+///            of nodes of each axis until the error on random directions meets three quarters of the
+///            tolerance, and then shrinks as far as it may: half as many nodes on any axis would fail
+///   slices   exact values at the nodes of one grazing angle, in any order, on
+///            machines of one instruction set
+///   finish   splines, the small curves, and the error measured on random directions, the last of several
+///            sets that the plan was tried on; where it misses the tolerance, slices of a denser plan;
+///            `table_error` with another seed is independent
 #pragma once
 
 #include <cstdint>
@@ -48,15 +50,15 @@ struct TablePlan {
 /// What is done, of how much.
 using TableProgress = std::function<void(const std::string& step, double share)>;
 
-/// Error of a table, measured: half of the pairs uniform in solid angle up to 88 deg, half with theta_i uniform and the
-/// half vector's slope spread over every scale from 0.003 to 3, which no lobe escapes. Where the table is polarised the
-/// elements of the Mueller matrix count, each by the same measure.
+/// Error of a table, measured: half of the pairs uniform in solid angle up to 88 deg, half with theta_i
+/// uniform and the half vector's slope spread over every scale from 0.003 to 3, which no lobe escapes. Where
+/// the table is polarised the elements of the Mueller matrix count, each by the same measure.
 ///   table, exact   of the same wavelengths, else hts::Error
 [[nodiscard]] TableError table_error(const spectral::Reflectance& table, const spectral::Reflectance& exact,
                                      std::uint64_t pairs, std::uint64_t seed);
 
-/// hts::Error where the surface is not isotropic or not reciprocal, has no polarisation that was asked for, or would take more than
-/// largest_bytes.
+/// hts::Error where the surface is not isotropic or not reciprocal, has no polarisation that was asked for,
+/// or would take more than largest_bytes.
 [[nodiscard]] TablePlan plan_table(const spectral::Reflectance& exact, const TableRequest& request,
                                    const TableProgress& progress = {});
 
@@ -77,9 +79,9 @@ using SliceSource = std::function<std::vector<std::vector<double>>(const TablePl
 /// Computes them, on all cores.
 [[nodiscard]] SliceSource computed_slices(const spectral::Reflectance& exact);
 
-/// The bytes of the file. Where the measured error is above the tolerance, slices of a plan with more nodes on every axis are
-/// asked for, by the same rule everywhere; hts::Error after three such rounds, or where the file would be larger than
-/// largest_bytes.
+/// The bytes of the file. Where the measured error is above the tolerance, slices of a plan with more nodes
+/// on every axis are asked for, by the same rule everywhere; hts::Error after three such rounds, or where the
+/// file would be larger than largest_bytes.
 [[nodiscard]] std::string finished_table(const spectral::Reflectance& exact, const TableSource& source,
                                          TablePlan plan, const SliceSource& slices);
 

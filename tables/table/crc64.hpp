@@ -1,8 +1,8 @@
 /// Checksum of files. Private to the module.
 ///
-/// Eight bytes at a time, by eight tables. Boost.CRC takes one byte at a time: with it, Table::open of a file of
-/// 44 MB took 3.45 times as long (102.5 ms against 29.7 ms of processor time, medians of 15; AMD EPYC, gcc 12.2,
-/// -O3), since the checksum is nearly all that opening does.
+/// Eight bytes at a time, by eight tables. Boost.CRC takes one byte at a time: with it, Table::open of a file
+/// of 44 MB took 3.45 times as long (102.5 ms against 29.7 ms of processor time, medians of 15; AMD EPYC, gcc
+/// 12.2, -O3), since the checksum is nearly all that opening does.
 #pragma once
 
 #include <cstdint>

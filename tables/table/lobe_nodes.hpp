@@ -30,8 +30,8 @@ using LobeNodes = std::array<std::size_t, 3>;
 [[nodiscard]] std::vector<double> lobe_coefficients(const std::vector<std::vector<double>>& slices,
                                                     const LobeNodes& nodes, std::size_t width);
 
-/// Orthonormal spectra, of which every given one is a sum. The one that is represented worst joins them, until none is off by
-/// more than `error`.
+/// Orthonormal spectra, of which every given one is a sum. The one that is represented worst joins them,
+/// until none is off by more than `error`.
 ///   spectra, weights   wavelengths side by side; the error is weight times difference
 ///   wavelengths        their number
 [[nodiscard]] std::vector<double> spectral_basis(std::vector<double> spectra,

@@ -23,7 +23,8 @@ class Line {
     std::size_t inner_;
 };
 
-/// Solves c[i-1] + 4 c[i] + c[i+1] = 6 v[i] for first <= i <= last, in place, with c[first-1] and c[last+1] known.
+/// Solves c[i-1] + 4 c[i] + c[i+1] = 6 v[i] for first <= i <= last, in place, with
+/// c[first-1] and c[last+1] known.
 ///   diagonal   of the first row: 4, and 2 c[i+1] there if `even`
 void solve(const Line& c, std::size_t first, std::size_t last, bool even, std::vector<double>& upper) {
     upper.resize(last + 1);
@@ -57,7 +58,8 @@ void to_spline_coefficients(std::span<double> block, std::size_t nodes, std::siz
     for (std::size_t from = 0; from < block.size(); from += stride) {
         const Line c{block.subspan(from, stride), inner};
         const bool even = start == SplineStart::even;
-        // The values at and next to a free end are needed again once the coefficients have taken their places.
+        // The values at and next to a free end are needed again once the coefficients
+        // have taken their places.
         ends.assign(4 * inner, 0);
         c.each([&](std::size_t j) {
             ends[j] = c[1][j];

@@ -19,7 +19,8 @@ inline constexpr std::size_t spline_ghosts = 2;
 inline constexpr std::size_t fewest_nodes = 5;
 
 /// Turns values at nodes into coefficients, in place.
-///   block   [outer][nodes + 2][inner]; values stand at 1 ... nodes of the middle index, the places around them are free
+///   block   [outer][nodes + 2][inner]; values stand at 1 ... nodes of the middle index, the
+///           places around them are free
 ///   nodes   from fewest_nodes
 void to_spline_coefficients(std::span<double> block, std::size_t nodes, std::size_t inner,
                             SplineStart start) noexcept;

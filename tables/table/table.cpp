@@ -23,7 +23,8 @@
 namespace hts::tables {
 namespace {
 
-/// e^y to 2e-7 relative, -80 <= y <= 80; beyond, e^-80 or e^80. Without branches, so that compilers take lanes.
+/// e^y to 2e-7 relative, -80 <= y <= 80; beyond, e^-80 or e^80. Without branches, so
+/// that compilers take lanes.
 float exponential(float y) {
     constexpr float limit = 80, log2_e = 1.44269504F, ln2_high = 0.693359375F, ln2_low = -2.12194440e-4F;
     constexpr float to_integer = 0x1.8p23F;  // adding it rounds to a whole number

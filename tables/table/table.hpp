@@ -4,15 +4,17 @@
 ///     std::vector<double> spectrum(table.wavelengths().size());
 ///     table.brdf({in, out}, spectrum);  // allocates nothing
 ///
-/// What is promised. At the tabulated wavelengths and polar angles up to 88 deg, for the directional-diffuse term f,
+/// What is promised. At the tabulated wavelengths and polar angles up to 88 deg, for the
+/// directional-diffuse term f,
 ///   |f of the table - f exact| / (f exact + 1e-3 peak) <= tolerance,
-/// peak the largest f of that theta_i and wavelength. It was measured on random directions when the table was built, and
-/// `table_error` measures it again. The specular and the hemispherical reflectance keep the same tolerance with 1 as peak. At
-/// other wavelengths a table says nothing; nearer to the horizon it gives the lobe of 88 deg.
+/// peak the largest f of that theta_i and wavelength. It was measured on random directions when the table was
+/// built, and `table_error` measures it again. The specular and the hemispherical reflectance keep the same
+/// tolerance with 1 as peak. At other wavelengths a table says nothing; nearer to the horizon it
+/// gives the lobe of 88 deg.
 ///
-/// How. ln(f + floor) is a cubic spline in the coordinates of table_coordinates.hpp, with a floor 1e-12 below the peaks so
-/// that it stays finite. Its values are the components of a spectrum in a basis of few spectra, chosen for each table; those
-/// of a node lie side by side. `hts table chart` compares it with other ways.
+/// How. ln(f + floor) is a cubic spline in the coordinates of table_coordinates.hpp, with a floor 1e-12 below
+/// the peaks so that it stays finite. Its values are the components of a spectrum in a basis of few spectra,
+/// chosen for each table; those of a node lie side by side. `hts table chart` compares it with other ways.
 /// Surfaces must be isotropic and reciprocal. Polarisation is that of facets: a ratio F_p/F_s over theta_d.
 #pragma once
 
@@ -88,8 +90,8 @@ struct TableContents;
 /// An immutable table; copies share it. Lookups are total, allocate nothing and may run on any thread.
 class Table final : public spectral::Evaluator {
   public:
-    /// Maps a file into memory and checks all of it. hts::Error "path: …" where it is no table, of another version or byte
-    /// order, cut short, changed, or not what its header says.
+    /// Maps a file into memory and checks all of it. hts::Error "path: …" where it is no table, of another
+    /// version or byte order, cut short, changed, or not what its header says.
     ///   cost   a pass over the file, some 0.4 GB/s
     [[nodiscard]] static Table open(const std::filesystem::path& path);
     /// From the bytes of a file.

@@ -1,11 +1,12 @@
 /// A table in memory and as bytes. Private to the module.
 ///
-/// The file: 64 bytes of prelude, a header in JSON padded with spaces to a multiple of 64, the numbers. All little-endian.
-///   prelude   magic (8), version (4), 01020304 hexadecimal (4), bytes of the header (8), of the numbers (8), CRC-64 of
-///             everything but itself (8), zeros (24)
-///   numbers   doubles: floor, uniform diffuse; spline coefficients, a wavelength beside the other, of specular
-///             reflectance, lobe albedo and polarisation (real parts, imaginary parts); then the lobe's, in float or double:
-///             the basis, and coefficients, a component beside the other
+/// The file: 64 bytes of prelude, a header in JSON padded with spaces to a multiple of 64, the
+/// numbers. All little-endian.
+///   prelude   magic (8), version (4), 01020304 hexadecimal (4), bytes of the header (8), of the numbers (8),
+///             CRC-64 of everything but itself (8), zeros (24)
+///   numbers   doubles: floor, uniform diffuse; spline coefficients, a wavelength beside the other, of
+///             specular reflectance, lobe albedo and polarisation (real parts, imaginary parts); then the
+///             lobe's, in float or double: the basis, and coefficients, a component beside the other
 #pragma once
 
 #include <array>

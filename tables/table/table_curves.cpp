@@ -31,7 +31,8 @@ std::vector<Values> values_at(const Function& f, std::size_t count, double from,
     return values;
 }
 
-/// Twice as many pieces until no middle of a piece is off by more than `tolerance` times its value plus `scale`.
+/// Twice as many pieces until no middle of a piece is off by more than `tolerance`
+/// times its value plus `scale`.
 Curve fitted(const Function& f, SplineStart start, double tolerance, double scale, const std::string& what) {
     constexpr std::size_t most_nodes = 8193;
     for (std::size_t nodes = 9; nodes <= most_nodes; nodes = 2 * nodes - 1) {

@@ -22,8 +22,8 @@ struct Curve {
 /// F_p/F_s over cos theta_d, real parts, then imaginary parts.
 [[nodiscard]] Curve polarisation_curve(const spectral::Reflectance& exact, double tolerance);
 
-/// Directional-hemispherical reflectance of the lobe [1], one value per wavelength: a product rule of 8-point Gauss-Legendre
-/// panels in theta_r, graded about theta_i, and in the azimuth, graded about the mirror plane.
+/// Directional-hemispherical reflectance of the lobe [1], one value per wavelength: a product rule of 8-point
+/// Gauss-Legendre panels in theta_r, graded about theta_i, and in the azimuth, graded about the mirror plane.
 ///   error   accuracy::lobe_albedo absolute for lobes wider than a degree      cost   some 2500 lobe values
 void lobe_albedo(const spectral::Reflectance& exact, const Direction& in, std::span<double> values);
 

@@ -66,8 +66,8 @@ struct LobeSpline {
     const Real* coefficients;  ///< components side by side
     std::size_t components, wavelengths;
 
-    /// Calls use(first, logarithms, width) for blocks that cover all wavelengths; blocks may overlap, with equal values
-    /// where they do.
+    /// Calls use(first, logarithms, width) for blocks that cover all wavelengths; blocks may overlap, with
+    /// equal values where they do.
     template <class Use>
     void visit(const LobePlace<Real>& place, Use&& use) const noexcept {
         std::array<Real, most_components> sums;

@@ -155,8 +155,8 @@ struct Tried {
     double error;
 };
 
-/// Grows and shrinks a grid until it is as large as the error needs: on a set of probes, which takes in what was worst on others
-/// until nothing worse turns up.
+/// Grows and shrinks a grid until it is as large as the error needs: on a set of probes, which takes in what
+/// was worst on others until nothing worse turns up.
 class Search {
   public:
     Search(const Trials& trials, const TableRequest& request, double bytes_per_node, const std::string& name,
@@ -194,8 +194,8 @@ class Search {
     }
     [[nodiscard]] double target() const { return target_share * request_.tolerance; }
 
-    /// Whether other directions, in several rounds, are worse than the probes; at last those that the finished table is
-    /// measured on.
+    /// Whether other directions, in several rounds, are worse than the probes; at last those that the
+    /// finished table is measured on.
     bool fails_elsewhere() {
         constexpr int rounds = 5;
         for (int round = 0; round < rounds; ++round) {

@@ -30,8 +30,8 @@ inline constexpr std::size_t measured_pairs = 1 << 17;
     return seed + 1;
 }
 
-/// The lobe's largest value [1/sr] for each theta_i: the largest of every half degree in the plane of incidence, linear
-/// between whole degrees of theta_i.
+/// The lobe's largest value [1/sr] for each theta_i: the largest of every half degree in the plane of
+/// incidence, linear between whole degrees of theta_i.
 class LobePeaks {
   public:
     explicit LobePeaks(const spectral::Reflectance& exact);

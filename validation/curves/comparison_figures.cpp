@@ -112,8 +112,8 @@ struct Extremes {
     }
 };
 
-/// Around what was measured of a curve and its line, which may leave the points by three decades, within eight
-/// decades of the largest.
+/// Around what was measured of a curve and its line, which may leave the points by three decades, within
+/// eight decades of the largest.
 Decades decades_of(const Curve& curve, const Curve* line) {
     constexpr double far = 1e3;
     Extremes values;

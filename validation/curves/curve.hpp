@@ -28,7 +28,8 @@ enum class Quantity {
     brdf,                ///< f [1/sr]
     brdf_cosine,         ///< f cos theta_r [1/sr]
     reflectance_factor,  ///< pi f [1]
-    /// All light that leaves the surface over what comes along theta_i [1]; theta_r counts for nothing and is 0.
+    /// All light that leaves the surface over what comes along theta_i [1]; theta_r
+    /// counts for nothing and is 0.
     hemispherical_reflectance,
 };
 
@@ -53,7 +54,8 @@ enum class Sweep {
 
 struct CurvePoint {
     double theta_i, phi_i, theta_r, phi_r;  ///< [deg], polar angles 0 … 90
-    /// What it is: CurveSet::quantity and scale; >= 0, or noise about 0 where CurveSet::noise_floor is stated.
+    /// What it is: CurveSet::quantity and scale; >= 0, or noise about 0 where
+    /// CurveSet::noise_floor is stated.
     double value;
     double uncertainty;  ///< one standard deviation, in the value's unit; 0 where the set states none
 
@@ -125,9 +127,9 @@ struct CurveSet {
 [[nodiscard]] std::optional<double> log_ratio(double model, double measured, double noise_floor) noexcept;
 
 /// The set itself if it holds together: hts::Error "place: …" that names quantity, value, unit and legal
-/// range for a text that lacks, a set without points, angles outside 0 … 90 deg, values that are no numbers or
-/// negative without a noise floor, uncertainties that only some points have, a solid angle outside 0 … 2 pi sr, and directions
-/// that stand twice in one curve.
+/// range for a text that lacks, a set without points, angles outside 0 … 90 deg, values that are no numbers
+/// or negative without a noise floor, uncertainties that only some points have, a solid angle outside 0 … 2
+/// pi sr, and directions that stand twice in one curve.
 [[nodiscard]] CurveSet checked(CurveSet set, const std::string& place);
 
 /// Reads a curve file; hts::Error "path: key "curves[2].points": …" that names key and legal range.

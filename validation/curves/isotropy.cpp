@@ -11,7 +11,8 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-/// Tilt of the mirroring facet and BRDF times cos theta_r, on one side of the mirror direction, by rising tilt.
+/// Tilt of the mirroring facet and BRDF times cos theta_r, on one side of the mirror
+/// direction, by rising tilt.
 using Side = std::vector<std::pair<double, double>>;
 
 double at_tilt(const Side& side, double tilt) {
@@ -45,7 +46,8 @@ std::optional<double> isotropic_reflectance(const Curve& curve, Quantity quantit
     for (Side& side : sides) std::ranges::sort(side);
     if (sides[0].size() + sides[1].size() < 4) return std::nullopt;
 
-    // over tilts t and azimuths p of facets: dw_r = 4 cos d sin t dt dp, d the angle of the light on the facet
+    // over tilts t and azimuths p of facets: dw_r = 4 cos d sin t dt dp, d the angle
+    // of the light on the facet
     constexpr int tilts = 4000, azimuths = 64;
     const double theta = fixed * half_turn / 180;
     double sum = 0;

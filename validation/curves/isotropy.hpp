@@ -13,10 +13,10 @@ inline constexpr double isotropic_reflectance = 5e-3;
 }  // namespace accuracy
 
 /// Directional-hemispherical reflectance of a surface that shows this curve in the plane of incidence and
-/// whose BRDF times cos theta_r depends on the tilt of the facet that would mirror light into view alone, whatever
-/// its azimuth: an isotropic lobe. Between points it is linear in the tilt; each side of the mirror direction has its own, of which
-/// a direction out of the plane takes the mean. 0 beyond the points, so that it is a lower bound where they end
-/// early.
+/// whose BRDF times cos theta_r depends on the tilt of the facet that would mirror light into view alone,
+/// whatever its azimuth: an isotropic lobe. Between points it is linear in the tilt; each side of the mirror
+/// direction has its own, of which a direction out of the plane takes the mean. 0 beyond the points, so that
+/// it is a lower bound where they end early.
 ///   domain   a curve in the plane, of absolute values; its fixed angle at most 60 deg, else none
 [[nodiscard]] std::optional<double> isotropic_reflectance(const Curve& curve, Quantity quantity);
 

@@ -67,8 +67,8 @@ std::vector<ConeNode> cone_nodes(const Direction& axis, double half_angle, int r
     return nodes;
 }
 
-/// All directions above the horizon, in rings about the mirror direction of `in`, where lobes are: the rings are
-/// the closer the nearer to it, and each is cut at the horizon.
+/// All directions above the horizon, in rings about the mirror direction of `in`, where lobes are: the rings
+/// are the closer the nearer to it, and each is cut at the horizon.
 std::vector<ConeNode> hemisphere_nodes(const Direction& in) {
     const GaussLegendre across_rings = gauss_legendre(24), along_ring = gauss_legendre(10);
     const Direction axis = in.mirror();

@@ -12,8 +12,8 @@
 /// taken as a single direction; where neither is stated, the specular term, which has no finite value then,
 /// is left out.
 ///
-/// A hemispherical reflectance is the sum of the specular term and the BRDF times cos theta_r over all directions
-/// of view, from a single direction of light.
+/// A hemispherical reflectance is the sum of the specular term and the BRDF times cos theta_r over all
+/// directions of view, from a single direction of light.
 ///
 /// Everything geometric is prepared once:
 ///

@@ -72,7 +72,8 @@ FitRequest with_a_lobe_less(FitRequest request) {
     return request;
 }
 
-/// For several lobes: the best fit with one less and another lobe of hardly any weight, from where it only gets better.
+/// For several lobes: the best fit with one less and another lobe of hardly any weight, from
+/// where it only gets better.
 std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const FitRequest& request,
                                                const FitData& data, const Fit* made) {
     if (request.lobes < 2) return {};

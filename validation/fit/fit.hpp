@@ -18,12 +18,12 @@
 /// finished. Where both sigma0 and tau are sought, the limit of a very rough surface, where only their ratio
 /// matters, is one more start.
 ///
-/// Uncertainties are those of linearised least squares. Residuals are taken for noise of each datum and an error
-/// of gain that the data of a curve share, both as large as the residuals say (fit_uncertainty.hpp). Where
-/// the very rough surface comes as close as such noise allows, sigma0 and tau are open however sharp the
-/// minimum. Where the model is wrong in some systematic way along the curves, the errors are too small; a
-/// reduced chi squared above 2, gains allowed for, tells, and a statement says that they do not hold. sigma0 and
-/// tau are open then wherever the very rough surface's sum is at most twice the lowest.
+/// Uncertainties are those of linearised least squares. Residuals are taken for noise of each datum and an
+/// error of gain that the data of a curve share, both as large as the residuals say (fit_uncertainty.hpp).
+/// Where the very rough surface comes as close as such noise allows, sigma0 and tau are open however sharp
+/// the minimum. Where the model is wrong in some systematic way along the curves, the errors are too small; a
+/// reduced chi squared above 2, gains allowed for, tells, and a statement says that they do not hold. sigma0
+/// and tau are open then wherever the very rough surface's sum is at most twice the lowest.
 #pragma once
 
 #include <map>
@@ -97,8 +97,8 @@ struct FitStatistics {
     /// none.
     double gain_error;
     double cost;  ///< sum of rho over all data
-    /// n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits of
-    /// one residual and loss to the same data.
+    /// n ln(cost/n) + 2 k, Akaike, k the free parameters and the residuals' variance; comparable between fits
+    /// of one residual and loss to the same data.
     double aic;
     double bic;  ///< n ln(cost/n) + k ln n, Schwarz
 };

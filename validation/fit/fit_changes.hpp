@@ -1,5 +1,5 @@
-/// What an instrument averages of a model, how that changes with the model's parameters, and what of it must not
-/// exceed 1. Private to the fits.
+/// What an instrument averages of a model, how that changes with the model's parameters, and what of it must
+/// not exceed 1. Private to the fits.
 #pragma once
 
 #include <span>
@@ -27,15 +27,17 @@ struct Changes {
 [[nodiscard]] Columns averages(const FitModel& model, const Prediction& instrument,
                                const std::vector<std::vector<double>>& values);
 
-/// Differences between both sides of each move, a lobe's from that lobe alone. Of He-Torrance they come from the
-/// vector kernels, which answer some ten times sooner than its exact derivatives (hts/he_torrance_gradient.hpp).
+/// Differences between both sides of each move, a lobe's from that lobe alone. Of He-Torrance they come from
+/// the vector kernels, which answer some ten times sooner than its exact derivatives
+/// (hts/he_torrance_gradient.hpp).
 [[nodiscard]] Changes changes(const FitModel& model, const Prediction& instrument,
                               const std::vector<double>& values, std::span<const Move> moves);
 
 // ---- what is no datum
 
-/// Reflectances into all directions, of light at 0, 45 and 75 deg at the middle wavelength of each channel. Each
-/// above 1 is a residual: so heavy that a thousandth too much costs what all data do that are off by 2 %.
+/// Reflectances into all directions, of light at 0, 45 and 75 deg at the middle wavelength of each channel.
+/// Each above 1 is a residual: so heavy that a thousandth too much costs what all
+/// data do that are off by 2 %.
 class EnergyWatch {
   public:
     ///   weights   of the data's differences

@@ -26,7 +26,8 @@ struct FitSelection {
 /// hts::Error "STEM: …" if no point is left.
 [[nodiscard]] FitData fit_data(const CurveSet& set, const FitSelection& selection = {});
 /// The same of several sets of one surface, so of one material: BRDFs first, then perhaps hemispherical
-/// reflectances, whose squares together count as much as those of the first set. Uncertainties where all have them; noise floor and scale are the first set's.
+/// reflectances, whose squares together count as much as those of the first set. Uncertainties where all have
+/// them; noise floor and scale are the first set's.
 [[nodiscard]] FitData fit_data(std::span<const CurveSet> sets, const FitSelection& selection = {});
 
 /// The set with the selected points alone, in the order of the fit's data.

@@ -31,8 +31,8 @@ struct FitData {
     std::vector<std::size_t> curves{};
     /// CurveSet::noise_floor; 0 where values are > 0. What `log_ratio` makes of it is a logarithmic residual.
     double noise_floor = 0;
-    /// Of each datum, whether the factor "scale" does not apply: reflectances into all directions are measured
-    /// against a reference of their own. Empty: it applies to all.
+    /// Of each datum, whether the factor "scale" does not apply: reflectances into all directions are
+    /// measured against a reference of their own. Empty: it applies to all.
     std::vector<bool> without_scale{};
     /// Factor on the residual of each datum; empty: 1. Sets of unlike size count alike by it.
     std::vector<double> importance{};
@@ -42,9 +42,9 @@ struct FitData {
     spectral::OutsideRange outside = spectral::OutsideRange::error;  ///< of optical constants
 };
 
-/// Plain samples; each wavelength is a channel of its own, and what one incident direction shows at it a curve.
-/// hts::Error "NAME: sample 3: …" for values that are negative or no numbers, uncertainties that only some
-/// have, wavelengths that are not in the grid.
+/// Plain samples; each wavelength is a channel of its own, and what one incident direction shows at it a
+/// curve. hts::Error "NAME: sample 3: …" for values that are negative or no numbers, uncertainties that only
+/// some have, wavelengths that are not in the grid.
 [[nodiscard]] FitData fit_data(std::string name, spectral::WavelengthGrid wavelengths,
                                const std::vector<FitSample>& samples);
 

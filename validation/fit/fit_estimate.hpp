@@ -1,4 +1,5 @@
-/// The least-squares estimate at a minimum, and the limit of a very rough surface beside it. Private to the fits.
+/// The least-squares estimate at a minimum, and the limit of a very rough surface beside
+/// it. Private to the fits.
 #pragma once
 
 #include <optional>
@@ -43,9 +44,9 @@ struct RoughLimit {
                                      const FitRequest& request, const FitData& data,
                                      const std::vector<double>& from);
 
-/// Whether what the rough limit misses more than the best fit is within three standard deviations of the noise
-/// that it shows, and that noise, errors of gain aside, is no larger than the best fit's, by three standard
-/// deviations of either: a limit that misses the shape of the curves is no alternative.
+/// Whether what the rough limit misses more than the best fit is within three standard deviations of the
+/// noise that it shows, and that noise, errors of gain aside, is no larger than the best fit's, by three
+/// standard deviations of either: a limit that misses the shape of the curves is no alternative.
 ///   cost   of the best fit, whose estimate is `best`
 [[nodiscard]] bool within_noise(const RoughLimit& rough, double cost, const Estimate& best);
 

@@ -18,10 +18,10 @@ struct Findings {
 };
 
 /// `fitted` to a curve set. Statements name parameters at bounds first, then whether the specular term was
-/// compared and what the fitted one contradicts, then what the data leave open, and after that values that were
-/// left out, optical constants held beyond their range, measured roughness, energy, and data that no isotropic
-/// surface would show. Where the data exclude the fitted specular term and a surface too rough for one comes
-/// nearly as close, only sigma0/tau is told (Fit::slope_alone).
+/// compared and what the fitted one contradicts, then what the data leave open, and after that values that
+/// were left out, optical constants held beyond their range, measured roughness, energy, and data that no
+/// isotropic surface would show. Where the data exclude the fitted specular term and a surface too rough for
+/// one comes nearly as close, only sigma0/tau is told (Fit::slope_alone).
 [[nodiscard]] Fit fitted(const FitRequest& request, const CurveSet& set, const FitSelection& selection,
                          const Findings& wanted = {});
 /// The same of several sets of one surface, of which the first says what instrument and surface are.

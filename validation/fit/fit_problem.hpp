@@ -58,7 +58,8 @@ class FitProblem {
     /// is exceeded by, where that was asked for.
     [[nodiscard]] Linearised residuals(std::span<const double> coordinates, bool with_jacobian) const;
 
-    /// Derivatives of the residuals by the logarithm of a factor on what is predicted: what a wrong gain does.
+    /// Derivatives of the residuals by the logarithm of a factor on what is
+    /// predicted: what a wrong gain does.
     [[nodiscard]] std::vector<double> change_with_gain(std::span<const double> coordinates) const;
 
     /// Values of all parameters.

@@ -49,11 +49,11 @@ struct Uncertainty {
     std::vector<std::string> statements;
 };
 
-/// From the derivatives of residuals after the coordinates (logarithms for Motion::factors): the covariance of
-/// the least-squares estimate under such noise, (J'J)^-1 J'V J (J'J)^-1. Standard errors are standard
-/// deviations of Student's t, so that few curves make them wide. A direction in the space of parameters is not
-/// determined when one standard error along it is 30 % or more of the parameters; of one that is determined
-/// only together with another, their ratio or product is given with its own error.
+/// From the derivatives of residuals after the coordinates (logarithms for Motion::factors): the covariance
+/// of the least-squares estimate under such noise, (J'J)^-1 J'V J (J'J)^-1. Standard errors are standard
+/// deviations of Student's t, so that few curves make them wide. A direction in the space of parameters is
+/// not determined when one standard error along it is 30 % or more of the parameters; of one that is
+/// determined only together with another, their ratio or product is given with its own error.
 [[nodiscard]] Uncertainty uncertainty(const std::vector<FreeParameter>& parameters, const Columns& jacobian,
                                       const Scatter& scatter, const Noise& noise);
 

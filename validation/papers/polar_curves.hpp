@@ -57,7 +57,8 @@ enum class PolarRadius {
 [[nodiscard]] PolarCurve polar_curve(const spectral::Reflectance& reflectance, double theta_i, double phi_i,
                                      const std::optional<EqualCones>& cones, PolarRadius radius);
 
-/// A point of the plane of incidence by direction sines, beta towards the viewer and beta_0 of the mirror direction.
+/// A point of the plane of incidence by direction sines, beta towards the viewer and beta_0
+/// of the mirror direction.
 struct SinePoint {
     double beta;                                  ///< sin theta_r, negative on the light's side
     double difference;                            ///< |beta - beta_0|, > 0
@@ -66,14 +67,16 @@ struct SinePoint {
     [[nodiscard]] double brdf() const noexcept { return directional_diffuse + uniform_diffuse; }
 };
 
-/// Both sides of the mirror direction, each from the least difference to the horizon in equal steps of its logarithm.
+/// Both sides of the mirror direction, each from the least difference to the horizon in
+/// equal steps of its logarithm.
 struct SineCurve {
     double theta_i;                         ///< [deg]
     std::vector<SinePoint> beyond, within;  ///< beta > beta_0, towards the horizon, and beta < beta_0
 };
 
-/// The curve of one angle of incidence, at the first wavelength, without the specular term: the usual plot of optical scatter,
-/// on which a spectrum of heights that is a power law is a straight line, the same for all angles of incidence [Harvey 1976].
+/// The curve of one angle of incidence, at the first wavelength, without the specular term: the usual plot of
+/// optical scatter, on which a spectrum of heights that is a power law is a straight line, the same for all
+/// angles of incidence [Harvey 1976].
 ///   theta_i, phi_i   of the light [deg], theta_i 0 … 90      least   of the differences, > 0
 [[nodiscard]] SineCurve sine_curve(const spectral::Reflectance& reflectance, double theta_i, double phi_i,
                                    double least);

@@ -24,9 +24,9 @@ output::Script& set_curves(output::Script& script, const std::vector<PolarCurve>
 /// Surface normal up, light from the left: view angles from -90 deg (left) to 90 deg (right).
 [[nodiscard]] std::string polar_script(const std::vector<PolarCurve>& curves, const PolarStyle& style);
 
-/// Log BRDF over log |beta - beta_0|, both sides of the mirror direction, from a CSV with |beta - beta_0| in column 4 and the BRDF
-/// in column 7, the side beyond the mirror direction of each curve before the side within.
-/// hts::Error for a curve that is 0.
+/// Log BRDF over log |beta - beta_0|, both sides of the mirror direction, from a CSV with |beta - beta_0| in
+/// column 4 and the BRDF in column 7, the side beyond the mirror direction of each curve before the side
+/// within. hts::Error for a curve that is 0.
 [[nodiscard]] std::string sine_script(const std::vector<SineCurve>& curves, const std::string& title,
                                       const std::string& data_file);
 

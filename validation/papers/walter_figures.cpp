@@ -11,8 +11,8 @@
 namespace hts::validation {
 namespace {
 
-/// Radiance that the facets send through, times the cosine: what an instrument inside the glass would see. Positive angles
-/// lie on the side that light is refracted to.
+/// Radiance that the facets send through, times the cosine: what an instrument inside the glass would see.
+/// Positive angles lie on the side that light is refracted to.
 double transmitted(const WalterBsdf& glass, double theta_i, double theta_o) {
     const SidedDirection in{Side::front, Direction::from_degrees(theta_i, 180)};
     const SidedDirection out{Side::back, Direction::from_degrees(std::abs(theta_o), theta_o < 0 ? 180 : 0)};

@@ -4,10 +4,10 @@
 ///   L = rho_s L(mirror ray) + sum over lights of int (f_dd + f_ud) L_light cos theta_i dw + rho_hd L_ambient
 ///
 /// One mirror ray; lights are areas, whose integral replaces the paper's f cos theta_i dw of a point; rho_hd
-/// is a function of wavelength alone, as in the paper, but without the specular term, since the mirror ray that
-/// meets nothing already sees the ambient light. So a white surface in white light is white, and the paper's
-/// smooth cylinder, whose ambient term it "set to zero to emphasise the specular images", has none to begin
-/// with. Light from other surfaces arrives by mirror rays alone.
+/// is a function of wavelength alone, as in the paper, but without the specular term, since the mirror ray
+/// that meets nothing already sees the ambient light. So a white surface in white light is white, and the
+/// paper's smooth cylinder, whose ambient term it "set to zero to emphasise the specular images", has none to
+/// begin with. Light from other surfaces arrives by mirror rays alone.
 ///
 /// Path tracing has no ambient term: every ray that leaves the scene sees the ambient light, and light from
 /// surfaces arrives by every lobe. Lights are sampled and met, both weighted by the balance heuristic.

@@ -14,8 +14,8 @@ namespace hts::validation {
 /// the distances from it in dB, columns "he_torrance_te_db", "he_torrance_db" (unpolarised) and so on.
 ///   stem   of the table
 [[nodiscard]] FigureTable moment_map_table(const std::vector<MomentResult>& results, std::string stem);
-/// One row per angle of scattering, the lobes themselves, exact and by Kirchhoff's currents; those of models in
-/// unpolarised light, and on a ground this model's in TE and TM too.
+/// One row per angle of scattering, the lobes themselves, exact and by Kirchhoff's currents; those of models
+/// in unpolarised light, and on a ground this model's in TE and TM too.
 [[nodiscard]] FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::string stem);
 
 /// That what is scattered, passes the ends and enters the ground is all that falls in, to 1 %, in TE and in

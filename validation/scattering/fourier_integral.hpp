@@ -8,8 +8,8 @@
 ///   N = 2 integral (-k_ix p - k_iy q + k_iz) exp(-i v r) dx dy
 ///   BRDF = |N|^2/(16 pi^2 L^2 cos theta_i cos theta_r),
 ///
-/// knows neither Phi nor G [He91 (76)-(78)]. v_xy = 0, where the specular term is, is left out. Lengths are in
-/// wavelengths.
+/// knows neither Phi nor G [He91 (76)-(78)]. v_xy = 0, where the specular term is, is left out. Lengths are
+/// in wavelengths.
 #pragma once
 
 #include <cstdint>

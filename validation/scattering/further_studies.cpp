@@ -14,7 +14,8 @@ void add_energy_checks(Section& section, const std::vector<FigureTable>& tables,
     for (Check& check : energy_checks(tables[0])) section.checks.push_back(std::move(check));
 }
 
-/// A study by the method of moments that is judged by its energy alone; models are compared with what it found elsewhere.
+/// A study by the method of moments that is judged by its energy alone; models are compared with
+/// what it found elsewhere.
 struct MomentStudy {
     const char* name;
     std::string what;

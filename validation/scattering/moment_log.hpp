@@ -1,5 +1,5 @@
-/// What a study of exact scattering has solved, in a file, so that one that was stopped goes on where it ended.
-/// Private to `moment_method`.
+/// What a study of exact scattering has solved, in a file, so that one that was stopped goes on where it
+/// ended. Private to `moment_method`.
 #pragma once
 
 #include <map>
@@ -10,7 +10,8 @@
 
 namespace hts::validation {
 
-/// Text: a line that names the settings, then a line per surface and angle of incidence, which ends with a dot.
+/// Text: a line that names the settings, then a line per surface and angle of
+/// incidence, which ends with a dot.
 class MomentLog {
   public:
     ///   path   hts::Error where the file is of other settings; nothing is read or written if it is empty

@@ -1,18 +1,18 @@
-/// Light scattered by random rough profiles, exactly: perfect conductors or a ground that light enters, under a tapered
-/// beam, TE and TM, solved by the method of moments (`boundary_integral`) and averaged over realisations. Lengths are in
-/// wavelengths.
+/// Light scattered by random rough profiles, exactly: perfect conductors or a ground that light enters, under
+/// a tapered beam, TE and TM, solved by the method of moments (`boundary_integral`) and averaged over
+/// realisations. Lengths are in wavelengths.
 ///
-/// Each realisation is solved and, with the same heights and the same beam, computed from Kirchhoff's currents on a perfect
-/// conductor, 2 d psi_in/dn and 2 psi_in; on a ground their amplitude is multiplied by the modulus of Fresnel's at
-/// theta_d, half the angle between the directions, as [He91 (44)] does. The two share their speckle, so their ratio is
-/// known far better than either; and the closed form of the second is known (`profile_scattering`). A model's distance from
-/// the exact solution is hence taken as
+/// Each realisation is solved and, with the same heights and the same beam, computed from Kirchhoff's
+/// currents on a perfect conductor, 2 d psi_in/dn and 2 psi_in; on a ground their amplitude is multiplied by
+/// the modulus of Fresnel's at theta_d, half the angle between the directions, as [He91 (44)] does. The two
+/// share their speckle, so their ratio is known far better than either; and the closed form of the second is
+/// known (`profile_scattering`). A model's distance from the exact solution is hence taken as
 ///
 ///   model/exact = model/Kirchhoff (closed forms) * Kirchhoff/exact (realisations)
 ///
-/// The profile is finite, and some of the light that runs along it, a little above, passes its end and is diffracted below
-/// the horizon; of an infinite one it would stay above. It is counted apart, from the field above the profile continued
-/// below the horizon: integral (psi - psi_in) dG/dn' - G (u - u_in).
+/// The profile is finite, and some of the light that runs along it, a little above, passes its end and is
+/// diffracted below the horizon; of an infinite one it would stay above. It is counted apart, from the field
+/// above the profile continued below the horizon: integral (psi - psi_in) dG/dn' - G (u - u_in).
 #pragma once
 
 #include <array>
@@ -75,10 +75,12 @@ struct MomentResult {
 };
 
 inline constexpr double bin_width_deg = 5;
-/// Of a closed form [1/rad]: where it is less, what is computed of realisations is the beam's rest, and bins do not count.
+/// Of a closed form [1/rad]: where it is less, what is computed of realisations is the beam's
+/// rest, and bins do not count.
 inline constexpr double least_light = 1e-12;
 
-/// A surface at all angles of incidence, and at each in the three polarisations; the same bits for any number of threads.
+/// A surface at all angles of incidence, and at each in the three polarisations; the same bits
+/// for any number of threads.
 ///   cost   0.12 s a realisation on one core, whatever the number of angles; a ground four times as much
 [[nodiscard]] std::vector<MomentResult> moment_results(const RoughnessStatistics& surface,
                                                        const std::vector<double>& theta_i_deg,
@@ -90,9 +92,9 @@ struct LitSurface {
     std::vector<double> theta_i_deg;
 };
 /// Surfaces one after the other.
-///   unfinished   a file that takes what is solved, surface by surface, so that a run that was stopped goes on where it
-///                ended, to the same bits; the caller removes it when the tables stand. None if empty.
-///                hts::Error where it is of another run
+///   unfinished   a file that takes what is solved, surface by surface, so that a run that was stopped goes
+///                on where it ended, to the same bits; the caller removes it when the tables stand. None if
+///                empty. hts::Error where it is of another run
 [[nodiscard]] std::vector<MomentResult> moment_results(const std::vector<LitSurface>& surfaces,
                                                        const MomentSettings& settings,
                                                        const std::string& unfinished = {});

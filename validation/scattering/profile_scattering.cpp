@@ -47,7 +47,8 @@ double square(double x) {
 
 ProfileKicks profile_kicks(double g, double t) noexcept {
     if (g == 0) return {0, 1, 0};
-    // below its first the terms are less than exp(-40) of the largest: those of exp(-g) g^m/m! are, and exp(-t/m) rises
+    // below its first the terms are less than exp(-40) of the largest: those of exp(-g) g^m/m!
+    // are, and exp(-t/m) rises
     const double first = std::max(1.0, std::floor(g - 9 * std::sqrt(g) - 5)), log_g = std::log(g);
     double sum = 0, kicks = 0, rest = 0, before = 0;
     for (double m = first;; ++m) {

@@ -30,7 +30,8 @@ namespace hts::validation {
 ///   identity   integral Phi_1(g, q^2) dq = sqrt(pi) (1 - exp(-g))
 [[nodiscard]] double profile_phi(double g, double t) noexcept;
 
-/// Phi_1 with the mean of 1/m under the weights of its terms, -d ln Phi_1/dt, and 1 minus it, without the difference.
+/// Phi_1 with the mean of 1/m under the weights of its terms, -d ln Phi_1/dt, and 1 minus
+/// it, without the difference.
 struct ProfileKicks {
     double phi, inverse_mean, rest;
 };

@@ -17,8 +17,8 @@ Ellipse ellipse_of(std::span<const double> x) {
     return {std::exp(std::hypot(x[0], x[1])), std::atan2(x[1], x[0]) / 2};
 }
 
-/// The power of each bin over the mean of all that have about its frequency, as the ellipse counts it: the shape
-/// of the spectrum, whatever it is, drops out.
+/// The power of each bin over the mean of all that have about its frequency, as the ellipse counts it: the
+/// shape of the spectrum, whatever it is, drops out.
 std::vector<double> relative_powers(const std::vector<PolarBin>& bins, const Ellipse& ellipse) {
     constexpr double width = 0.07;  // of ln f, half a ring
     std::vector<double> at;

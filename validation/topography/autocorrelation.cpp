@@ -67,8 +67,8 @@ std::vector<double> correlation_of_line(const std::vector<double>& line) {
     return result;
 }
 
-/// Weights of lags gathered by distance; lag 0 stays alone. A bin is so narrow that what J0 does inside it, at
-/// the highest frequency, is 1e-4 of it at most.
+/// Weights of lags gathered by distance; lag 0 stays alone. A bin is so narrow that what J0 does inside it,
+/// at the highest frequency, is 1e-4 of it at most.
 class LagBins {
   public:
     LagBins(const HeightMap& map, const Ellipse& ellipse)

@@ -20,7 +20,8 @@ struct Autocorrelation {
     [[nodiscard]] double gaussian_length_at(double r) const;
 };
 
-/// Of the heights about their mean. Each distance counts as many pairs of points as the map has there; gaps have no part in it.
+/// Of the heights about their mean. Each distance counts as many pairs of points as the map has there;
+/// gaps have no part in it.
 [[nodiscard]] Autocorrelation autocorrelation_of(const HeightMap& map);
 
 /// Distances between points of a map, and how much of the window's energy they join.

@@ -23,8 +23,9 @@ enum class Gaps {
 struct Levelling {
     Level level = Level::plane;
     Gaps gaps = Gaps::fill;
-    /// A height is an outlier where its distance from the median of the 3 by 3 points about it is more than so
-    /// many times the map's robust standard deviation of that distance (1.4826 times the median); 0: none is.
+    /// A height is an outlier where its distance from the median of the 3 by 3 points about it is more than
+    /// so many times the map's robust standard deviation of that distance (1.4826 times
+    /// the median); 0: none is.
     double outlier = 8;
 };
 

@@ -19,7 +19,8 @@ using Eigen::VectorXd;
 constexpr double fewest_cells = 8;    // of a ring that is fitted
 constexpr double lowest_cells = 2.5;  // frequencies below so many cells: levelling has a part in them
 constexpr double most_noise = 0.95;   // of the variance
-// of a ring's power, relative: no surface follows a formula more closely, and high rings have many frequencies
+// of a ring's power, relative: no surface follows a formula more closely, and high
+// rings have many frequencies
 constexpr double least_spread = 0.05;
 constexpr double least_power =
     1e-7;  // of the greatest: added to all, since below it are the sums' own errors

@@ -1,11 +1,11 @@
 /// Descriptions of roughness fitted to the spectra of maps, with the errors that the maps leave.
 ///
-/// A fit is by maximum likelihood of the power in rings of frequencies, whose spread is known: each independent
-/// frequency holds an exponentially distributed power, and no ring counts as known to better than 5 %. It compares with the power that a surface of the
-/// description is expected to show through the window of each map, so that leakage, gaps, the end of the field
-/// and points a step apart bias nothing. Heights are taken for samples at points; a white noise of the
-/// instrument is fitted beside them. The variance is that of the heights themselves, over the frequencies that
-/// levelling has left.
+/// A fit is by maximum likelihood of the power in rings of frequencies, whose spread is known: each
+/// independent frequency holds an exponentially distributed power, and no ring counts as known to better than
+/// 5 %. It compares with the power that a surface of the description is expected to show through the window
+/// of each map, so that leakage, gaps, the end of the field and points a step apart bias nothing. Heights are
+/// taken for samples at points; a white noise of the instrument is fitted beside them. The variance is that
+/// of the heights themselves, over the frequencies that levelling has left.
 #pragma once
 
 #include <optional>
@@ -57,13 +57,13 @@ struct SpectrumFit {
     double variance;  ///< of all frequencies, without noise [um^2]
     /// rms_um of all frequencies, the model's own values, noise_rms_um
     std::vector<FittedValue> values;
-    /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners beyond
-    /// the rings as they were measured. The third place where the rms of the heights must come back.
+    /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners
+    /// beyond the rings as they were measured. The third place where the rms of the heights must come back.
     double rms_of_rings;
     double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
-    double
-        deviance;  ///< per degree of freedom: 1 at most where the description holds; errors grow with its root
-    double aic;    ///< Akaike's criterion, of all descriptions on the same data
+    /// per degree of freedom: 1 at most where the description holds; errors grow with its root
+    double deviance;
+    double aic;                          ///< Akaike's criterion, of all descriptions on the same data
     std::vector<std::string> at_bounds;  ///< names of values that the data would move further
 
     [[nodiscard]] const FittedValue& value(std::string_view name) const;

@@ -12,8 +12,8 @@ namespace hts::validation {
 [[nodiscard]] std::string surface_text(const SurfaceStudy& study);
 [[nodiscard]] std::string surface_json(const SurfaceStudy& study);
 
-/// Spectra over directions, with every fit beside them: frequency [1/um], S2 [um^4]; and S1 [um^3] of profiles
-/// along x and y of the first map; autocorrelation over distance [um]. Named as their files are.
+/// Spectra over directions, with every fit beside them: frequency [1/um], S2 [um^4]; and S1 [um^3] of
+/// profiles along x and y of the first map; autocorrelation over distance [um]. Named as their files are.
 [[nodiscard]] output::FigureTable radial_table(const SurfaceStudy& study);
 [[nodiscard]] output::FigureTable profile_table(const SurfaceStudy& study, bool along_x);
 [[nodiscard]] output::FigureTable autocorrelation_table(const SurfaceStudy& study);
@@ -29,8 +29,8 @@ namespace hts::validation {
 ///   description     of `fit`, or "measured": the spectrum of `spectrum_path`, which spectrum_file writes
 ///   index           JSON of the optical constants
 /// rms_roughness_um is that of the periods that the maps know, "rms_band_um"; what the description says of
-/// others is extrapolated, which the name says. hts::Error where directions differ and the description has one
-/// length for all.
+/// others is extrapolated, which the name says. hts::Error where directions differ and the description has
+/// one length for all.
 [[nodiscard]] std::string surface_material(const SurfaceStudy& study, const SpectrumFit& fit,
                                            const std::string& index, const std::string& spectrum_path = "");
 

@@ -46,8 +46,9 @@ std::string answered(const char* request, const Numbers& numbers) {
 
 void Numbers::require(std::size_t in_count, std::size_t out_count) const {
     if (in.size() != in_count || out.size() != out_count)
-        throw Error{"numbers of a request: " + std::to_string(in.size()) + " and " + std::to_string(out.size()) +
-                    ": must be " + std::to_string(in_count) + " and " + std::to_string(out_count)};
+        throw Error{"numbers of a request: " + std::to_string(in.size()) + " and " +
+                    std::to_string(out.size()) + ": must be " + std::to_string(in_count) + " and " +
+                    std::to_string(out_count)};
 }
 
 // Dropped files stand in the root folder of the page's file system.
@@ -60,12 +61,15 @@ const spectral::Material& material_of_request(const json& request) {
 const spectral::Reflectance& reflectance_of(const json& request) {
     static Recent<spectral::Reflectance> reflectances;
     const auto tolerance = request.value("tolerance", 1e-6);
-    const auto outside = request.value("outside", "error") == std::string{"hold"} ? spectral::OutsideRange::hold
-                                                                                  : spectral::OutsideRange::error;
+    const auto outside = request.value("outside", "error") == std::string{"hold"}
+                             ? spectral::OutsideRange::hold
+                             : spectral::OutsideRange::error;
     const std::string key =
-        json{request.at("material"), request.at("wavelengths"), tolerance, request.value("outside", "")}.dump();
+        json{request.at("material"), request.at("wavelengths"), tolerance, request.value("outside", "")}
+            .dump();
     return reflectances(key, [&] {
-        auto wavelengths = spectral::WavelengthGrid::from_micrometres(request.at("wavelengths").get<std::vector<double>>());
+        auto wavelengths =
+            spectral::WavelengthGrid::from_micrometres(request.at("wavelengths").get<std::vector<double>>());
         return material_of_request(request).at(wavelengths,
                                                {.tolerance = Tolerance{tolerance}, .outside = outside});
     });

@@ -1,4 +1,5 @@
-// The engine as the page asks it: a request is JSON with numbers beside it, an answer JSON with numbers beside it.
+// The engine as the page asks it: a request is JSON with numbers beside it, an answer
+// JSON with numbers beside it.
 #pragma once
 
 #include <span>
@@ -21,8 +22,8 @@ struct Numbers {
     void require(std::size_t in_count, std::size_t out_count) const;
 };
 
-/// A material at wavelengths, from the request's "material", "wavelengths" [um] and "tolerance"; kept, since the next request
-/// will mostly ask for the same.
+/// A material at wavelengths, from the request's "material", "wavelengths" [um] and "tolerance"; kept, since
+/// the next request will mostly ask for the same.
 [[nodiscard]] const spectral::Reflectance& reflectance_of(const json& request);
 [[nodiscard]] const spectral::Material& material_of_request(const json& request);
 
@@ -35,8 +36,9 @@ struct Numbers {
 /// "fit": heights and correlation length, and the albedo if "albedo" is true, nearest to measured points.
 ///   in   theta_i, theta_r, phi_r [deg], wavelength [um], BRDF [1/sr] of each point
 [[nodiscard]] json fit(const json& request, const Numbers& numbers);
-/// "match": the width with which the lobe of the material "beside" is nearest to that of "material", for light at "theta_i_deg";
-/// "keys" point to where it holds its width. The distance is the rms difference of f cos theta_r over that of the lobe itself.
+/// "match": the width with which the lobe of the material "beside" is nearest to that of "material", for
+/// light at "theta_i_deg"; "keys" point to where it holds its width. The distance is the rms difference of f
+/// cos theta_r over that of the lobe itself.
 [[nodiscard]] json match(const json& request);
 /// "curve": the points of a table of measured values, "text", of "file".
 [[nodiscard]] json curve(const json& request);

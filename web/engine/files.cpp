@@ -1,4 +1,5 @@
-// What the command has of its system and the page has not: libpng, other programs that use the same files, threads.
+// What the command has of its system and the page has not: libpng, other programs that use
+// the same files, threads.
 
 #include "hts/error.hpp"
 #include "spectral/text/png.hpp"

@@ -37,7 +37,8 @@ std::vector<Point> points_of(const json& request, const Numbers& numbers) {
         one["wavelengths"] = {row[3]};
         const auto& brdf = reflectance_of(one);
         if (!brdf.properties().surface || brdf.properties().surface->unified())
-            throw Error{brdf.name() + ": is fitted by the model he alone here; the command hts fit fits the others"};
+            throw Error{brdf.name() +
+                        ": is fitted by the model he alone here; the command hts fit fits the others"};
         if (brdf.samples()[0].index.coated())
             throw Error{brdf.name() + ": must be without films to be fitted here"};
         points.push_back({Direction::from_degrees(row[0], 0), Direction::from_degrees(row[1], row[2]),
@@ -153,12 +154,13 @@ json fit(const json& request, const Numbers& numbers) {
     const Found best = nearest(residuals, surface, points[0].sample.wavelength.micrometres());
     if (!std::isfinite(best.squares)) throw Error{"no surface was found whose BRDF is near to the points"};
     const auto errors = errors_of(residuals, best);
-    json result{{"rms_roughness_um", std::exp(best.x[0])},
-                {"correlation_length_um", std::exp(best.x[1])},
-                {"diffuse_albedo", residuals.albedo_of(best.x)},
-                {"relative_errors", {errors[0], errors[1]}},
-                {"points", points.size()},
-                {"rms_db", 10 / std::numbers::ln10 * std::sqrt(best.squares / static_cast<double>(points.size()))}};
+    json result{
+        {"rms_roughness_um", std::exp(best.x[0])},
+        {"correlation_length_um", std::exp(best.x[1])},
+        {"diffuse_albedo", residuals.albedo_of(best.x)},
+        {"relative_errors", {errors[0], errors[1]}},
+        {"points", points.size()},
+        {"rms_db", 10 / std::numbers::ln10 * std::sqrt(best.squares / static_cast<double>(points.size()))}};
     return result;
 }
 
@@ -212,7 +214,8 @@ json curve(const json& request) {
         throw Error{table.where_header() + "column \"brdf\" or \"value\": missing; must be the BRDF in 1/sr"};
     const auto theta_i = table.column("theta_i_deg"), theta_r = table.column("theta_r_deg");
     const auto phi_i = table.find_column("phi_i_deg");
-    const auto phi_r = table.find_column("phi_r_deg") ? table.find_column("phi_r_deg") : table.find_column("phi_deg");
+    const auto phi_r =
+        table.find_column("phi_r_deg") ? table.find_column("phi_r_deg") : table.find_column("phi_deg");
     const auto um = table.find_column("wavelength_um"), nm = table.find_column("wavelength_nm");
     const auto first = table.find_column("first_um"), last = table.find_column("last_um");
     json points = json::array();
@@ -221,9 +224,12 @@ json curve(const json& request) {
         if (nm) wavelength = table.number(row, *nm) / 1000;
         if (first && last) wavelength = (table.number(row, *first) + table.number(row, *last)) / 2;
         const double i = table.number(row, theta_i), r = table.number(row, theta_r);
-        if (!(i >= 0 && i <= 90)) throw table.error(row, out_of_range("theta_i_deg", i, "deg", "0 ... 90").what());
-        if (!(std::abs(r) <= 90)) throw table.error(row, out_of_range("theta_r_deg", r, "deg", "-90 ... 90").what());
-        if (!(wavelength > 0)) throw table.error(row, out_of_range("wavelength", wavelength, "um", "> 0").what());
+        if (!(i >= 0 && i <= 90))
+            throw table.error(row, out_of_range("theta_i_deg", i, "deg", "0 ... 90").what());
+        if (!(std::abs(r) <= 90))
+            throw table.error(row, out_of_range("theta_r_deg", r, "deg", "-90 ... 90").what());
+        if (!(wavelength > 0))
+            throw table.error(row, out_of_range("wavelength", wavelength, "um", "> 0").what());
         double phi = value_at(table, row, phi_r, 180) - value_at(table, row, phi_i, 0);
         if (r < 0) phi += 180;
         points.push_back({i, std::abs(r), std::remainder(phi, 360), wavelength, table.number(row, *brdf)});

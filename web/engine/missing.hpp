@@ -1,5 +1,5 @@
-// What the standard library of emscripten 3.1.6 (libc++ 14, which says 13) lacks of C++20 and the engine uses: read before
-// every source of the engine.
+// What the standard library of emscripten 3.1.6 (libc++ 14, which says 13) lacks of C++20 and the engine
+// uses: read before every source of the engine.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace std {
 
 template <class To, class From>
-    requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>)
-[[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
+requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>)
+    [[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
     return __builtin_bit_cast(To, from);
 }
 
@@ -38,7 +38,8 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
     char text[64];
     for (int digits = 1; digits <= 17; ++digits) {
         snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, nullptr) == value) return to_chars(first, last, value, chars_format::general, digits);
+        if (strtod(text, nullptr) == value)
+            return to_chars(first, last, value, chars_format::general, digits);
     }
     return to_chars(first, last, value, chars_format::general, 17);
 }
@@ -55,7 +56,8 @@ inline to_chars_result to_chars(char* first, char* last, float value) {
 /// A number without sign + and without spaces before it.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
     const string text{first, last};
-    if (text.empty() || text[0] == '+' || isspace(static_cast<unsigned char>(text[0])) || text.find_first_of("xX") != string::npos)
+    if (text.empty() || text[0] == '+' || isspace(static_cast<unsigned char>(text[0])) ||
+        text.find_first_of("xX") != string::npos)
         return {first, errc::invalid_argument};
     char* end = nullptr;
     const double read = strtod(text.c_str(), &end);
@@ -69,10 +71,10 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
 // Algorithms on whole ranges, as far as they are used; the two that take a projection name it.
 namespace ranges {
 
-#define HTS_ON_A_RANGE(name)                                                                                     \
-    template <class Range, class... Rest>                                                                        \
-    constexpr auto name(Range&& range, Rest... rest) {                                                           \
-        return std::name(std::begin(range), std::end(range), rest...);                                           \
+#define HTS_ON_A_RANGE(name)                                           \
+    template <class Range, class... Rest>                              \
+    constexpr auto name(Range&& range, Rest... rest) {                 \
+        return std::name(std::begin(range), std::end(range), rest...); \
     }
 HTS_ON_A_RANGE(adjacent_find)
 HTS_ON_A_RANGE(all_of)
@@ -107,8 +109,9 @@ constexpr bool equal(const A& a, const B& b, Same same) {
 }
 template <class A, class B, class Of, class With>
 constexpr bool equal(const A& a, const B& b, std::equal_to<> /*same*/, Of of, With with) {
-    return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b),
-                      [&](const auto& x, const auto& y) { return std::invoke(of, x) == std::invoke(with, y); });
+    return std::equal(
+        std::begin(a), std::end(a), std::begin(b), std::end(b),
+        [&](const auto& x, const auto& y) { return std::invoke(of, x) == std::invoke(with, y); });
 }
 template <class Range, class Value>
 constexpr auto upper_bound(Range&& range, const Value& value) {

@@ -48,7 +48,8 @@ json evaluate(const json& request, const Numbers& numbers) {
         } else if (of == "specular") {
             brdf.specular_reflectance(pair.in, values);
         } else {
-            throw Error{"of " + of + ": must be brdf, directional_diffuse, specular, mueller or specular_mueller"};
+            throw Error{"of " + of +
+                        ": must be brdf, directional_diffuse, specular, mueller or specular_mueller"};
         }
     }
     return {{"count", count}};
@@ -150,7 +151,8 @@ json colour(const json& request, const Numbers& numbers) {
 json log_phi(const json& /*request*/, const Numbers& numbers) {
     const std::size_t pairs = numbers.in.size() / 2;
     numbers.require(2 * pairs, pairs);
-    for (std::size_t i = 0; i < pairs; ++i) numbers.out[i] = phi(numbers.in[2 * i], numbers.in[2 * i + 1]).log;
+    for (std::size_t i = 0; i < pairs; ++i)
+        numbers.out[i] = phi(numbers.in[2 * i], numbers.in[2 * i + 1]).log;
     return {{"count", pairs}};
 }
 
@@ -180,9 +182,16 @@ json shader(const json& request, const Numbers& /*numbers*/) {
 json answer(const json& request, const Numbers& numbers) {
     using Request = std::function<json(const json&, const Numbers&)>;
     static const std::map<std::string, Request> requests{
-        {"evaluate", evaluate}, {"describe", describe},   {"detail", detail}, {"energy", energy},
-        {"colour", colour},     {"phi", log_phi},         {"index", index},   {"catalogue", catalogue},
-        {"shader", shader},     {"fit", fit},
+        {"evaluate", evaluate},
+        {"describe", describe},
+        {"detail", detail},
+        {"energy", energy},
+        {"colour", colour},
+        {"phi", log_phi},
+        {"index", index},
+        {"catalogue", catalogue},
+        {"shader", shader},
+        {"fit", fit},
         {"match", [](const json& r, const Numbers&) { return match(r); }},
         {"curve", [](const json& r, const Numbers&) { return curve(r); }}};
     const auto found = requests.find(request.at("do"));

@@ -100,8 +100,8 @@ spectral::Material microfacets(const Surface& surface, const char* distribution)
                                         "timed.json");
 }
 
-/// What the library has not as a model: Kirchhoff's lobe, the same shadowed by correlated heights, and SSA-1, one wavelength
-/// after the other.
+/// What the library has not as a model: Kirchhoff's lobe, the same shadowed by correlated heights, and SSA-1,
+/// one wavelength after the other.
 Evaluator plain(const Surface& surface, TwinModel model, double tolerance) {
     const spectral::Reflectance known = rough_surface({surface}).at(chart_wavelengths());
     const std::vector<SpectralSample> samples{known.samples().begin(), known.samples().end()};

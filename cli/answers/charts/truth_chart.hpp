@@ -1,5 +1,5 @@
-/// What a cheaper method, a finer tolerance and another model cost and bring: error against exact scattering beside the time of
-/// an evaluation.
+/// What a cheaper method, a finer tolerance and another model cost and bring: error against exact scattering
+/// beside the time of an evaluation.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ struct TruthChart {
     std::string machine;
 };
 
-/// Distances from the kept exact lobes of perfect conductors, smooth, intermediate, rough and gentle, and steep, of each method's
-/// twin for profiles, and times of the method on a surface of each kind.
+/// Distances from the kept exact lobes of perfect conductors, smooth, intermediate, rough and gentle, and
+/// steep, of each method's twin for profiles, and times of the method on a surface of each kind.
 ///   seed       of the pairs of directions that are timed
 ///   progress   is told each step, truth_chart_steps() in all
 [[nodiscard]] std::size_t truth_chart_steps();

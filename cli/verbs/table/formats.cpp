@@ -104,7 +104,8 @@ constexpr const char* radiance_channel =
     "one channel, Visible: the one wavelength, or of more wavelengths the luminance factor under D65, over "
     "pi";
 
-// Under names of their own, with a definition: Radiance knows other rings of Half and Quarter from version to version.
+// Under names of their own, with a definition: Radiance knows other rings of Half and Quarter
+// from version to version.
 tables::KlemsBasis basis_of(const std::string& name) {
     if (name == "half") return {"Klems Half 73", tables::KlemsBasis::half().rings()};
     if (name == "quarter") return {"Klems Quarter 41", tables::KlemsBasis::quarter().rings()};

@@ -42,8 +42,8 @@ struct TableFormat {
         exported;
     /// What a reader makes of those files, with the interpolation of the programs that read them.
     std::function<Reflectance(const tables::Exported& files)> read;
-    /// What of a reflectance the file can hold at all without --colour, which is written and compared: none for all of it, or, say,
-    /// luminance.
+    /// What of a reflectance the file can hold at all without --colour, which is written and compared: none
+    /// for all of it, or, say, luminance.
     std::function<Reflectance(const Reflectance& brdf)> as_held{};
     Colour colour = Colour::rgb;  ///< which three channels a file of colour has
     bool colour_alone = false;    ///< whether it holds nothing else
@@ -54,8 +54,8 @@ struct TableFormat {
     bool holds_specular = false;  ///< as a function of its own, so that nothing need be spread
 };
 
-/// A reflectance as colour under D65: three wavelengths as blue, green and red, three channels as what they are, more wavelengths as
-/// the eye sees them.
+/// A reflectance as colour under D65: three wavelengths as blue, green and red, three channels as what they
+/// are, more wavelengths as the eye sees them.
 ///   channels   of the reflectance, none if it has wavelengths
 [[nodiscard]] Reflectance as_colour(const Reflectance& brdf, Colour wanted,
                                     const std::vector<std::string>& channels);

@@ -1,5 +1,5 @@
-/// Facets whose slopes are Gaussian, of two widths: the normals of Kurt's, Ward's, Duer's and Cook and Torrance's models.
-/// For one width Beckmann's distribution.
+/// Facets whose slopes are Gaussian, of two widths: the normals of Kurt's, Ward's, Duer's and Cook and
+/// Torrance's models. For one width Beckmann's distribution.
 #pragma once
 
 #include "hts/microfacet/lobes.hpp"
@@ -8,7 +8,8 @@ namespace hts {
 
 class GaussianSlopes {
   public:
-    ///   mx, my   widths of the slopes along x and y, sqrt(2) times their rms   [1]   1e-6 ... 1e3, else hts::Error
+    ///   mx, my   widths of the slopes along x and y, sqrt(2) times their rms   [1]   1e-6
+    ///            ... 1e3, else hts::Error
     GaussianSlopes(double mx, double my);
 
     [[nodiscard]] double mx() const noexcept { return mx_; }
@@ -19,7 +20,8 @@ class GaussianSlopes {
     [[nodiscard]] double shape(const HalfDirection& half) const noexcept;
     /// D = q/(pi mx my cos^4 theta_h) [Kurt10 (5)]; the integral of D cos theta_h is 1 [1/sr].
     [[nodiscard]] double density(const HalfDirection& half) const noexcept;
-    /// Density of the direction that a drawn normal mirrors to, D cos theta_h/(4 cos theta_d) [Kurt10 (20)] [1/sr].
+    /// Density of the direction that a drawn normal mirrors to, D cos theta_h/(4 cos
+    /// theta_d) [Kurt10 (20)] [1/sr].
     [[nodiscard]] double outgoing_pdf(const HalfDirection& half) const noexcept;
     /// A normal with the density D cos theta_h [Kurt10 (16), (17)]: its slopes are sqrt(-ln(1 - u1)) times
     /// (mx cos 2 pi u2, my sin 2 pi u2), which has (17) in the quadrant of 2 pi u2.

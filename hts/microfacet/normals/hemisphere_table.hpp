@@ -1,8 +1,8 @@
 /// A smooth function of a direction above the surface, tabulated by its symmetry and interpolated bilinearly.
 ///
-/// Rows are even in y (1 + w)/(y + w), y = cos theta/(1 + sin theta), so that they crowd at the horizon over the width w(phi); columns are even
-/// in the quarter turns' own coordinate s w_y/(c w_x + s w_y), of |cos phi|, |sin phi|. Only what the symmetry leaves is kept: one
-/// column, a quarter, a half or the whole turn.
+/// Rows are even in y (1 + w)/(y + w), y = cos theta/(1 + sin theta), so that they crowd at the horizon over
+/// the width w(phi); columns are even in the quarter turns' own coordinate s w_y/(c w_x + s w_y), of |cos
+/// phi|, |sin phi|. Only what the symmetry leaves is kept: one column, a quarter, a half or the whole turn.
 #pragma once
 
 #include <cstddef>

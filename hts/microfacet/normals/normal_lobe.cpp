@@ -134,7 +134,8 @@ double UprightFibres::projected_area(Vector3 k) const {
     return integral(ring, 0, bend) + integral(ring, bend, 1);
 }
 
-// With y = cot theta: exp(-y^2/sigma^2) (1 + y^2)^(-3/2) <= (1 + kappa y^2)^(-3/2), kappa = 1 + 2/(3 sigma^2).
+// With y = cot theta: exp(-y^2/sigma^2) (1 + y^2)^(-3/2) <= (1 + kappa y^2)^(-3/2),
+// kappa = 1 + 2/(3 sigma^2).
 Vector3 UprightFibres::spread(double u, double v) const noexcept {
     const double ratio = v * v / (kappa_ * (1 - v) * (1 + v));  // cot^2 theta
     const double sine = 1 / std::sqrt(1 + ratio);

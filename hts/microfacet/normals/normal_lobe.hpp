@@ -7,8 +7,8 @@
 
 namespace hts {
 
-/// Values and integrals of a normalised density. The square (u, v) in [0, 1)^2 is spread over the sphere with a smooth
-/// density near p, for sums; `draw` does so with `draw_density`, the same unless overridden.
+/// Values and integrals of a normalised density. The square (u, v) in [0, 1)^2 is spread over the sphere with
+/// a smooth density near p, for sums; `draw` does so with `draw_density`, the same unless overridden.
 class NormalLobe {
   public:
     virtual ~NormalLobe() = default;

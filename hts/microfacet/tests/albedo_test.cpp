@@ -1,4 +1,5 @@
-// The adaptive albedo against closed forms, and against plain Gauss rules on fixed panels in the outgoing angles.
+// The adaptive albedo against closed forms, and against plain Gauss rules on fixed
+// panels in the outgoing angles.
 #include "hts/microfacet/albedo.hpp"
 
 #include <algorithm>
@@ -78,7 +79,8 @@ double crowded_albedo(const Model& model, double theta_in) {
                         ends(0, 2 * pi, {pi / 2, pi, 3 * pi / 2}, finest));
 }
 
-/// A Kurt lobe of one width at normal incidence by its one-dimensional integral over theta_h, theta_out = 2 theta_h.
+/// A Kurt lobe of one width at normal incidence by its one-dimensional integral over
+/// theta_h, theta_out = 2 theta_h.
 double normal_albedo(double m, double alpha) {
     boost::math::quadrature::tanh_sinh<double> quadrature;
     const auto f = [&](double theta) {

@@ -1,4 +1,5 @@
-// The models that Kurt et al. compare with: values at 80 digits, reciprocity, sampling, normalisation, known flaws.
+// The models that Kurt et al. compare with: values at 80 digits, reciprocity, sampling,
+// normalisation, known flaws.
 #include <cmath>
 #include <functional>
 #include <map>

@@ -120,7 +120,8 @@ TEST_CASE("normals: isotropic Gaussians agree with their closed forms at 50 digi
         const Real a = 1 / (Real{sigma} * Real{sigma});
         const Real root = sqrt(a);
         const Real pi_50 = boost::math::constants::pi<Real>();
-        // c = 1/(2 pi (1 - sqrt(pi a) e^a erfc(sqrt a))): e^a erfc by its continued fraction where it would cancel
+        // c = 1/(2 pi (1 - sqrt(pi a) e^a erfc(sqrt a))): e^a erfc by its continued
+        // fraction where it would cancel
         boost::math::quadrature::tanh_sinh<Real> quadrature;
         const auto over_cosine = [&](Real c) -> Real { return exp(-a * (1 - c * c) / (c * c)); };
         const Real area = 2 * pi_50 * quadrature.integrate(over_cosine, Real{0}, Real{1});
@@ -166,7 +167,8 @@ TEST_CASE("normals: velvet agrees with 50 digits, and all have the shapes of (34
 TEST_CASE("normals: projected areas agree with direct quadrature") {
     using hts::accuracy::projected_area, hts::accuracy::projected_area_of_samples;
     check_areas("a Gaussian", NormalDensity::gaussian(0.3, 1), area_about_n, projected_area);
-    // the direct one meets a bend of the cylinders at their ends: it is the less exact, by 1.4e-8 (4e-10 refined further)
+    // the direct one meets a bend of the cylinders at their ends: it is the less exact, by
+    // 1.4e-8 (4e-10 refined further)
     check_areas("cylinders", NormalDensity::gaussian(0.3, endless), area_about_n, 4e-8);
     check_areas("velvet", NormalDensity::inverse_gaussian(0.5), area_about_n, projected_area);
     check_areas("grooves", NormalDensity::grooves(40 * degree, 0.3), area_about_k, projected_area);

@@ -17,7 +17,8 @@
 namespace hts {
 namespace {
 
-/// All models of a spectrum at once have the bits of each alone, whether or not neighbours share their geometry.
+/// All models of a spectrum at once have the bits of each alone, whether or not
+/// neighbours share their geometry.
 template <ReflectanceModel Model>
 void check(const std::string& name, const std::vector<Model>& models) {
     testing::Random random{17};

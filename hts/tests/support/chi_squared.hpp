@@ -1,5 +1,5 @@
-/// Whether draws of directions fall as their density says: Pearson's test over cells of the sphere that hold about as many
-/// draws each, their probabilities by adaptive quadrature of the density.
+/// Whether draws of directions fall as their density says: Pearson's test over cells of the sphere that hold
+/// about as many draws each, their probabilities by adaptive quadrature of the density.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct Patch {
 ///   tolerance   relative
 [[nodiscard]] double integral(const OnSphere& f, const Patch& patch, double tolerance);
 
-/// The same for a function that peaks at (theta, phi) with a width: in pieces that grow away from the peak, cut at the
-/// horizon too.
+/// The same for a function that peaks at (theta, phi) with a width: in pieces that grow away from the peak,
+/// cut at the horizon too.
 struct Peak {
     double theta, phi, width;
     double width_phi = width;

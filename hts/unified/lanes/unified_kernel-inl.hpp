@@ -1,6 +1,7 @@
 // The lobe of he_unified in lanes, formula by formula; included once per instruction set.
 //
-// V is a Highway vector; o is its Lanes of lanes-inl.hpp. A lane is a pair in `unified_pair`, a pair at a wavelength elsewhere.
+// V is a Highway vector; o is its Lanes of lanes-inl.hpp. A lane is a pair in `unified_pair`, a pair
+// at a wavelength elsewhere.
 #if defined(HTS_UNIFIED_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_UNIFIED_KERNEL_INL
 #undef HTS_UNIFIED_KERNEL_INL

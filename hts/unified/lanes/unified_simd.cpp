@@ -154,7 +154,8 @@ struct Pairs : Vectors<8> {
     HWY_INLINE bool dense() const { return p.dense; }
 };
 
-/// What multiplies Phi: all of it for unpolarised light, or all but the Jones matrix, which then is kept beside.
+/// What multiplies Phi: all of it for unpolarised light, or all but the Jones matrix,
+/// which then is kept beside.
 template <class Items, bool polarised>
 struct Scaled : Items {
     using V = typename Items::V;
@@ -264,7 +265,8 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
     return ordinary;
 }
 
-/// Elements of the Mueller matrix of M times `lobe`, row by row; those that change sign where s and p are exchanged times `kept`.
+/// Elements of the Mueller matrix of M times `lobe`, row by row; those that change sign where s and p
+/// are exchanged times `kept`.
 template <class Lanes, class V>
 HWY_INLINE void mueller_elements(const Lanes& o, const double (*matrix)[block_size], V lobe, V uniform,
                                  V kept, V (&m)[16]) {

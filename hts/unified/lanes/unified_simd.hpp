@@ -22,8 +22,8 @@ struct SurfaceTerms {
     double mixed;                                           // of the polarisations
     std::array<double, ReturnFactor::terms> return_factor;  // in powers of 2 y - 1
     evaluation_detail::AxisTerms axes;
-    // m of surfaces of two correlation lengths: rows of the same powers, for T_0, T_1, ... of the width along an azimuth,
-    // taken from -1 to 1 as (width - return_centre) return_scale
+    // m of surfaces of two correlation lengths: rows of the same powers, for T_0, T_1, ... of the width along
+    // an azimuth, taken from -1 to 1 as (width - return_centre) return_scale
     std::vector<std::array<double, ReturnFactor::terms>> return_rows;
     double return_centre, return_scale;
 };
@@ -32,7 +32,8 @@ struct SurfaceTerms {
 inline constexpr std::size_t root_terms = 6;
 inline constexpr double dense_square = 12;  ///< least |e| at every wavelength: there r keeps 7e-9
 
-/// A surface and its optical constants, one column per quantity, each padded to whole vectors with its last value.
+/// A surface and its optical constants, one column per quantity, each padded to whole
+/// vectors with its last value.
 struct Prepared {
     enum Column : std::size_t {
         wave_squared,  // k^2 [1/um^2]

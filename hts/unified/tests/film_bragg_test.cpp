@@ -96,7 +96,8 @@ struct Media {
     }
 };
 
-/// All outgoing waves of one horizontal wave vector: up in the first medium, both ways between, down in the last.
+/// All outgoing waves of one horizontal wave vector: up in the first medium, both ways
+/// between, down in the last.
 struct Outgoing {
     struct Part {
         std::size_t medium;
@@ -136,7 +137,8 @@ struct Outgoing {
     }
 };
 
-/// E of the wave reflected in first order by heights exp(i(kx x + ky y)) of all interfaces, for an incident wave of unit E.
+/// E of the wave reflected in first order by heights exp(i(kx x + ky y)) of all interfaces, for an
+/// incident wave of unit E.
 ///   boundary   n x E and n x H are continuous at z_j + h, n = (-dh/dx, -dh/dy, 1), to first order in h
 Vector reflected_in_first_order(const Media& media, const Direction& in, const Direction& out, bool is_p) {
     const hts::Vector3 a = in.vector(), b = out.vector();

@@ -1,5 +1,5 @@
-// The lanes against the exact path of unified_terms.hpp, and that every valid input has a finite answer. HTS_EXHAUSTIVE=1 takes
-// 10^7 points, otherwise 10^5.
+// The lanes against the exact path of unified_terms.hpp, and that every valid input has a finite answer.
+// HTS_EXHAUSTIVE=1 takes 10^7 points, otherwise 10^5.
 #include "hts/unified/he_unified_spectrum.hpp"
 
 #include <cmath>

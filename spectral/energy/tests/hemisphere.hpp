@@ -43,7 +43,8 @@ double panel_sum(const std::vector<double>& ends, Function&& f) {
 }
 
 /// Integral of f(direction) cos theta over the hemisphere in polar angle and azimuth, with panels that refine
-/// towards the mirror direction of `light` (azimuth 0) and half as far towards the horizon. f is even in the azimuth.
+/// towards the mirror direction of `light` (azimuth 0) and half as far towards the horizon.
+/// f is even in the azimuth.
 ///   width   [rad]  of the finest panels
 template <class Function>
 double hemisphere_integral(double theta_of_light, double width, Function&& f) {

@@ -1,4 +1,5 @@
-// Materials of two correlation lengths: their keys, what they reflect in all, how steep they are, and what is refused of them.
+// Materials of two correlation lengths: their keys, what they reflect in all, how steep they are, and
+// what is refused of them.
 
 #include <algorithm>
 #include <cmath>

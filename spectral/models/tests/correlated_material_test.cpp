@@ -76,10 +76,11 @@ TEST_CASE("Correlated material: both conventions of K-correlation are their inte
     };
     CHECK(relative_error(square(rms("1d one-sided")), integral(c, false)) < 1e-6);
     CHECK(relative_error(square(rms("2d")), integral(c, true)) < 1e-6);
-    // the profile's spectrum is the integral over the other frequency of the surface's: 4 times that over f_y > 0
+    // the profile's spectrum is the integral over the other frequency of the surface's:
+    // 4 times that over f_y > 0
     const auto surface =
-        *material(
-             R"("correlation": {"type": "k_correlation", "B_um": 4, "C": 2.4, "A": 1e-6, "psd": "1d one-sided"})")
+        *material(R"("correlation": {"type": "k_correlation", "B_um": 4, "C": 2.4, "A": 1e-6, "psd": "1d )"
+                  R"(one-sided"})")
              .properties()
              .surface;
     const auto density = [&](double f) {
@@ -99,7 +100,8 @@ TEST_CASE("Correlated material: smooth surfaces are Rayleigh-Rice with the spect
     // f = 16 pi^2/lambda^4 c_i c_r |b|^2 S2(f), |b|^2 half the sum of the elements of Bragg's matrix
     for (const char* const model : {"he_unified"}) {
         const std::string keys =
-            R"("rms_roughness_um": 1e-5, "correlation": {"type": "k_correlation", "B_um": 5, "C": 2.2, "psd": "2d"})";
+            R"("rms_roughness_um": 1e-5, "correlation": {"type": "k_correlation", "B_um": 5, "C": 2.2, )"
+            R"("psd": "2d"})";
         const Material smooth = material(keys, model);
         const auto surface = *smooth.properties().surface;
         WorstCase worst{std::string{model} + " against Rayleigh-Rice", 2e-6};
@@ -130,7 +132,8 @@ TEST_CASE(
     for (const char* const model : {"he", "he_unified"}) {
         const Material plain = material(R"("rms_roughness_um": 0.2, "correlation_length_um": 3)", model);
         const Material general = material(
-            R"("rms_roughness_um": 0.2, "correlation": {"type": "sum", "of": [[1, {"type": "gaussian", "length_um": 3}]]})",
+            R"("rms_roughness_um": 0.2, "correlation": {"type": "sum", "of": [[1, {"type": "gaussian", )"
+            R"("length_um": 3}]]})",
             model);
         WorstCase worst{std::string{model} + ": Gaussian", 3e-6};
         Random random{9};
@@ -147,10 +150,12 @@ TEST_CASE(
 
 TEST_CASE("Correlated material: reciprocal, and two lengths stretch any shape") {
     const Material brushed = material(
-        R"("rms_roughness_um": 0.1, "correlation_length_um": [4, 1], "azimuth_deg": 30, "correlation": "exponential")",
+        R"("rms_roughness_um": 0.1, "correlation_length_um": [4, 1], "azimuth_deg": 30, "correlation": )"
+        R"("exponential")",
         "he_unified");
     const Material turned = material(
-        R"("rms_roughness_um": 0.1, "correlation_length_um": [1, 4], "azimuth_deg": -60, "correlation": "exponential")",
+        R"("rms_roughness_um": 0.1, "correlation_length_um": [1, 4], "azimuth_deg": -60, "correlation": )"
+        R"("exponential")",
         "he_unified");
     Random random{4};
     for (int i = 0; i < 50; ++i) {
@@ -162,10 +167,10 @@ TEST_CASE("Correlated material: reciprocal, and two lengths stretch any shape") 
 }
 
 TEST_CASE("Correlated material: directions are drawn with the density they say") {
-    for (
-        const char* const keys :
-        {R"("rms_roughness_um": 0.08, "correlation_length_um": 1.5, "correlation": "exponential")",
-         R"("rms_roughness_um": 0.1, "correlation": {"type": "sum", "of": [[0.8, {"type": "gaussian", "length_um": 5}], [0.2, {"type": "exponential", "length_um": 0.5}]]})"}) {
+    for (const char* const keys :
+         {R"("rms_roughness_um": 0.08, "correlation_length_um": 1.5, "correlation": "exponential")",
+          R"("rms_roughness_um": 0.1, "correlation": {"type": "sum", "of": [[0.8, {"type": "gaussian", )"
+          R"("length_um": 5}], [0.2, {"type": "exponential", "length_um": 0.5}]]})"}) {
         const Reflectance of = material(keys).at(Wavelength::from_micrometres(0.55));
         const auto sampler = of.sampler(0);
         const Direction in = Direction::from_degrees(40, 25);
@@ -258,10 +263,9 @@ TEST_CASE("Correlated material: what is wrong is said with its key or line") {
     wrong(rms + R"("correlation": {"type": "k_correlation", "B_um": 5, "C": 3})", "psd");
     wrong(rms + R"("correlation": {"type": "k_correlation", "A": 1, "B_um": 5, "C": 3, "psd": "2d"})",
           R"(key "rms_roughness_um": must be left out)");
-    wrong(
-        rms +
-            R"("correlation_length_um": 2, "correlation": {"type": "k_correlation", "B_um": 5, "C": 3, "psd": "2d"})",
-        R"(key "correlation_length_um": must be left out)");
+    wrong(rms + R"("correlation_length_um": 2, "correlation": {"type": "k_correlation", "B_um": 5, "C": 3, )"
+                R"("psd": "2d"})",
+          R"(key "correlation_length_um": must be left out)");
     wrong(R"("correlation": {"type": "k_correlation", "B_um": 5, "C": 3, "psd": "2d"})", "rms_roughness_um");
     wrong(rms + R"("correlation": {"type": "sum", "of": [[-1, {"type": "exponential", "length_um": 1}]]})",
           "a weight must be > 0");

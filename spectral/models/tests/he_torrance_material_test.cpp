@@ -26,7 +26,8 @@ const auto green = Wavelength::from_micrometres(0.55);
 
 // A material file with this index and albedo.
 std::string file_with(const std::string& index, const std::string& albedo = "0.0") {
-    return R"({"name": "test", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": )" +
+    return R"({"name": "test", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, )"
+           R"("index": )" +
            index + R"(, "diffuse_albedo": )" + albedo + "}";
 }
 

@@ -30,7 +30,8 @@ namespace {
 const auto green = Wavelength::from_micrometres(0.55);
 
 std::string file_with(const std::string& more = "") {
-    return R"({"model": "he_unified", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al", )"
+    return R"({"model": "he_unified", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": )"
+           R"("Al", )"
            R"("diffuse_albedo": 0.1)" +
            more + "}";
 }

@@ -39,10 +39,11 @@ const auto green = Wavelength::from_micrometres(0.55);
 
 /// A material file of every model.
 const std::map<std::string, std::string> files{
-    {"he",
-     R"({"model": "he", "rms_roughness_um": 0.2, "correlation_length_um": 2, "index": "Al", "diffuse_albedo": 0.1})"},
+    {"he", R"({"model": "he", "rms_roughness_um": 0.2, "correlation_length_um": 2, "index": "Al", )"
+           R"("diffuse_albedo": 0.1})"},
     {"he_unified",
-     R"({"model": "he_unified", "rms_roughness_um": 0.2, "correlation_length_um": 2, "index": "Al", "diffuse_albedo": 0.1})"},
+     R"({"model": "he_unified", "rms_roughness_um": 0.2, "correlation_length_um": 2, "index": "Al", )"
+     R"("diffuse_albedo": 0.1})"},
     {"walter", R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": "Au"})"},
     {"kurt", R"({"model": "kurt", "kd": 0.2,
        "lobes": [{"ks": 0.5, "f0": 0.1, "mx": 0.2, "my": 0.5, "alpha": 0.1}]})"},
@@ -381,8 +382,8 @@ TEST_CASE("normals may come from a picture or a table") {
 TEST_CASE("slanted velvet warns that its mean normal is tilted") {
     const TemporaryFolder folder;
     const Material velvet = material_of(
-        folder,
-        R"({"model": "ashikhmin", "f0": 1, "normals": {"type": "slanted_fibres", "sigma": 0.5, "slant_deg": 40}})");
+        folder, R"({"model": "ashikhmin", "f0": 1, "normals": {"type": "slanted_fibres", "sigma": 0.5, )"
+                R"("slant_deg": 40}})");
     REQUIRE(velvet.warnings().size() == 1);
     CHECK(velvet.warnings().front().find("mean normal") != std::string::npos);
     CHECK(material_of(folder, files.at("ashikhmin")).warnings().empty());

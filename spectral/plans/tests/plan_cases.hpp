@@ -50,7 +50,8 @@ inline Plan plan_of(const Scene& scene, std::size_t pairs = 1000) {
     return make_plan(scene, {1, pairs}, scene.tolerance);
 }
 
-/// A pair within a scene, drawn otherwise than the planner draws: every other one within 6 degrees of the mirror direction.
+/// A pair within a scene, drawn otherwise than the planner draws: every other one within 6 degrees
+/// of the mirror direction.
 inline DirectionPair random_pair(Random& random, const Scene& scene, bool near_mirror) {
     const double theta_i = random.uniform(0, scene.largest_theta_i), phi_i = random.uniform(0, 6.3);
     const double theta_r =

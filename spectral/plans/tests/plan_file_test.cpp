@@ -62,21 +62,21 @@ TEST_CASE("a plan file gives the plan back") {
     };
     CHECK(refusal(R"("hts plan")", R"("recipe")") ==
           R"(plans/plan.json: key "format": "recipe": must be "hts plan")");
-    CHECK(
-        refusal(R"("format_version": 1)", R"("format_version": 2)") ==
-        R"(plans/plan.json: key "format_version": 2: the plan was made for another format than 1; plan the scene again)");
+    CHECK(refusal(R"("format_version": 1)", R"("format_version": 2)") ==
+          R"(plans/plan.json: key "format_version": 2: the plan was made for another format than 1; plan )"
+          R"(the scene again)");
     CHECK(refusal(R"("library_version": ")", R"("library_version": "9)")
               .find("another version of the library") != std::string::npos);
     CHECK(refusal(R"("../scene.json")", R"("../none.json")") ==
           R"(plans/plan.json: key "scene": plans/../none.json: no such file)");
-    CHECK(
-        refusal(R"("full")", R"("half")") ==
-        R"(plans/plan.json: key "materials[1].choice.lobe": "half": must be none, first_order, rough_limit or full)");
+    CHECK(refusal(R"("full")", R"("half")") ==
+          R"(plans/plan.json: key "materials[1].choice.lobe": "half": must be none, first_order, )"
+          R"(rough_limit or full)");
     CHECK(refusal(R"("seed": 1)", R"("seed": -1)").find(R"(key "seed": -1: must be a whole number)") !=
           std::string::npos);
-    CHECK(
-        refusal("0.4,", "0.39,") ==
-        R"(plans/plan.json: key "materials[1].choice.wavelengths_um": must be from 0.4 to 0.7 um, the range of the scene)");
+    CHECK(refusal("0.4,", "0.39,") ==
+          R"(plans/plan.json: key "materials[1].choice.wavelengths_um": must be from 0.4 to 0.7 um, the )"
+          R"(range of the scene)");
 
     folder.write("plans/plan.json", text);
     const std::string sphere = text_of(folder.path() / "figure-14/copper-sphere.json");

@@ -26,12 +26,14 @@ std::string scene_of_every_kind(const std::string& rest) {
          "lobes": [{"ks": 0.2, "mx": 0.1, "my": 0.4}]},
         {"name": "velvet", "model": "ashikhmin", "f0": 0.04, "diffuse_albedo": 0.3,
          "normals": {"type": "gaussian", "sigma_x": 0.4, "sigma_y": 0.4}},
-        {"name": "paint", "model": "cook_torrance", "kd": 0.5, "lobes": [{"ks": 1e-4, "f0": 0.04, "m": 0.3}]}],
+        {"name": "paint", "model": "cook_torrance", "kd": 0.5,
+         "lobes": [{"ks": 1e-4, "f0": 0.04, "m": 0.3}]}],
         "wavelengths_um": "0.4:0.7:31", "largest_theta_i_deg": 70, "largest_theta_r_deg": 75, )" +
            rest + "}";
 }
 
-/// The largest error of a planned evaluator on pairs of the test's own, against the models at each wavelength.
+/// The largest error of a planned evaluator on pairs of the test's own, against the
+/// models at each wavelength.
 double error_of_other_model(const Plan& plan, std::size_t i) {
     const Scene& scene = plan.scene;
     const Reflectance model = scene.materials[i].at(scene.wavelengths);

@@ -1,5 +1,5 @@
-// Plans: that the choice is what an independent measurement says it is, the same every time, and refused where it
-// does not belong.
+// Plans: that the choice is what an independent measurement says it is, the same every time, and refused
+// where it does not belong.
 
 #include "spectral/plans/plan.hpp"
 

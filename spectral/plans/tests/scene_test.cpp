@@ -110,7 +110,8 @@ TEST_CASE("every fault of a scene is named with file, key and legal range") {
     };
     const std::string spectral_output = R"("spectral")";
     const std::string polymer =
-        R"([{"name": "p", "model": "he", "rms_roughness_um": 0, "correlation_length_um": 2, "index": "PMMA"}])";
+        R"([{"name": "p", "model": "he", "rms_roughness_um": 0, "correlation_length_um": 2, "index": )"
+        R"("PMMA"}])";
     SceneText spectral = with(&SceneText::output, spectral_output);
     SceneText lit = spectral;
     lit.tolerance = R"({"relative_brdf_error": 0.1})";

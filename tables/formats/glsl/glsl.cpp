@@ -183,8 +183,9 @@ std::string head(const spectral::Reflectance& brdf) {
 // micrometres. Error of the BRDF: at most )"
         << accuracy::shader << " of the model's value, where that exceeds " << accuracy::shader_floor
         << R"( of its peak for
-// that light, 0.003 <= sigma0/tau <= 1, and both polar angles are at most 89 degrees. Data: 35 coefficients of
-// Phi, 140 bytes. For values that change, as uniforms, call hts_he_brdf, hts_he_specular, hts_he_sample, hts_he_pdf.
+// that light, 0.003 <= sigma0/tau <= 1, and both polar angles are at most 89 degrees. Data: 35 coefficients
+// of Phi, 140 bytes. For values that change, as uniforms, call hts_he_brdf, hts_he_specular,
+// hts_he_sample, hts_he_pdf.
 
 )";
     return out.str();
@@ -215,7 +216,8 @@ vec3 hts_brdf_rgb(vec3 wi, vec3 wo) {
     if (wi.z <= 0.0f || wo.z <= 0.0f) return rgb;
     HtsPair pair = hts_pair(HTS_SIGMA0, HTS_TAU, wi, wo);
     for (int w = 0; w < HTS_WAVELENGTHS; ++w)
-        rgb += HTS_RGB[w] * (hts_pair_brdf(pair, HTS_WAVELENGTH[w], HTS_N[w], HTS_K[w]) + HTS_ALBEDO[w] / HTS_PI);
+        rgb += HTS_RGB[w] *
+               (hts_pair_brdf(pair, HTS_WAVELENGTH[w], HTS_N[w], HTS_K[w]) + HTS_ALBEDO[w] / HTS_PI);
     return max(rgb, vec3(0.0f));
 }
 

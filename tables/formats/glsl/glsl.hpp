@@ -1,20 +1,24 @@
 /// A material as functions of GLSL ES 3.00, for WebGL 2, OpenGL ES 3 and OpenGL 3.3: text that
 /// needs no texture, no buffer and no other file.
 ///
-/// The text holds the whole model in single precision (he_torrance.glsl: Phi by its terms below g = 6, above by 35
-/// coefficients about its saddle point), then the constants of one material at its wavelengths. Of the model alone:
+/// The text holds the whole model in single precision (he_torrance.glsl: Phi by its terms below g = 6, above
+/// by 35 coefficients about its saddle point), then the constants of one material at its
+/// wavelengths. Of the model alone:
 ///
-///     float hts_he_brdf(vec3 wi, vec3 wo, float wavelength, float sigma0, float tau, float n, float k, float albedo)
-///     float hts_he_specular(vec3 wi, float wavelength, float sigma0, float tau, float n, float k)
-///     HtsDraw hts_he_sample(vec3 wi, vec3 u, float wavelength, …)      float hts_he_pdf(vec3 wi, vec3 wo, float wavelength, …)
+///     float hts_he_brdf(vec3 wi, vec3 wo, float wavelength, float sigma0, float tau, float n, float k, float
+///     albedo) float hts_he_specular(vec3 wi, float wavelength, float sigma0, float tau, float n, float k)
+///     HtsDraw hts_he_sample(vec3 wi, vec3 u, float wavelength, …)      float hts_he_pdf(vec3 wi, vec3
+///     wo, float wavelength, …)
 ///
 /// whose arguments may be uniforms, and of the material, with the index of a wavelength:
 ///
 ///     float hts_brdf(vec3 wi, vec3 wo, int w)     float hts_specular(vec3 wi, int w)
 ///     HtsDraw hts_sample(vec3 wi, vec3 u, int w)  float hts_pdf(vec3 wi, vec3 wo, int w)
-///     vec3 hts_brdf_rgb(vec3 wi, vec3 wo)         vec3 hts_specular_rgb(vec3 wi)          linear sRGB under D65
+///     vec3 hts_brdf_rgb(vec3 wi, vec3 wo)         vec3 hts_specular_rgb(vec3
+///     wi) linear sRGB under D65
 ///
-/// The last two are there where the wavelengths have a colour: three as blue, green and red, or those that cover 0.40 ... 0.70 um.
+/// The last two are there where the wavelengths have a colour: three as blue, green and red, or those
+/// that cover 0.40 ... 0.70 um.
 #pragma once
 
 #include <string>
@@ -23,8 +27,9 @@
 #include "tables/formats/sidecar.hpp"
 
 namespace hts::accuracy {
-/// Of the shader's BRDF against the model for directions rounded to single precision, relative, where 0.003 <= sigma_0/tau <= 1,
-/// both polar angles are at most 89 degrees and the value exceeds `shader_floor` of what the surface reflects at most from that light.
+/// Of the shader's BRDF against the model for directions rounded to single precision, relative, where 0.003
+/// <= sigma_0/tau <= 1, both polar angles are at most 89 degrees and the value exceeds `shader_floor` of what
+/// the surface reflects at most from that light.
 inline constexpr double shader = 1e-3;
 inline constexpr double shader_floor = 1e-6;
 }  // namespace hts::accuracy
@@ -40,7 +45,8 @@ inline constexpr std::size_t most_shader_wavelengths = 64;
 /// The same with what stands beside it.
 [[nodiscard]] Exported exported_glsl(const spectral::Reflectance& brdf, const std::string& path);
 
-/// What the text computes, in single precision: its constants are read, its functions are those hts was built with.
+/// What the text computes, in single precision: its constants are read, its functions are
+/// those hts was built with.
 ///   text   by glsl_text, else hts::Error      name   its path, for messages
 [[nodiscard]] spectral::Reflectance glsl_brdf(const std::string& text, const std::string& name);
 

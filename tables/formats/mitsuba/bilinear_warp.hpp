@@ -1,6 +1,7 @@
-/// Densities over the unit square, bilinear between the nodes of a grid and linear in two parameters, with the map that
-/// turns uniform points into points of that density, in single precision, step by step as the readers of RGL files do it,
-/// so that a file written here means there what it means here. Private to rgl.cpp.
+/// Densities over the unit square, bilinear between the nodes of a grid and linear in two parameters, with
+/// the map that turns uniform points into points of that density, in single precision, step by step as the
+/// readers of RGL files do it, so that a file written here means there what it means
+/// here. Private to rgl.cpp.
 ///
 /// Points are (x, y), x along the columns of a slice and y along its rows, from 0 to 1.
 #pragma once

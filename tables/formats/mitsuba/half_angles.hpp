@@ -19,8 +19,8 @@ struct HalfAnglesPair {
     Vector3 in, out, x;
 };
 
-/// x = in x out/|in x out|, of the same direction for any pair that shares its half angles; some vector across where both
-/// are one.
+/// x = in x out/|in x out|, of the same direction for any pair that shares its half angles; some vector
+/// across where both are one.
 [[nodiscard]] Vector3 scattering_plane_normal(const DirectionPair& pair) noexcept;
 
 }  // namespace hts::tables

@@ -1,5 +1,5 @@
-/// Where the nodes of an RGL file stand: the lobes of a reflectance, and the density over half vectors that follows them. Private to
-/// rgl_writer.cpp.
+/// Where the nodes of an RGL file stand: the lobes of a reflectance, and the density over half vectors that
+/// follows them. Private to rgl_writer.cpp.
 #pragma once
 
 #include <algorithm>
@@ -74,10 +74,11 @@ class Lobes {
     std::vector<double> weights_;
 };
 
-/// Where one angle of incidence gets its nodes: more of them where there is light, where it varies, at the facets near the
-/// normal and at views near the horizon, where the stored f cos(theta_o) is divided by a small cosine. The luminance makes
-/// up for what this density is not as a density of light. A specular lobe of facets takes the same columns of the warped square for every
-/// azimuth and angle of incidence, so that readers who mix them see the same lobe.
+/// Where one angle of incidence gets its nodes: more of them where there is light, where it varies, at the
+/// facets near the normal and at views near the horizon, where the stored f cos(theta_o) is divided by a
+/// small cosine. The luminance makes up for what this density is not as a density of light. A specular lobe
+/// of facets takes the same columns of the warped square for every azimuth and angle of incidence, so that
+/// readers who mix them see the same lobe.
 class NodeDensity {
   public:
     ///   specular_edge   u where that lobe ends, 0 for none
@@ -147,7 +148,8 @@ class NodeDensity {
         double past;  // this node's cell, 0 ... 1
     };
 
-    /// Nodes evenly over the tilts of the specular lobe, so many that they get their share of the row in front of the horizon.
+    /// Nodes evenly over the tilts of the specular lobe, so many that they get their share of the row
+    /// in front of the horizon.
     void fill_specular(std::span<float> row, float place, double in_front) const {
         constexpr double share = 0.3;  // of all columns
         const Cut edge{specular_edge_ * static_cast<double>(row.size() - 1), row.size()};
@@ -164,8 +166,9 @@ class NodeDensity {
             row[i] = static_cast<float>(
                 std::max((static_cast<double>(i) + 1e-3) * step, static_cast<double>(row.back())));
     }
-    /// Goes on behind the horizon as dense as in front of it, until the row's integral is what it has to be. Without a jump
-    /// there the horizon keeps its place also where readers mix two rows or two angles of incidence.
+    /// Goes on behind the horizon as dense as in front of it, until the row's integral is what it has to be.
+    /// Without a jump there the horizon keeps its place also where readers mix two rows or
+    /// two angles of incidence.
     void fill_behind(std::span<float> row, float place, double in_front) const {
         const Cut horizon{horizon_column(place, row.size()), row.size()};
         const double past = horizon.past, edge = static_cast<double>(row[horizon.node]),

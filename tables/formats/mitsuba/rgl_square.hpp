@@ -1,4 +1,5 @@
-/// The squares on which RGL files lie, in single precision as their readers compute them. Private to rgl.cpp and rgl_writer.cpp.
+/// The squares on which RGL files lie, in single precision as their readers compute them. Private to
+/// rgl.cpp and rgl_writer.cpp.
 #pragma once
 
 #include "hts/direction.hpp"

@@ -151,8 +151,8 @@ class RglTables {
                                [floor](double light) { return static_cast<float>(light + floor); });
     }
 
-    /// Light at a node of the warped square, where the BRDF has that mean. At facets along the normal neither they nor the nodes have
-    /// any solid angle: a point a little aside stands for them.
+    /// Light at a node of the warped square, where the BRDF has that mean. At facets along the normal neither
+    /// they nor the nodes have any solid angle: a point a little aside stands for them.
     [[nodiscard]] double light_at(const BilinearWarp& warp, Point2 node, const Direction& in,
                                   double mean) const {
         node.x = std::max(node.x, 0.1F / static_cast<float>(n_ - 1));

@@ -1,10 +1,11 @@
-/// The container of the RGL group's measurements, "tensor_file" 1.0, which Mitsuba 3 and pbrt-v4 read: named arrays of numbers,
-/// little-endian. Private to the formats that live in it (rgl.hpp, pbsdf.hpp).
+/// The container of the RGL group's measurements, "tensor_file" 1.0, which Mitsuba 3 and pbrt-v4 read: named
+/// arrays of numbers, little-endian. Private to the formats that live in it (rgl.hpp, pbsdf.hpp).
 ///
-///   "tensor_file\0", u8 1, u8 0, u32 fields; per field u16 length and name, u16 dimensions, u8 type, u64 offset, u64 shape[];
-///   then the numbers, last index fastest
+///   "tensor_file\0", u8 1, u8 0, u32 fields; per field u16 length and name, u16 dimensions, u8 type, u64
+///   offset, u64 shape[]; then the numbers, last index fastest
 ///
-/// A file is checked whole before any number is used; whatever it claims, no more memory is taken than the file is long.
+/// A file is checked whole before any number is used; whatever it claims, no more memory is
+/// taken than the file is long.
 #pragma once
 
 #include <cstddef>
@@ -67,8 +68,9 @@ class TensorFileWriter {
 /// A file that was read. All errors are hts::Error "path: …".
 class TensorFile {
   public:
-    /// hts::Error for what is no such file, another version, truncated, or inconsistent in itself: field names empty or twice,
-    /// unknown types, sizes of zero, more numbers than the file has bytes, arrays that reach out of the file.
+    /// hts::Error for what is no such file, another version, truncated, or inconsistent in itself: field
+    /// names empty or twice, unknown types, sizes of zero, more numbers than the file has bytes, arrays
+    /// that reach out of the file.
     [[nodiscard]] static TensorFile read(const std::filesystem::path& path);
     /// The same from memory.    path   for messages
     [[nodiscard]] static TensorFile parse(std::string bytes, std::string path);
@@ -78,7 +80,8 @@ class TensorFile {
     /// hts::Error if there is no such field.
     [[nodiscard]] const TensorShape& shape(std::string_view name) const;
 
-    /// The numbers of a field; hts::Error if it is missing, of another type or number of dimensions, or a number is not finite.
+    /// The numbers of a field; hts::Error if it is missing, of another type or number of dimensions,
+    /// or a number is not finite.
     [[nodiscard]] FloatTensor floats(std::string_view name, std::size_t dimensions,
                                      NotFinite not_finite = NotFinite::refused) const;
     [[nodiscard]] std::vector<std::uint16_t> words(std::string_view name) const;

@@ -1,9 +1,11 @@
 /// A BRDF on a regular grid of angles: what gonioreflectometers measure and text formats hold.
 ///
-/// A grid runs over the light's azimuth and polar angle and over the view's azimuth and polar angle, all in degrees as in
-/// files. The view's are taken about the normal (theta_r, phi_r - phi_i) or about the mirror direction:
+/// A grid runs over the light's azimuth and polar angle and over the view's azimuth and polar angle, all in
+/// degrees as in files. The view's are taken about the normal (theta_r, phi_r - phi_i) or
+/// about the mirror direction:
 ///   polar angle   between view and mirror direction
-///   azimuth       about the mirror direction, 0 towards the normal, growing counter-clockwise seen against the mirrored ray
+///   azimuth       about the mirror direction, 0 towards the normal, growing counter-clockwise seen
+///                 against the mirrored ray
 #pragma once
 
 #include <cstddef>
@@ -30,15 +32,15 @@ struct AngularGrid {
         azimuth;  ///< 0 ... 180 if the surface is symmetric to the plane of incidence, else within 360
     std::vector<double> polar;  ///< 0 ... 90 about the normal, 0 ... 180 about the mirror direction
     bool symmetric = true;      ///< whether azimuths above 180 follow from those below
-    /// Whether nothing is known between neighbours that are further apart than largest_polar_gap and largest_azimuth_gap: of a list
-    /// of points, whose grid nobody promised.
+    /// Whether nothing is known between neighbours that are further apart than largest_polar_gap and
+    /// largest_azimuth_gap: of a list of points, whose grid nobody promised.
     bool of_points = false;
 
     [[nodiscard]] std::size_t size() const noexcept {
         return phi_i.size() * theta_i.size() * azimuth.size() * polar.size();
     }
-    /// The pair at a node; none if the view is below the horizon. Nodes are counted with `polar` fastest, then `azimuth`,
-    /// `theta_i`, `phi_i`.
+    /// The pair at a node; none if the view is below the horizon. Nodes are counted with `polar` fastest,
+    /// then `azimuth`, `theta_i`, `phi_i`.
     [[nodiscard]] std::optional<DirectionPair> pair(std::size_t node) const;
     /// The same, the view raised to the horizon where it is below.
     [[nodiscard]] DirectionPair raised_pair(std::size_t node) const;
@@ -49,19 +51,20 @@ struct AngularGrid {
 /// What stands at nodes whose view is below the horizon.
 enum class BelowHorizon {
     empty,  ///< nothing: 0, which has no part in interpolation
-    continued,  ///< the horizon's value, so that a reader who interpolates between all nodes finds it at the horizon
+    /// the horizon's value, so that a reader who interpolates between all nodes finds it at the horizon
+    continued,
 };
 
 /// Values [1/sr] at every node, all wavelengths of a node together. Same bits for any number of threads.
 [[nodiscard]] std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf,
                                             BelowHorizon below = BelowHorizon::empty);
 
-/// Linear interpolation in all angles; nodes below the horizon have no part in it if all of them are 0. Beyond the ends of an
-/// axis, and in gaps of a list of points, the value of the nearest node; `knows` says that nothing was measured there. An axis reaches
-/// to its pole or the horizon where that is at most half a step away, and to the horizon from 89 deg. One azimuth about the mirror
-/// direction stands for all.
-///   values   as `values_on` gives them, finite but for nodes of points that are NaN since nobody measured there; grid.size() times
-///            the number of wavelengths; else hts::Error
+/// Linear interpolation in all angles; nodes below the horizon have no part in it if all of them are 0.
+/// Beyond the ends of an axis, and in gaps of a list of points, the value of the nearest node; `knows` says
+/// that nothing was measured there. An axis reaches to its pole or the horizon where that is at most half a
+/// step away, and to the horizon from 89 deg. One azimuth about the mirror direction stands for all.
+///   values   as `values_on` gives them, finite but for nodes of points that are NaN since nobody measured
+///            there; grid.size() times the number of wavelengths; else hts::Error
 [[nodiscard]] spectral::Reflectance gridded_brdf(const std::string& name,
                                                  const spectral::WavelengthGrid& wavelengths,
                                                  AngularGrid grid, std::vector<double> values);
@@ -69,7 +72,8 @@ enum class BelowHorizon {
 /// "theta_i 0 to 75 deg (6 values)", or all of them if they are few.
 [[nodiscard]] std::string axis_in_words(const char* name, const std::vector<double>& nodes);
 
-/// Whether the BRDF is the same on both sides of the plane of incidence, as far as random pairs can tell (1e-6).
+/// Whether the BRDF is the same on both sides of the plane of incidence, as far as
+/// random pairs can tell (1e-6).
 [[nodiscard]] bool is_plane_symmetric(const spectral::Reflectance& brdf);
 
 /// The same azimuths continued to 360 degrees, for surfaces that are not symmetric.

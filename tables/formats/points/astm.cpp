@@ -9,8 +9,8 @@
 namespace hts::tables {
 namespace {
 
-// Between semicolons or commas if the line has any, so that an empty cell stays one, but for one behind the last; otherwise
-// between white space.
+// Between semicolons or commas if the line has any, so that an empty cell stays one, but for one behind the
+// last; otherwise between white space.
 std::vector<std::string_view> pieces(std::string_view line) {
     const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
     if (line.find(separator) == std::string_view::npos) return spectral::words(line);

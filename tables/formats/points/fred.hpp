@@ -1,6 +1,6 @@
-/// FRED's scatter table: lines of `!` or `#` first as remarks, "type bsdf_data", "format angles=deg bsdf=value scale=1", then a line
-/// "theta_i phi_i" before the lines "theta_s phi_s bsdf" it lights. VIAVI's files have a head of lines "!! …". What a point means is
-/// left to who reads it. Private to the readers.
+/// FRED's scatter table: lines of `!` or `#` first as remarks, "type bsdf_data", "format angles=deg
+/// bsdf=value scale=1", then a line "theta_i phi_i" before the lines "theta_s phi_s bsdf" it lights. VIAVI's
+/// files have a head of lines "!! …". What a point means is left to who reads it. Private to the readers.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
-/// BSDF text of LightTools, also read by libbsdf: a grid of azimuths and polar angles about the normal, and a block of values for each
-/// angle of incidence, side, wavelength and kind of scattering.
+/// BSDF text of LightTools, also read by libbsdf: a grid of azimuths and polar angles about the normal, and a
+/// block of values for each angle of incidence, side, wavelength and kind of scattering.
 ///
-/// Reflection at the front is read; blocks of transmission and of the back are named and left out. The light's azimuth is 90 deg in
-/// these files: azimuths of views count from there. Private to the formats.
+/// Reflection at the front is read; blocks of transmission and of the back are named and left out. The
+/// light's azimuth is 90 deg in these files: azimuths of views count from there. Private to the formats.
 #pragma once
 
 #include <optional>

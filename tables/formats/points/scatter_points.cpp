@@ -57,8 +57,8 @@ class GridOfPoints {
         grid_.of_points = true;
     }
 
-    // The values at every node, NaN where there is no point; none if less than three in four nodes have one. A view along the
-    // normal stands for all azimuths.
+    // The values at every node, NaN where there is no point; none if less than three in four nodes have one.
+    // A view along the normal stands for all azimuths.
     [[nodiscard]] std::optional<std::vector<double>> values() const {
         double nodes = 1;
         for (const auto* axis : {&grid_.phi_i, &grid_.theta_i, &grid_.azimuth, &grid_.polar})
@@ -126,8 +126,8 @@ double steepest_across(const AngularGrid& grid, const std::vector<double>& value
     return steepest;
 }
 
-// Every pair of directions once. Rows that say the same twice count once; views along the normal, which stand for all azimuths, are
-// averaged; hts::Error for others that contradict.
+// Every pair of directions once. Rows that say the same twice count once; views along the normal, which stand
+// for all azimuths, are averaged; hts::Error for others that contradict.
 ScatterPoints without_repetitions(const std::string& name, const ScatterPoints& points) {
     const std::size_t channels = points.wavelengths.size();
     struct Found {

@@ -23,7 +23,8 @@ struct NegativeValues {
     [[nodiscard]] std::string text() const;
 };
 
-/// Words stand between white space and commas; `{` and `}` are words of their own; what follows a `#` on its line is a comment.
+/// Words stand between white space and commas; `{` and `}` are words of their own; what follows a `#`
+/// on its line is a comment.
 class Tokens {
   public:
     ///   text   must outlive this      name   of the file      line   where the text begins in it

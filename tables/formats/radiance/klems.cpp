@@ -40,7 +40,8 @@ class KlemsBrdf final : public spectral::Evaluator {
     std::vector<double> means_;
 };
 
-// Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until it changes by 1 % at most.
+// Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until
+// it changes by 1 % at most.
 double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light,
                std::size_t view) {
     constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087,

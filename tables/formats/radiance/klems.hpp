@@ -1,9 +1,10 @@
-/// A BRDF as means over pairs of patches of the hemisphere, the way WINDOW and Radiance keep glazing: the bases of J. H. Klems
-/// (ASHRAE Transactions 100(1), 1994).
+/// A BRDF as means over pairs of patches of the hemisphere, the way WINDOW and Radiance keep glazing: the
+/// bases of J. H. Klems (ASHRAE Transactions 100(1), 1994).
 ///
-/// A patch is a stretch of a ring of polar angles; a ring's patches are centred on azimuths 0, 360/n, ... An incident patch is
-/// that of the direction in which the light travels on, (theta, phi + 180 deg), so that the mirror direction of patch k is in
-/// patch k. A view is in the patch of its own direction. Patches of a quarter of a turn by 15 degrees hold no lobe narrower than that.
+/// A patch is a stretch of a ring of polar angles; a ring's patches are centred on azimuths 0, 360/n, ... An
+/// incident patch is that of the direction in which the light travels on, (theta, phi + 180 deg), so that the
+/// mirror direction of patch k is in patch k. A view is in the patch of its own direction. Patches of a
+/// quarter of a turn by 15 degrees hold no lobe narrower than that.
 #pragma once
 
 #include <cstddef>
@@ -54,9 +55,10 @@ class KlemsBasis {
     std::size_t size_ = 0;
 };
 
-/// Means of a BRDF of one wavelength over all pairs of patches, weighted by projected solid angle [1/sr], at [view * size + light];
-/// 512 to 32768 points per pair, until twice as many change the mean by 1 % at most.
-///   specular   whether the specular term is added: a patch of light is mirrored into the patch of the same number
+/// Means of a BRDF of one wavelength over all pairs of patches, weighted by projected solid angle [1/sr], at
+/// [view * size + light]; 512 to 32768 points per pair, until twice as many change the mean by 1 % at most.
+///   specular   whether the specular term is added: a patch of light is mirrored into the
+///              patch of the same number
 /// hts::Error for more wavelengths.
 [[nodiscard]] std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis,
                                               bool specular = false);

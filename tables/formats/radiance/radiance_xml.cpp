@@ -96,8 +96,8 @@ std::vector<Block> blocks_of(const pugi::xml_node& layer) {
     return blocks;
 }
 
-// The block to read: visible, on the side of the normal before the other, with those of the two names if both are on that side.
-// Notes tell which it was.
+// The block to read: visible, on the side of the normal before the other, with those of the two names if both
+// are on that side. Notes tell which it was.
 Chosen reflection_blocks(const Document& document, const pugi::xml_node& layer, const char* before,
                          const char* after, std::vector<std::string>& notes) {
     const auto blocks = blocks_of(layer);

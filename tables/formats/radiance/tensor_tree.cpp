@@ -69,8 +69,8 @@ Position position_of(int rank, const DirectionPair& pair) noexcept {
     const double x = -out.sin_theta() * (out.cos_phi() * in.cos_phi() + out.sin_phi() * in.sin_phi());
     const double y = -out.sin_theta() * (out.sin_phi() * in.cos_phi() - out.cos_phi() * in.sin_phi());
     const auto view = square_of(x, y);
-    // as Radiance takes it, by 1e-6 less: light along the normal belongs to the lower half, light on the border of two cells to the one
-    // nearer to the horizon
+    // as Radiance takes it, by 1e-6 less: light along the normal belongs to the lower half, light on the
+    // border of two cells to the one nearer to the horizon
     return {(0.5 - 1e-6) - in.sin_theta() / 2, view[0], view[1], 0};
 }
 

@@ -1,10 +1,11 @@
-/// A BRDF as Radiance's tensor tree (G. Ward, "Tensor Tree Representation" of BSDF): constant in cells that halve where the
-/// function changes.
+/// A BRDF as Radiance's tensor tree (G. Ward, "Tensor Tree Representation" of BSDF): constant in cells that
+/// halve where the function changes.
 ///
-/// The view stands on the unit square: direction cosines (x, y) mapped from the disc by Shirley and Chiu (J. Graphics Tools
-/// 2(3), 1997). Of isotropic surfaces (rank 3) the light is (1 - sin theta_i)/2 of the first dimension, and the view is turned so that the
-/// light comes from azimuth 180 degrees; the upper half of the first dimension is not used. Of others (rank 4) two dimensions
-/// are the square of the direction in which the light travels on, (theta_i, phi_i + 180 deg).
+/// The view stands on the unit square: direction cosines (x, y) mapped from the disc by Shirley and Chiu (J.
+/// Graphics Tools 2(3), 1997). Of isotropic surfaces (rank 3) the light is (1 - sin theta_i)/2 of the first
+/// dimension, and the view is turned so that the light comes from azimuth 180 degrees; the upper half of the
+/// first dimension is not used. Of others (rank 4) two dimensions are the square of the direction in which
+/// the light travels on, (theta_i, phi_i + 180 deg).
 #pragma once
 
 #include <memory>
@@ -17,14 +18,16 @@ namespace hts::tables {
 class Tokens;
 
 struct TensorTreeOptions {
-    /// Halvings per dimension; 0 for 7 (isotropic, cells of 1/64 in direction cosines) or 5 (others).   1 ... 8, or 6; Radiance
-    /// advises 7 at most
+    /// Halvings per dimension; 0 for 7 (isotropic, cells of 1/64 in direction cosines) or 5 (others).   1 ...
+    /// 8, or 6; Radiance advises 7 at most
     int depth = 0;
-    /// Cells become one whose values differ by at most this part of them, and of 1/1000 of the largest.   0 ... 1
+    /// Cells become one whose values differ by at most this part of them, and of
+    /// 1/1000 of the largest. 0 ... 1
     double merge = 0.02;
 };
 
-/// The tree as text, braces around the numbers [1/sr], six digits. The value of a cell is the mean of those at the middles of its halves.
+/// The tree as text, braces around the numbers [1/sr], six digits. The value of a cell is the mean of those
+/// at the middles of its halves.
 ///   brdf   one wavelength, else hts::Error
 [[nodiscard]] std::string tensor_tree_text(const spectral::Reflectance& brdf,
                                            const TensorTreeOptions& options = {});

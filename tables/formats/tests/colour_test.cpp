@@ -120,7 +120,8 @@ TEST_CASE("Klems' matrices of colour: X, Visible and Z") {
     CHECK(held(luminance, pair)[0] == Approx(held(read, pair)[1]).epsilon(1e-4));
     CHECK_THROWS_WITH(radiance_brdf(text, "k", spectral::WavelengthGrid::from_micrometres({0.5, 0.6})),
                       Catch::Contains("k: holds 3 channels, not 2"));
-    // the specular term of a patch is in the patch that mirrors it: all of its light over its projected solid angle
+    // the specular term of a patch is in the patch that mirrors it: all of its light over
+    // its projected solid angle
     const auto without = radiance_brdf(klems_xml(zyx, basis), "k");
     std::vector<double> mirror(3);
     zyx.specular_reflectance(pair.in, mirror);

@@ -1,5 +1,6 @@
-/// Damaged and hostile files by the million: whatever a file holds, reading it gives a named error or something sound, and takes
-/// little memory. HTS_EXHAUSTIVE=1 tries the large numbers, for a build with sanitizers: cmake --preset sanitize.
+/// Damaged and hostile files by the million: whatever a file holds, reading it gives a named error or
+/// something sound, and takes little memory. HTS_EXHAUSTIVE=1 tries the large numbers, for a build with
+/// sanitizers: cmake --preset sanitize.
 #pragma once
 
 #include <cstddef>
@@ -39,11 +40,12 @@ struct DamagedFile {
     std::size_t quick = 1000, exhaustive = 200'000;  ///< cases
 };
 
-/// One to three changes: bytes changed, bits turned, cut out, doubled, replaced by something nasty, or the end cut off.
+/// One to three changes: bytes changed, bits turned, cut out, doubled, replaced by something
+/// nasty, or the end cut off.
 [[nodiscard]] std::string damaged(const DamagedFile& file, Random& random);
 
-/// Damages the file so many times and reads each; every case has its own seed, and one that fails is kept as a file. At least one case
-/// must be refused, and one be read.
+/// Damages the file so many times and reads each; every case has its own seed, and one that fails is kept as
+/// a file. At least one case must be refused, and one be read.
 void check_damaged(const DamagedFile& file);
 
 }  // namespace hts::tables::testing

@@ -1,5 +1,5 @@
-// Every export read back: how much of the reflectance survives, the size of files, and the conventions against functions that only
-// survive where both directions are taken right.
+// Every export read back: how much of the reflectance survives, the size of files, and the conventions
+// against functions that only survive where both directions are taken right.
 
 #include <algorithm>
 #include <array>
@@ -59,8 +59,8 @@ spectral::Reflectance written(Written::Function function, const spectral::Wavele
     return spectral::Reflectance{std::make_shared<const Written>(function, wavelengths)};
 }
 
-/// Broad lobe about the mirror direction, brighter at one of three wavelengths, dimmer for light from the side: no two
-/// directions can be swapped, turned or mirrored without being noticed.
+/// Broad lobe about the mirror direction, brighter at one of three wavelengths, dimmer for light from the
+/// side: no two directions can be swapped, turned or mirrored without being noticed.
 double broad_lobe(const Direction& in, const Direction& out, std::size_t k) {
     const Vector3 m = in.mirror().vector(), v = out.vector();
     return (0.1 + 0.05 * static_cast<double>(k)) * (1.2 + dot(m, v)) * (1 + in.cos_theta() * in.cos_theta());
@@ -255,7 +255,8 @@ TEST_CASE("a tensor tree survives within its cells, isotropic or not") {
 }
 
 TEST_CASE("a tensor tree takes Radiance's cell on an exact border") {
-    // two halves of the incidence, bright below 30 degrees: (1 - sin 30)/2 is the border, which Radiance gives to the flatter light
+    // two halves of the incidence, bright below 30 degrees: (1 - sin 30)/2 is the border, which Radiance
+    // gives to the flatter light
     const std::string dark = "{{0}{0}{0}{0}{0}{0}{0}{0}}", both = "{{1}{2}{1}{2}{1}{2}{1}{2}}";
     const std::string tree = "{" + both + dark + both + dark + both + dark + both + dark + "}";
     Tokens tokens{tree, "t"};

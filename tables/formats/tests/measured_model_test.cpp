@@ -58,7 +58,8 @@ TEST_CASE("draws of a measured model have the density it says, and their weights
         for (const double theta : {0.0, 35.0, 70.0}) {
             INFO(file << " at " << theta);
             const Direction in = Direction::from_degrees(theta, 25);
-            // the density over the hemisphere, by cells of equal solid angle; draws are counted in the same cells
+            // the density over the hemisphere, by cells of equal solid angle; draws are
+            // counted in the same cells
             constexpr std::size_t rows = 8, columns = 16, points = 24;
             std::vector<double> expected(rows * columns, 0), drawn(rows * columns, 0);
             for (std::size_t row = 0; row < rows * points; ++row) {

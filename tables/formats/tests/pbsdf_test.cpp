@@ -81,8 +81,9 @@ class Written {
 
 using Complex = std::complex<double>;
 
-/// Mitsuba's matrix of a facet in the frame of its own plane: [[A, B, 0, 0], [B, A, 0, 0], [0, 0, C cos, -C sin],
-/// [0, 0, C sin, C cos]], normalised to A = 1, of the textbook's amplitudes for n + ik, exp(-i omega t).
+/// Mitsuba's matrix of a facet in the frame of its own plane: [[A, B, 0, 0], [B, A, 0, 0], [0, 0, C cos, -C
+/// sin], [0, 0, C sin, C cos]], normalised to A = 1, of the textbook's amplitudes for
+/// n + ik, exp(-i omega t).
 std::array<double, 16> facet_matrix(Complex index, double theta_d) {
     const double c1 = std::cos(theta_d);
     const Complex c2 = std::sqrt(1.0 - std::pow(std::sin(theta_d) / index, 2));
@@ -96,7 +97,8 @@ std::array<double, 16> facet_matrix(Complex index, double theta_d) {
 }  // namespace
 
 TEST_CASE("the matrix that Mitsuba gives gold at 60 degrees stands in the file") {
-    // computed with NIST's SCATMECH and turned into Mitsuba's convention: n = 0.183 + 3.43i, in the plane of incidence
+    // computed with NIST's SCATMECH and turned into Mitsuba's convention: n = 0.183 + 3.43i,
+    // in the plane of incidence
     const std::array<double, 16> expected{1, 0.035982,  0,         0, 0.035982, 1,        0,        0, 0,
                                           0, -0.695831, -0.717304, 0, 0,        0.717304, -0.695831};
     const auto formula = facet_matrix({0.183, 3.43}, std::numbers::pi / 3);
@@ -104,8 +106,9 @@ TEST_CASE("the matrix that Mitsuba gives gold at 60 degrees stands in the file")
 }
 
 TEST_CASE("nodes hold Fresnel's matrix of the facet in the plane of light and view") {
-    // A facet of a He-Torrance surface mirrors like a flat one, so every matrix, also out of the plane of incidence, has the
-    // form above; conductors turn linear into circular light, so no sign of S2 or S3 can hide.
+    // A facet of a He-Torrance surface mirrors like a flat one, so every matrix, also out of the plane of
+    // incidence, has the form above; conductors turn linear into circular light, so no
+    // sign of S2 or S3 can hide.
     const Complex index{0.183, 3.43};
     const auto gold = surface(index.real(), index.imag(), 0);
     const Written file{gold, small};

@@ -171,7 +171,8 @@ TEST_CASE("what Mitsuba and pbrt would refuse is refused by name") {
 }
 
 TEST_CASE("surfaces survive an RGL file") {
-    // As fine as it must be, at 1e5 pairs of three seeds, takes minutes; a quarter of the resolution shows the same at less.
+    // As fine as it must be, at 1e5 pairs of three seeds, takes minutes; a quarter of the
+    // resolution shows the same at less.
     const bool full = exhaustive();
     const auto grid = full ? spectral::WavelengthGrid::linear(0.38, 0.78, 31) : two;
     WorstCase error{"RGL, of the peak", full ? tables::accuracy::rgl : 0.2};
@@ -231,7 +232,8 @@ TEST_CASE("no number of an RGL file is negative, nor is what readers make of it 
         const auto numbers = file.floats(name, file.shape(name).size()).numbers;
         CHECK(*std::min_element(numbers.begin(), numbers.end()) >= 0);
     }
-    // between nodes, where a slope taken for the whole cell would fall below 0; f cos(theta_o) to a part of its peak
+    // between nodes, where a slope taken for the whole cell would fall below 0; f
+    // cos(theta_o) to a part of its peak
     const auto read = read_rgl(path);
     Random random{11};
     std::vector<double> expected(2), found(2);

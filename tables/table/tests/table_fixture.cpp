@@ -6,8 +6,8 @@ const TableJob& small_job() {
     static const TableJob job = [] {
         TableSource source;
         source.name = "rough aluminium";
-        source.material =
-            R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al",
+        source.material = R"({"name": "rough aluminium", "model": "he", "rms_roughness_um": 0.28, )"
+                          R"("correlation_length_um": 1.77, "index": "Al",
              "diffuse_albedo": 0.1})";
         source.material_path = "rough.json";
         return TableJob{source, {0.45, 0.55, 0.65}, {.tolerance = 3e-2, .polarised = true}};

@@ -1,4 +1,5 @@
-// Adds a model to those that material files may name, with installed headers alone: Minnaert's limb darkening.
+// Adds a model to those that material files may name, with installed headers alone:
+// Minnaert's limb darkening.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -18,8 +18,8 @@ bool is_microfacet(TwinModel model) {
     return model == TwinModel::beckmann || model == TwinModel::ggx;
 }
 
-/// The width of slopes with which microfacets come nearest to all cases of a surface, in unpolarised light: golden section
-/// of ln(alpha) from a third to three times that of the surface.
+/// The width of slopes with which microfacets come nearest to all cases of a surface, in unpolarised light:
+/// golden section of ln(alpha) from a third to three times that of the surface.
 double fitted_alpha(TwinModel model, const std::vector<const ConductorCase*>& of_surface) {
     const auto& surface = of_surface.front()->exact.surface;
     const auto error = [&](double log_alpha) {

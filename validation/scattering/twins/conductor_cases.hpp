@@ -17,8 +17,8 @@ using ConductorCases = std::vector<ConductorCase>;
 /// All of them, the cases of a surface together.
 [[nodiscard]] ConductorCases conductor_cases();
 
-/// Of each case, in order. Microfacets have the width of slopes, one per surface, with which they come nearest to all its cases
-/// in unpolarised light.
+/// Of each case, in order. Microfacets have the width of slopes, one per surface, with which they come
+/// nearest to all its cases in unpolarised light.
 [[nodiscard]] std::vector<Distances> all_distances(const ConductorCases& cases, TwinModel model);
 
 }  // namespace hts::validation

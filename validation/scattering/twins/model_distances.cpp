@@ -156,7 +156,8 @@ ReportTable loss_table(const Cases& cases) {
     return table;
 }
 
-/// Absolute errors of the mirrored share of conductors: the published model's, and second-order perturbation theory's.
+/// Absolute errors of the mirrored share of conductors: the published model's, and
+/// second-order perturbation theory's.
 ReportTable mirror_table() {
     const FigureTable map = kept_table("moment-method-map");
     ReportTable table{"model-mirrors",

@@ -1,9 +1,9 @@
-/// How far models are from exact scattering: the twin of each (`profile_twin`) against the lobes that are kept, in TE, in TM and
-/// in unpolarised light [dB].
+/// How far models are from exact scattering: the twin of each (`profile_twin`) against the lobes that are
+/// kept, in TE, in TM and in unpolarised light [dB].
 ///
-/// In each bin of 5 degrees model/exact is (model/Kirchhoff, closed forms) times (Kirchhoff's currents/exact, the same
-/// realisations), as in `moment_method`; the distance of a case, a surface at an angle of incidence, is the rms over bins
-/// with the weight of the exact energy.
+/// In each bin of 5 degrees model/exact is (model/Kirchhoff, closed forms) times (Kirchhoff's currents/exact,
+/// the same realisations), as in `moment_method`; the distance of a case, a surface at an angle of incidence,
+/// is the rms over bins with the weight of the exact energy.
 #pragma once
 
 #include <array>
@@ -65,8 +65,8 @@ struct CaseDistances {
 ///   cost   a second or two
 [[nodiscard]] std::vector<CaseDistances> case_distances();
 
-/// The published model and its successor beside each other, set by set, and the goals of the successor. What is kept is
-/// evaluated, nothing is solved.
+/// The published model and its successor beside each other, set by set, and the goals of the successor. What
+/// is kept is evaluated, nothing is solved.
 [[nodiscard]] GroundTruth model_distance_study(Effort effort);
 
 }  // namespace hts::validation

@@ -62,8 +62,8 @@ void for_gauss_nodes(double from, double to, int panels, const Function& f) {
     }
 }
 
-/// The kernel for one angle of incidence: the integral of kernel times m is the sum of row times m at the nodes. Over the
-/// facets' slopes, those whose reflected ray goes up.
+/// The kernel for one angle of incidence: the integral of kernel times m is the sum of row times m at the
+/// nodes. Over the facets' slopes, those whose reflected ray goes up.
 Row kernel_row(double theta_i, double alpha) {
     Row row{};
     const double to_left = -std::tan(pi / 4 + theta_i / 2), to_right = std::tan(pi / 4 - theta_i / 2);

@@ -127,8 +127,8 @@ double ProfileTwin::microfacets(double theta_i, double theta_r) const {
            separate_shadowing(lambda(theta_i, alpha_), lambda(theta_r, alpha_));
 }
 
-/// The library's own lobe, from Phi and beta of a profile: its (k tau)^2 Phi/(4 pi up^2 c_i c_r) [1/sr] is on a profile
-/// k tau Phi_1/(2 sqrt(pi) up^2 c_i) [1/rad].
+/// The library's own lobe, from Phi and beta of a profile: its (k tau)^2 Phi/(4 pi up^2 c_i c_r) [1/sr] is on
+/// a profile k tau Phi_1/(2 sqrt(pi) up^2 c_i) [1/rad].
 ProfileLobe ProfileTwin::unified(double theta_i, double theta_r) const {
     const ReturnFactor none{0};
     UnifiedView in{surface_, none, towards(theta_i, pi)}, out{surface_, none, towards(theta_r, 0)};

@@ -1,8 +1,8 @@
-/// What models of surfaces say of profiles, which vary along one direction only: the twin of each, to be held against exact
-/// scattering by profiles. All are products of the same factors as on surfaces; Phi has the weights m^(-1/2) of profiles in
-/// place of m^(-1) (`profile_scattering`), and so has beta; m of he_unified is that of `profile_return`; microfacets have the
-/// density of slopes along one direction. Lengths are in wavelengths, the azimuth is 0 or 180 degrees, so that s stays s and p
-/// stays p: TE and TM.
+/// What models of surfaces say of profiles, which vary along one direction only: the twin of each, to be held
+/// against exact scattering by profiles. All are products of the same factors as on surfaces; Phi has the
+/// weights m^(-1/2) of profiles in place of m^(-1) (`profile_scattering`), and so has beta; m of he_unified
+/// is that of `profile_return`; microfacets have the density of slopes along one direction. Lengths are in
+/// wavelengths, the azimuth is 0 or 180 degrees, so that s stays s and p stays p: TE and TM.
 #pragma once
 
 #include <string_view>
@@ -59,9 +59,10 @@ class ProfileTwin {
 };
 
 /// Shares of the light that a perfectly conducting profile mirrors.
-///   formula   second-order perturbation theory: exp(-x), x_s = 4 (k sigma_0)^2 c integral S(q - s) sqrt(1 - q^2) dq,
-///             x_p = 4 (k sigma_0)^2/c integral S(q - s) (1 - s q)^2/sqrt(1 - q^2) dq over -1 … 1, S the normalised spectrum,
-///             k tau/(2 sqrt(pi)) exp(-(k tau q)^2/4): "mirror": "second_order" of he_unified
+///   formula   second-order perturbation theory: exp(-x), x_s = 4 (k sigma_0)^2 c integral S(q - s) sqrt(1 -
+///             q^2) dq, x_p = 4 (k sigma_0)^2/c integral S(q - s) (1 - s q)^2/sqrt(1 - q^2) dq over -1 … 1, S
+///             the normalised spectrum, k tau/(2 sqrt(pi)) exp(-(k tau q)^2/4): "mirror":
+///             "second_order" of he_unified
 [[nodiscard]] ProfileLobe second_order_mirror(const RoughnessStatistics& surface, double theta_i);
 
 }  // namespace hts::validation

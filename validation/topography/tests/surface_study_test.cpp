@@ -77,7 +77,8 @@ std::map<std::string, double> truth(const Case& wanted) {
     return values;
 }
 
-/// How often each value came back within so many of its stated errors, and how its deviations compare with those.
+/// How often each value came back within so many of its stated errors, and how its
+/// deviations compare with those.
 void check_coverage(const Case& wanted, int draws, std::size_t side, double errors_allowed) {
     const SyntheticSurface surface{rms, wanted.scales, wanted.ellipse, step, side};
     const auto expected = truth(wanted);

@@ -1,8 +1,11 @@
-// Generates the reference values of the tests of hts/microfacet/: the lobes as their papers print them (brackets and
-// normalisation as the headers state), at 80 digits, independently of the library; angles of the half direction by atan2.
+// Generates the reference values of the tests of hts/microfacet/: the lobes as their papers print them
+// (brackets and normalisation as the headers state), at 80 digits, independently of the library; angles of
+// the half direction by atan2.
 //
-//   build   g++ -std=c++20 -O2 -I. hts/microfacet/tests/reference/generate_microfacet_reference.cpp    (header-only Boost)
-//   run     generate_microfacet_reference FOLDER      writes FOLDER/microfacet.csv, in a second; the folder must exist
+//   build   g++ -std=c++20 -O2 -I.
+//           hts/microfacet/tests/reference/generate_microfacet_reference.cpp (header-only Boost)
+//   run     generate_microfacet_reference FOLDER      writes FOLDER/microfacet.csv, in a
+//           second; the folder must exist
 
 #include <algorithm>
 #include <iostream>
@@ -105,7 +108,8 @@ Real oren_nayar(const Pair& pair, const Parameters& p) {
     return (A + B * between * sin(std::max(i, o)) * tan(std::min(i, o))) / pi;
 }
 
-/// The outgoing direction: anywhere, or that to which a facet of a few widths' slope mirrors, if it is above the horizon.
+/// The outgoing direction: anywhere, or that to which a facet of a few widths' slope mirrors, if
+/// it is above the horizon.
 Pair draw_pair(Draw& draw, const Parameters& p, bool anywhere) {
     const double degree = static_cast<double>(180 / pi);
     for (;;) {

@@ -71,8 +71,9 @@ TEST_CASE("Mitsuba's axes") {
 }
 
 TEST_CASE("a field reflected in three dimensions has the Stokes vector that Mitsuba's matrix gives") {
-    // light arrives along k_i with its field along x or diagonal in Mitsuba's frame; the facet reflects the parts
-    // across and in its plane; time factor exp(-i omega t), y = k x x, S3 > 0 clockwise for the receiver
+    // light arrives along k_i with its field along x or diagonal in Mitsuba's frame; the facet reflects the
+    // parts across and in its plane; time factor exp(-i omega t), y = k x x, S3 > 0
+    // clockwise for the receiver
     using Complex = std::complex<double>;
     Random random{33};
     for (int i = 0; i < 100; ++i) {

@@ -1,5 +1,6 @@
-// Every reader of bytes, for libFuzzer: the first byte of an input says which reader takes the rest. What a reader
-// refuses it must refuse with hts::Error; anything else that is thrown ends the program, as do the sanitizers.
+// Every reader of bytes, for libFuzzer: the first byte of an input says which reader takes the rest. What a
+// reader refuses it must refuse with hts::Error; anything else that is thrown ends the
+// program, as do the sanitizers.
 #include <array>
 #include <cstddef>
 #include <cstdint>
