@@ -23,7 +23,9 @@ double square(double x) {
     return x * x;
 }
 
-Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples) {
+///   seen   by each wavelength; none where the correlation is Gaussian
+Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples,
+                 const std::vector<Surface>& seen) {
     const double sigma_squared = square(surface.rms_roughness());
     const double tau_squared = square(surface.correlation_length());
     const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
@@ -50,6 +52,14 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
         set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
         set(Prepared::uniform, s.index.coated() ? 0 : s.uniform_diffuse);
     }
+    if (seen.empty()) return p;
+    p.correlation = &surface.correlation()->table();
+    p.widths.resize(2 * padded);
+    for (std::size_t i = 0; i < padded; ++i) {
+        const auto& lengths = seen[std::min(i, seen.size() - 1)].correlation_lengths();
+        p.widths[i] = 2 * surface.rms_roughness() / lengths.along;
+        p.widths[padded + i] = 2 * surface.rms_roughness() / lengths.across;
+    }
     return p;
 }
 
@@ -72,11 +82,12 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    const Forms forms = evaluation_detail::forms(tolerance, lobe);
+    if (!seen_.empty() && lobe != DiffuseLobe::full) return;
+    const Forms forms = evaluation_detail::forms(tolerance, lobe, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
     const bool coated =
         std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
-    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_), coated});
+    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_, seen_), coated});
 }
 
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
@@ -99,7 +110,10 @@ HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noex
 }
 
 std::size_t HeTorranceSpectrum::bytes() const noexcept {
-    const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
+    const std::size_t lanes =
+        lanes_
+            ? sizeof(Lanes) + (lanes_->prepared.data.size() + lanes_->prepared.widths.size()) * sizeof(double)
+            : 0;
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + seen_.size() * sizeof(Surface) + lanes;
 }
 

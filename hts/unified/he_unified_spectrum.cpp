@@ -109,7 +109,7 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         set(Prepared::d_real, d_real);
         set(Prepared::d_imaginary, d_imaginary);
         set(Prepared::weight,
-            square(wave.k_tau) * (square(d_real) + square(d_imaginary)) * (std::numbers::inv_pi / 4));
+            square(wave.k_length) * (square(d_real) + square(d_imaginary)) * (std::numbers::inv_pi / 4));
         set(Prepared::horizon, 1.25 * wave.k_sigma);
         set(Prepared::lift, wave.lift);
         set(Prepared::returned, wave.returned);
@@ -124,6 +124,20 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         }
     }
     return p;
+}
+
+/// What the wavelengths see of a surface, for the lanes: see Prepared::seen.
+template <class Seen>
+void set_seen(Prepared& p, const std::vector<Seen>& seen) {
+    p.seen.resize((Prepared::return_factor + ReturnFactor::terms) * p.padded);
+    for (std::size_t i = 0; i < p.padded; ++i) {
+        const auto& [surface, m] = seen[std::min(i, seen.size() - 1)];
+        p.seen[Prepared::slope_width * p.padded + i] = surface.slope_width();
+        p.seen[Prepared::return_width * p.padded + i] = 2 * m.slope();
+        const auto powers = in_powers(m.coefficients());
+        for (std::size_t j = 0; j < powers.size(); ++j)
+            p.seen[(Prepared::return_factor + j) * p.padded + i] = powers[j];
+    }
 }
 
 /// What is known of isotropic surfaces alone.
@@ -179,17 +193,23 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     if (coated || lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    const Forms forms = unified_detail::forms(tolerance);
+    if (!seen_.empty() && !surface_.isotropic()) return;
+    const Forms forms = unified_detail::forms(tolerance, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
-    lanes_ = std::make_shared<const Lanes>(
-        Lanes{forms, prepare(surface_, return_factor_, mixed_, samples_, waves_)});
+    Prepared prepared = prepare(surface_, return_factor_, mixed_, samples_, waves_);
+    if (!seen_.empty()) {
+        prepared.correlation = &surface_.correlation()->table();
+        set_seen(prepared, seen_);
+    }
+    lanes_ = std::make_shared<const Lanes>(Lanes{forms, std::move(prepared)});
 }
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
                       seen_.size() * sizeof(Seen);
     if (lanes_) {
-        sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
+        sum += sizeof(Lanes) +
+               (lanes_->prepared.data.size() + lanes_->prepared.seen.size()) * sizeof(double) +
                lanes_->prepared.surface.return_rows.size() * sizeof(ReturnRow);
     }
     for (const SecondOrderMirror& mirror : mirrors_) sum += mirror.bytes();

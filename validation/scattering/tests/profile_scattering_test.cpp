@@ -62,6 +62,6 @@ TEST_CASE("a gently rough profile returns all light, and each model is reciproca
         const RoughnessStatistics surface{0.25, 1};
         CHECK(profile_lobe(model, surface, 0.5, 1.1) * std::cos(0.5) ==
               Approx(profile_lobe(model, surface, 1.1, 0.5) * std::cos(1.1)).epsilon(1e-12));
-        CHECK(profile_mirror(model, {0, 1}, 1) == 1);
+        CHECK(profile_mirror(model, RoughnessStatistics{0, 1}, 1) == 1);
     }
 }

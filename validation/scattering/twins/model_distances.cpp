@@ -271,7 +271,7 @@ FigureTable distance_table(const Cases& cases) {
     }
     for (const CaseDistances& each : cases) {
         const KeptSet& set = kept_sets()[each.set];
-        if (set.again) continue;
+        if (set.apart) continue;
         std::vector<double> row{
             static_cast<double>(each.set),   set.index.n(),   set.index.k(), each.surface.rms_roughness,
             each.surface.correlation_length, each.theta_i_deg};
@@ -305,9 +305,12 @@ std::vector<ExactLobe> exact_lobes(const FigureTable& lobes) {
                       error = column_of(lobes, "ratio_error_db");
     std::vector<ExactLobe> all;
     for (const auto& row : lobes.rows) {
+        std::optional<double> nu;
+        if (const auto at = std::ranges::find(lobes.columns, "nu"); at != lobes.columns.end())
+            nu = row[static_cast<std::size_t>(at - lobes.columns.begin())];
         if (all.empty() || all.back().surface.rms_roughness != row[0] ||
             all.back().surface.correlation_length != row[1] || all.back().theta_i_deg != row[2])
-            all.push_back({{row[0], row[1]}, row[2], {}, {}, {}, {}});
+            all.push_back({{row[0], row[1], nu}, row[2], {}, {}, {}, {}});
         ExactLobe& lobe = all.back();
         lobe.theta_r_deg.push_back(row[3]);
         lobe.error_db.push_back(row[error]);
