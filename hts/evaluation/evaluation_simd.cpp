@@ -259,9 +259,9 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
     PairBlock block;
     const bool ordinary = block.load(pairs, next);
     const std::size_t count = (pairs.size() + lanes - 1) / lanes * lanes;
-    if constexpr (!Lobe::sees_slopes) block.evaluate(p.surface, count);
+    typename Lobe::Pairs seen{block, p.surface, count};
     for (std::size_t j = 0; j < p.count; ++j) {
-        if constexpr (Lobe::sees_slopes) block.evaluate(p.seen(j), count);
+        seen.see(p, j, count);
         const Pairs items{block, p, j};
         typename Lobe::template Block<8, Pairs> lobes{items};
         lobes.prepare(count);
@@ -289,7 +289,7 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
 
 /// Lobes of the Gaussian correlation: what a pair contributes is the same at every wavelength.
 struct OfSurface {
-    static constexpr bool sees_slopes = false;
+    using Pairs = SharedPairs;
     template <class Lanes>
     using Terms = SharedTerms<Lanes>;
 };
@@ -309,7 +309,7 @@ struct RoughLimit : OfSurface {
 };
 /// 2 D of another correlation.
 struct Correlated {
-    static constexpr bool sees_slopes = true;
+    using Pairs = SeenPairs;
     template <class Lanes>
     using Terms = SeenTerms<Lanes>;
     template <std::size_t most_lanes, class Items>

@@ -50,8 +50,6 @@ struct Prepared {
     const correlation_detail::LobeTable* correlation = nullptr;
     std::vector<double> widths{};
 
-    /// As the wavelength sees it.
-    [[nodiscard]] SurfaceTerms seen(std::size_t wavelength) const noexcept;
     [[nodiscard]] const double* operator[](Column column) const noexcept {
         return data.data() + column * padded;
     }

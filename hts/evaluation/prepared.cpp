@@ -15,14 +15,6 @@ AxisTerms axis_terms(const Surface& surface) noexcept {
             across / mean};
 }
 
-SurfaceTerms Prepared::seen(std::size_t wavelength) const noexcept {
-    SurfaceTerms terms = surface;
-    terms.axes.width_along = widths[wavelength];
-    terms.axes.width_across = widths[padded + wavelength];
-    terms.slope_width = terms.axes.width_along;  // of an isotropic surface
-    return terms;
-}
-
 bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
     const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
     const auto& [along, across] = surface.correlation_lengths();
