@@ -33,9 +33,10 @@ constexpr auto plan_help = R"(
 A scene file (JSON) lists material files of any model, wavelengths, the largest polar
 angles of lights and views, what is wanted (spectral or rgb, polarised or not), a tolerance
 (relative_brdf_error, delta_e_2000, or true_db: the distance from exact scattering of model
-and arithmetic together) and a memory budget; docs/plans.md has every key. For each material the plan leaves out what the tolerance allows: wavelengths, the
-lobe, and of model he its full series and the specular term. Errors are measured on random
-directions of the scene against the full model; spectral/plans/plan.hpp defines them.
+and arithmetic together) and a memory budget; docs/plans.md has every key. For each
+material the plan leaves out what the tolerance allows: wavelengths, the lobe, and of model
+he its full series and the specular term. Errors are measured on random directions of the
+scene against the full model; spectral/plans/plan.hpp defines them.
 --output writes the plan for hts eval --plan and for the library; --check measures a plan
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
 

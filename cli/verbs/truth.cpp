@@ -33,7 +33,7 @@ dielectric  The same for glass, refractive index 1.5, on four surfaces.
 unseen      Conductors that no constant of a model was chosen by: 14 surfaces drawn by a
             seed, at three angles each, 150 profiles.
 k-correlation  8 K-correlated conductors drawn by a seed, nu 1/2 (exponential) and 3/2,
-            spectra cut beyond 2.5 per wavelength, at three angles each, 150 profiles.
+            spectra cut beyond 2.5 per wavelength, at three angles each, 100 profiles.
 metal       A metal, refractive index 0.16 + 3.6i, on three surfaces, 160 profiles.
 grazing     Smooth conductors at 60 and 70 degrees on profiles of 120 wavelengths.
 refinement  The same rough profiles by twice the points per wavelength.

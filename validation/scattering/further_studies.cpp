@@ -135,7 +135,7 @@ GroundTruth unseen_study(Effort effort, const std::string& unfinished) {
 }
 
 GroundTruth k_correlation_study(Effort effort, const std::string& unfinished) {
-    MomentSettings chosen = settings(effort, 150, 50, 16);
+    MomentSettings chosen = settings(effort, 100, 40, 16);
     chosen.study = 2027;
     return computed(
         {"k-correlation",

@@ -19,7 +19,7 @@ namespace hts::validation {
 /// drawn_surfaces. Their spectra are cut beyond most_frequency, 2.5 per wavelength.
 ///   seed   fixed before anything was evaluated on these surfaces: 2027
 [[nodiscard]] std::vector<LitSurface> drawn_k_correlated(std::uint64_t seed, std::size_t count);
-/// 8 of them, 150 realisations of 50 wavelengths, 16 points per wavelength; quick: 2, 20 realisations.
+/// 8 of them, 100 realisations of 40 wavelengths, 16 points per wavelength; quick: 2, 20 realisations.
 [[nodiscard]] GroundTruth k_correlation_study(Effort effort, const std::string& unfinished = {});
 /// A metal of refractive index 0.16 + 3.6i: 3 surfaces at 20, 40 and 60 degrees, 160
 /// realisations of 24 wavelengths.
