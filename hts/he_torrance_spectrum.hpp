@@ -6,7 +6,8 @@
 /// take the exact path of terms.hpp, and so does another limit of a correlation that is not Gaussian.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
-/// reflectance multiplies it.
+/// reflectance multiplies it, from a table over cos theta_d for each wavelength (hts/films/cosine_table.hpp);
+/// one by one where no table of bounded size would do.
 #pragma once
 
 #include <cstddef>
@@ -98,6 +99,7 @@ class HeTorranceSpectrum {
   private:
     struct Lanes;
     void add_films(const DirectionPair& pair, std::span<double> result) const noexcept;
+    [[nodiscard]] bool films_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
