@@ -79,6 +79,29 @@ struct HeTorranceSpectrum::Lanes {
         if (std::ranges::none_of(samples, coated)) return;
         for (const SpectralSample& sample : samples) films.emplace_back(sample.index);
     }
+
+    /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take the
+    /// pair.
+    bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
+                          std::span<Mueller> result) const noexcept {
+        // the lobes stand in front in the room of the matrices, which are filled from the last on
+        const auto* const lobes = reinterpret_cast<const double*>(result.data());
+        if (!forms.brdf_one(prepared, pair, reinterpret_cast<double*>(result.data()))) return false;
+        const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
+        // a facet's matrix is a sum over what it reflects of s and of p
+        const JonesMatrix s = facet_jones(pair.in, pair.out, {1.0, 0.0}),
+                          p = facet_jones(pair.in, pair.out, {0.0, 1.0});
+        for (std::size_t i = result.size(); i-- > 0;) {
+            const double lobe = lobes[i];
+            const FresnelAmplitudes f = films[i].amplitudes(cos_theta_d);
+            const JonesMatrix jones{f.s * s.ss + f.p * p.ss, f.s * s.sp + f.p * p.sp, f.s * s.ps + f.p * p.ps,
+                                    f.s * s.pp + f.p * p.pp};
+            result[i] = lobe * Mueller::from_jones(jones);
+            if (samples[i].uniform_diffuse != 0)
+                result[i] = result[i] + Mueller::depolariser(samples[i].uniform_diffuse);
+        }
+        return true;
+    }
 };
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
@@ -161,30 +184,8 @@ void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> r
     require_size("mueller", result.size(), samples_.size());
     if (lanes_ && lanes_->films.empty() && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data()))
         return;
-    if (!lanes_ || !lanes_->all_coated || !films_mueller(pair, result)) exact_mueller(pair, result);
-}
-
-/// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take the
-/// pair.
-bool HeTorranceSpectrum::films_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
-    // the lobes stand in front in the room of the matrices, which are filled from the last on
-    const auto* const lobes = reinterpret_cast<const double*>(result.data());
-    if (!lanes_->forms.brdf_one(lanes_->prepared, pair, reinterpret_cast<double*>(result.data())))
-        return false;
-    const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
-    // a facet's matrix is a sum over what it reflects of s and of p
-    const JonesMatrix s = facet_jones(pair.in, pair.out, {1.0, 0.0}),
-                      p = facet_jones(pair.in, pair.out, {0.0, 1.0});
-    for (std::size_t i = result.size(); i-- > 0;) {
-        const double lobe = lobes[i];
-        const FresnelAmplitudes f = lanes_->films[i].amplitudes(cos_theta_d);
-        const JonesMatrix jones{f.s * s.ss + f.p * p.ss, f.s * s.sp + f.p * p.sp, f.s * s.ps + f.p * p.ps,
-                                f.s * s.pp + f.p * p.pp};
-        result[i] = lobe * Mueller::from_jones(jones);
-        if (samples_[i].uniform_diffuse != 0)
-            result[i] = result[i] + Mueller::depolariser(samples_[i].uniform_diffuse);
-    }
-    return true;
+    if (!lanes_ || !lanes_->all_coated || !lanes_->mueller_of_films(pair, samples_, result))
+        exact_mueller(pair, result);
 }
 
 void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {

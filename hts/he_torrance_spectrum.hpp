@@ -3,11 +3,10 @@
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
 /// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon
-/// take the exact path of terms.hpp, and so does another limit of a correlation that is not Gaussian.
+/// take the exact path of terms.hpp.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
-/// reflectance multiplies it, from a table over cos theta_d for each wavelength (hts/films/cosine_table.hpp);
-/// one by one where no table of bounded size would do.
+/// reflectance multiplies it.
 #pragma once
 
 #include <cstddef>
@@ -99,7 +98,6 @@ class HeTorranceSpectrum {
   private:
     struct Lanes;
     void add_films(const DirectionPair& pair, std::span<double> result) const noexcept;
-    [[nodiscard]] bool films_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;
     void exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept;
     void exact_specular_reflectance(const Direction& in, std::span<double> result) const noexcept;
     void exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept;

@@ -25,8 +25,7 @@ void require_theory_of_films(const UnifiedChoices& choices);
 ///     prepared.brdf({in, out}, spectrum);
 ///
 /// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and
-/// where that takes the exact path so does this; so it does for surfaces with films, and for those of two
-/// correlation lengths whose correlation is not Gaussian. Every call is const,
+/// where that takes the exact path so does this; so it does for surfaces with films. Every call is const,
 /// allocates nothing and may run on any thread. A pair's result has the same bits alone, in any
 /// batch and at any place in it.
 class HeUnifiedSpectrum {
