@@ -188,14 +188,20 @@ struct Pairs : Vectors<8> {
     HWY_INLINE bool dense() const { return p.dense; }
 };
 
-/// What multiplies Phi: all of it for unpolarised light, or all but the Jones matrix,
-/// which then is kept beside.
-template <class Items, bool polarised>
+/// What is kept beside the lobe: nothing of unpolarised light; the Jones matrix, which then does not multiply
+/// the lobe; or the share of Kirchhoff's in it, for a matrix that the caller makes.
+enum class Kept { nothing, matrix, share };
+constexpr std::size_t parts_of(Kept kept) {
+    return kept == Kept::matrix ? 8 : 1;
+}
+
+/// What multiplies Phi.
+template <class Items, Kept what>
 struct Scaled : Items {
     using V = typename Items::V;
 
     const double* mean;
-    double (*kept)[block_size];  // the matrix, part by part
+    double (*kept)[block_size];  // part by part
 
     HWY_INLINE Scaled(const Items& items, const double* kicks, double (*matrices)[block_size])
         : Items{items}, mean{kicks}, kept{matrices} {}
@@ -217,9 +223,23 @@ struct Scaled : Items {
     }
     HWY_INLINE V scale(std::size_t i) const {
         constexpr typename Items::Lanes o{};
+        if constexpr (what == Kept::share) {
+            const ShareLanes<V> of =
+                kirchhoff_share(o, this->pair(i), this->load(Prepared::horizon, i),
+                                this->load(Prepared::returned, i), hn::Load(this->d, mean + i));
+            hn::Store(of.share, this->d, kept[0] + i);
+            return this->load(Prepared::weight, i) * of.shadowing;
+        } else {
+            return scale_of_matrix(i);
+        }
+    }
+
+  private:
+    HWY_INLINE V scale_of_matrix(std::size_t i) const {
+        constexpr typename Items::Lanes o{};
         const JonesLanes<V> m = jones(o, this->pair(i), wave(i), hn::Load(this->d, mean + i));
         const V scale = this->load(Prepared::weight, i) * m.shadowing;
-        if constexpr (polarised) {
+        if constexpr (what == Kept::matrix) {
             const V parts[8]{m.ss.re, m.ss.im, m.sp.re, m.sp.im, m.ps.re, m.ps.im, m.pp.re, m.pp.im};
             for (std::size_t k = 0; k < 8; ++k) hn::Store(parts[k], this->d, kept[k] + i);
             return scale;

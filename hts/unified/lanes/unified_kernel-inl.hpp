@@ -278,6 +278,24 @@ HWY_INLINE RayLanes<V> ray(const Lanes& o, const WaveTerms<V>& wave, V cosine, c
             {o.mul_add(wave.d_real, lifted, lifted + root.re), o.mul_add(wave.d_imaginary, lifted, root.im)}};
 }
 
+/// G over c_i c_r, and the share of Kirchhoff's matrix in M, 1 - beta'.
+template <class V>
+struct ShareLanes {
+    V shadowing, share;
+};
+template <class Lanes, class V>
+HWY_INLINE ShareLanes<V> kirchhoff_share(const Lanes& o, const UnifiedPair<V>& pair, V horizon, V returned,
+                                         V mean) {
+    const V one = o.real(1), all = one + mean;
+    const V in_horizon = fourth_power_less_one(o, horizon * pair[cos_in]);
+    const V out_horizon = fourth_power_less_one(o, horizon * pair[cos_out]);
+    const V outer = all * ((one + in_horizon) * (one + out_horizon));
+    const V spread = o.mul_add(all, pair[cosines], mean * pair[masked]);
+    const V over = one / (outer * spread);
+    return {o.mul_add(returned * mean, pair[returns], all) * (outer * over),
+            mean * (in_horizon * out_horizon) * (spread * over)};
+}
+
 /// unified_lobe in lanes. All its divisions are one.
 ///   F_s and F_p over N^2 - 1 are -1/(c + r)^2, and times (s^2 - c r)/(s^2 + c r)
 ///   mean   H of kicks_table.hpp

@@ -32,13 +32,13 @@ FormTable form_table() {
 #else
 
 /// The lobe of a block of items.
-template <class PhiSpec, class KicksSpec, std::size_t most_lanes, class Items, bool polarised>
+template <class PhiSpec, class KicksSpec, std::size_t most_lanes, class Items, Kept what>
 struct LobeBlock {
-    using All = Scaled<Items, polarised>;
+    using All = Scaled<Items, what>;
     using V = typename Items::V;
 
     KicksBlock<KicksSpec, most_lanes, Items> kicks;
-    HWY_ALIGN double matrices[polarised ? 8 : 1][block_size];
+    HWY_ALIGN double matrices[parts_of(what)][block_size];
     All items;
     phi::PhiBlock<PhiSpec, most_lanes, All> lobe;
 
@@ -57,11 +57,11 @@ struct LobeBlock {
 };
 
 /// The same with 2 D of another correlation.
-template <std::size_t most_lanes, class Items, bool polarised>
+template <std::size_t most_lanes, class Items, Kept what>
 struct CorrelatedBlock {
     correlation_detail::HWY_NAMESPACE::LobeBlock<most_lanes, true> lobe;
-    HWY_ALIGN double matrices[polarised ? 8 : 1][block_size];
-    Scaled<Items, polarised> items;
+    HWY_ALIGN double matrices[parts_of(what)][block_size];
+    Scaled<Items, what> items;
 
     HWY_INLINE explicit CorrelatedBlock(const Items& of) : items{of, lobe.mean, matrices} {}
     template <class Use>
@@ -77,15 +77,15 @@ struct Gaussian {
     static constexpr bool sees_slopes = false;
     template <std::size_t most_lanes>
     using Items = Spectrum<most_lanes>;
-    template <std::size_t most_lanes, class Items, bool polarised>
-    using Block = LobeBlock<PhiSpec, KicksSpec, most_lanes, Items, polarised>;
+    template <std::size_t most_lanes, class Items, Kept what>
+    using Block = LobeBlock<PhiSpec, KicksSpec, most_lanes, Items, what>;
 };
 struct Correlated {
     static constexpr bool sees_slopes = true;
     template <std::size_t most_lanes>
     using Items = SeenSpectrum<most_lanes>;
-    template <std::size_t most_lanes, class Items, bool polarised>
-    using Block = CorrelatedBlock<most_lanes, Items, polarised>;
+    template <std::size_t most_lanes, class Items, Kept what>
+    using Block = CorrelatedBlock<most_lanes, Items, what>;
 };
 
 template <class Lobe, std::size_t most_lanes>
@@ -95,7 +95,7 @@ HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double
     for (std::size_t first = 0; first < p.count; first += block_size) {
         const std::size_t count = std::min(block_size, p.count - first);
         const Items items{p, terms, pair, first};
-        typename Lobe::template Block<most_lanes, Items, false> block{items};
+        typename Lobe::template Block<most_lanes, Items, Kept::nothing> block{items};
         block.each(count, [&](std::size_t i, typename Items::V lobe) HWY_ATTR {
             Items::store_some(lobe + items.load(Prepared::uniform, i), count - i, result + first + i);
         });
@@ -123,7 +123,7 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
         for (std::size_t j = 0; j < p.count; ++j) {
             if constexpr (Lobe::sees_slopes) terms.see(p, j, PairBlock::whole(some.size()));
             const Pairs items{terms, p, j};
-            typename Lobe::template Block<8, Pairs, false> block{items};
+            typename Lobe::template Block<8, Pairs, Kept::nothing> block{items};
             HWY_ALIGN double values[block_size];
             block.each(some.size(), [&](std::size_t i, Pairs::V lobe) HWY_ATTR {
                 hn::Store(lobe + items.load(Prepared::uniform, i), d, values + i);
@@ -176,7 +176,7 @@ HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mue
     for (std::size_t first = 0; first < p.count; first += block_size) {
         const std::size_t count = std::min(block_size, p.count - first);
         const Items items{p, terms, pair, first};
-        typename Lobe::template Block<most_lanes, Items, true> block{items};
+        typename Lobe::template Block<most_lanes, Items, Kept::matrix> block{items};
         block.each(count, [&](std::size_t i, V lobe) HWY_ATTR {
             V m[16];
             mueller_elements(o, reinterpret_cast<const double(*)[block_size]>(&block.matrices[0][i]), lobe,
@@ -201,9 +201,33 @@ HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller*
     return true;
 }
 
+template <class Lobe, std::size_t most_lanes>
+HWY_INLINE void shares_of_one(const Prepared& p, const DirectionPair& pair, std::size_t first,
+                              std::size_t count, double* lobes, double* shares) {
+    using Items = typename Lobe::template Items<most_lanes>;
+    const auto terms = terms_of_one<most_lanes>(p.surface, pair);
+    const Items items{p, terms, pair, first};
+    typename Lobe::template Block<most_lanes, Items, Kept::share> block{items};
+    block.each(count, [&](std::size_t i, typename Items::V lobe) HWY_ATTR {
+        Items::store_some(lobe, count - i, lobes + i);
+        Items::store_some(hn::Load(Items::d, block.matrices[0] + i), count - i, shares + i);
+    });
+}
+
+template <class Lobe>
+HWY_ATTR bool shares_one(const Prepared& p, const DirectionPair& pair, std::size_t first, std::size_t count,
+                         double* lobes, double* shares) {
+    if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
+    if (p.count <= 4)
+        shares_of_one<Lobe, 4>(p, pair, first, count, lobes, shares);
+    else
+        shares_of_one<Lobe, 8>(p, pair, first, count, lobes, shares);
+    return true;
+}
+
 template <class Lobe>
 Forms forms_of() {
-    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>};
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, shares_one<Lobe>};
 }
 FormTable form_table() {
     return {forms_of<Gaussian<phi_detail::Low, KicksLow> >(),

@@ -73,10 +73,16 @@ using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair,
 /// Whether every pair is ordinary; the others get an arbitrary result.
 using BrdfMany = bool (*)(const Prepared& prepared, std::span<const DirectionPair> pairs, double* result);
 
+/// Of samples first ... first + count - 1, at most 64: the lobe without its Jones matrix M and |d|^2, and the
+/// share of Kirchhoff's matrix in M.
+using SharesOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, std::size_t first,
+                           std::size_t count, double* lobes, double* shares);
+
 struct Forms {
     BrdfOne brdf_one;  ///< null on a processor without vectors
     BrdfMany brdf_many;
     MuellerOne mueller_one;
+    SharesOne shares_one;
 };
 
 /// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6, and with 2 D of other correlations.
