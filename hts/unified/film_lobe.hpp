@@ -6,8 +6,8 @@
 #include <span>
 
 #include "hts/films/cosine_table.hpp"
+#include "hts/he_torrance_spectrum.hpp"
 #include "hts/polarisation.hpp"
-#include "hts/terms.hpp"
 
 namespace hts {
 

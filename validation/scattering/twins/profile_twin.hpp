@@ -10,6 +10,7 @@
 
 #include "hts/fresnel.hpp"
 #include "hts/unified/unified_terms.hpp"
+#include "validation/scattering/profile_scattering.hpp"
 #include "validation/scattering/twins/profile_return.hpp"
 
 namespace hts::validation {
