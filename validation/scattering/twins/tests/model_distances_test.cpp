@@ -88,6 +88,23 @@ TEST_CASE("distances of he, Kirchhoff and correlated Smith are those of the maps
     CHECK(worst < 0.02);  // maps of the first set count bins without light, `least_light`
 }
 
+TEST_CASE("K-correlated surfaces drawn by a seed are the same on every machine, and within their ranges") {
+    const auto drawn = drawn_k_correlated(2027, 8);
+    REQUIRE(drawn.size() == 8);
+    CHECK(drawn[0].surface.rms_roughness == 0.143);
+    CHECK(drawn[0].surface.correlation_length == 2.582);
+    CHECK(drawn[0].theta_i_deg[0] == 29.7);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const auto& [surface, angles] = drawn[i];
+        CHECK(surface.nu == (i % 2 == 0 ? 0.5 : 1.5));
+        CHECK(surface.rms_roughness >= 0.05);
+        CHECK(surface.rms_roughness <= 0.25);
+        CHECK(surface.correlation_length >= 0.5);
+        CHECK(surface.correlation_length <= 4);
+        CHECK(std::is_sorted(angles.begin(), angles.end()));
+    }
+}
+
 TEST_CASE(
     "surfaces drawn by a seed are the same on every machine, within their ranges, and none of them is of the "
     "first set") {
