@@ -39,17 +39,16 @@ class CosineTable {
     ///   values   as many as there are quantities
     void at(double cosine, std::span<double> values) const noexcept {
         const Place place = place_of(cosine);
-        for (std::size_t q = 0; q < values.size(); ++q) values[q] = place.of[(terms - 1) * quantities_ + q];
-        for (std::size_t k = terms - 1; k-- > 0;) {
-            const double* const row = place.of + k * quantities_;
-            for (std::size_t q = 0; q < values.size(); ++q) values[q] = values[q] * place.x + row[q];
-        }
+        constexpr std::size_t together = 6;
+        std::size_t first = 0;
+        for (; first + together <= values.size(); first += together)
+            std::ranges::copy(some<together>(place, first),
+                              values.begin() + static_cast<std::ptrdiff_t>(first));
+        for (; first < values.size(); ++first) values[first] = some<1>(place, first)[0];
     }
     template <std::size_t quantities>
     [[nodiscard]] std::array<double, quantities> at(double cosine) const noexcept {
-        std::array<double, quantities> values;
-        at(cosine, values);
-        return values;
+        return some<quantities>(place_of(cosine), 0);
     }
     [[nodiscard]] std::size_t bytes() const noexcept { return coefficients_.size() * sizeof(double); }
 
@@ -60,6 +59,18 @@ class CosineTable {
         const double* of;  // coefficients of the cell, by power, then by quantity
         double x;          // -1 ... 1
     };
+    /// Quantities from the first on.
+    template <std::size_t count>
+    [[nodiscard]] std::array<double, count> some(const Place& place, std::size_t first) const noexcept {
+        const double* row = place.of + (terms - 1) * quantities_ + first;
+        std::array<double, count> values;
+        for (std::size_t q = 0; q < count; ++q) values[q] = row[q];
+        for (std::size_t k = terms - 1; k-- > 0;) {
+            row -= quantities_;
+            for (std::size_t q = 0; q < count; ++q) values[q] = values[q] * place.x + row[q];
+        }
+        return values;
+    }
     CosineTable(std::size_t quantities, std::size_t cells)
         : quantities_{quantities}, cells_{cells}, coefficients_(cells * terms * quantities) {}
     [[nodiscard]] Place place_of(double cosine) const noexcept {

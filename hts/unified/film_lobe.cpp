@@ -79,11 +79,21 @@ void FilmLobe::fields(double cosine, std::span<CoatedIndex::Fields> fields) cons
     }
 }
 
-JonesMatrix FilmLobe::operator()(const FilmPair& pair, double lobe, double share) const noexcept {
-    std::array<CoatedIndex::Fields, CoatedIndex::most_films + 1> of_in, of_out;
+/// Bragg's matrix, with room for so many interfaces.
+template <std::size_t room>
+JonesMatrix FilmLobe::bragg(const FilmPair& pair) const noexcept {
+    std::array<CoatedIndex::Fields, room> of_in, of_out;
     fields(pair.in.cos_theta(), of_in);
     fields(pair.out.cos_theta(), of_out);
-    const JonesMatrix bragg = bragg_of_fields(pair.in, pair.out, amplitudes_.index(), of_in, of_out);
+    return bragg_of_fields(pair.in, pair.out, amplitudes_.index(), of_in, of_out);
+}
+
+JonesMatrix FilmLobe::operator()(const FilmPair& pair, double lobe, double share) const noexcept {
+    const std::size_t interfaces = amplitudes_.index().interfaces();
+    const JonesMatrix bragg = interfaces == 2 ? this->bragg<2>(pair)
+                              : interfaces <= most_interfaces
+                                  ? this->bragg<most_interfaces>(pair)
+                                  : this->bragg<CoatedIndex::most_films + 1>(pair);
     const FresnelAmplitudes f = amplitudes_.amplitudes(pair.cos_theta_d);
     const JonesMatrix facet = sum_of(pair.s, f.s, pair.p, f.p);
     const double scale = std::sqrt(lobe);

@@ -38,6 +38,8 @@ class FilmLobe {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    template <std::size_t room>
+    [[nodiscard]] JonesMatrix bragg(const FilmPair& pair) const noexcept;
     void fields(double cosine, std::span<CoatedIndex::Fields> fields) const noexcept;
 
     FilmTable amplitudes_;
