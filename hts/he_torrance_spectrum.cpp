@@ -80,8 +80,8 @@ struct HeTorranceSpectrum::Lanes {
         for (const SpectralSample& sample : samples) films.emplace_back(sample.index);
     }
 
-    /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take the
-    /// pair.
+    /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take
+    /// the pair.
     bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
                           std::span<Mueller> result) const noexcept {
         // the lobes stand in front in the room of the matrices, which are filled from the last on

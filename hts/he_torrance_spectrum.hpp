@@ -6,7 +6,7 @@
 /// take the exact path of terms.hpp, and so does another limit of a correlation that is not Gaussian.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
-/// reflectance multiplies it, from a table over cos theta_d for each wavelength (error 1e-10 of the amplitudes);
+/// reflectance multiplies it, from a table over cos theta_d for each wavelength (amplitudes to 1e-10);
 /// one by one where no table of bounded size would do.
 #pragma once
 

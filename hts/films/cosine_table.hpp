@@ -1,5 +1,5 @@
-// Smooth functions of the cosine of an angle of incidence, tabulated: amplitudes of films, which take long. Not
-// installed.
+// Smooth functions of the cosine of an angle of incidence, tabulated: amplitudes of films, which take long.
+// Not installed.
 #pragma once
 
 #include <algorithm>

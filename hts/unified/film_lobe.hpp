@@ -1,5 +1,5 @@
-/// The Jones matrix of he_unified under films at one wavelength, from tables of amplitudes and fields over the
-/// angles. Not installed.
+/// The Jones matrix of he_unified under films at one wavelength, from tables of amplitudes and fields over
+/// the angles. Not installed.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace hts {
 
-/// Bragg's matrix of a stack: the sum over the interfaces, each with the step of N^2 there and the fields that
-/// both waves have there.
+/// Bragg's matrix of a stack: the sum over the interfaces, each with the step of N^2 there and the fields
+/// that both waves have there.
 [[nodiscard]] JonesMatrix bragg_of_fields(const Direction& in, const Direction& out, const CoatedIndex& index,
                                           std::span<const CoatedIndex::Fields> of_in,
                                           std::span<const CoatedIndex::Fields> of_out) noexcept;

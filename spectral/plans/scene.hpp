@@ -54,8 +54,8 @@ void require_tolerance(ErrorMeasure measure, double tolerance);
 /// "materials" are material files of any model, relative to this file, or their content; "wavelengths_um" is
 /// text as WavelengthGrid::parse takes it, or a list; "output" is "spectral" or "rgb", the latter with an
 /// optional "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error,
-/// delta_e_2000, for unpolarised rgb alone, and true_db, as spectral/plans/true_tolerance.hpp says. "outside" (error if left out, hold, zero; "clamp":
-/// true is hold) says what stands outside a material's range. "polarised" is false if left out, and without a
+/// delta_e_2000, for unpolarised rgb alone, and true_db, as spectral/plans/true_tolerance.hpp says.
+/// "outside" (error if left out, hold, zero; "clamp": true is hold) says what stands outside a material's range. "polarised" is false if left out, and without a
 /// budget memory does not count. "compensate_energy" (false if left out) is the optional energy compensation,
 /// which is not part of the published model. Both are for materials of model he alone. hts::Error "path: key
 /// "…": …" names the key and the legal range, or what contradicts what.

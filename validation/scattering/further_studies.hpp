@@ -1,5 +1,6 @@
 /// Exact scattering beyond the first maps (`exact_scattering`, `dielectric_scattering`): surfaces that no
-/// constant of a model was chosen by, K-correlated ones, a metal, longer profiles, and what twice the points change.
+/// constant of a model was chosen by, K-correlated ones, a metal, longer profiles, and what twice the points
+/// change.
 #pragma once
 
 #include "validation/scattering/exact_scattering.hpp"

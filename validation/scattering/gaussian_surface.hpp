@@ -23,8 +23,9 @@ namespace hts::validation {
 struct RoughnessStatistics {
     double rms_roughness;       ///< sigma_0
     double correlation_length;  ///< tau; l of a K-correlation
-    /// Of a K-correlated profile, C = 2^(1 - nu)/Gamma(nu) x^nu K_nu(x), x = r/l, whose spectrum (1 + (kappa
-    /// l)^2)^(-nu - 1/2) is cut beyond most_frequency; sigma_0 is the rms of what remains. None of a Gaussian.
+    /// Of a K-correlated profile, C = 2^(1 - nu)/Gamma(nu) x^nu K_nu(x), x = r/l, whose spectrum
+    /// (1 + (kappa l)^2)^(-nu - 1/2) is cut beyond most_frequency; sigma_0 is the rms of what remains.
+    /// None of a Gaussian.
     std::optional<double> nu{};
 };
 /// Of K-correlated profiles, in one over the unit of length.
@@ -50,7 +51,8 @@ struct RandomField {
     std::vector<double> height, slope_x, slope_y;
 };
 
-///   samples   as above, along a side      domain   Gaussian correlation, else hts::Error      cost   0.2 microseconds a sample
+///   samples   as above, along a side      domain   Gaussian correlation, else hts::Error
+///   cost      0.2 microseconds a sample
 [[nodiscard]] RandomField random_field(const RoughnessStatistics& statistics, double step,
                                        std::size_t samples, std::uint64_t seed);
 

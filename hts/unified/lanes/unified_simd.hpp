@@ -85,7 +85,8 @@ struct Forms {
     SharesOne shares_one;
 };
 
-/// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6, and with 2 D of other correlations.
+/// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6, and with 2 D of another
+/// correlation.
 struct FormTable {
     Forms low, medium, correlated;
 };
