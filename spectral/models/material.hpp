@@ -95,6 +95,9 @@ class Material {
     std::string substance_, name_, model_name_, model_source_;
 };
 
+/// hts::Error of materials that hold the channels of a colour in place of a spectrum.
+void require_spectrum(const Material& material);
+
 /// A material file on its way to a Material.
 struct MaterialFile {
     JsonValue json;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spectral/jobs/progress.hpp"
+
 namespace hts::validation {
 namespace {
 
@@ -122,6 +124,14 @@ class Function final : public ceres::CostFunction {
     const Residuals& residuals_;
 };
 
+/// Gives up where the process is asked to stop.
+class StopCallback final : public ceres::IterationCallback {
+  public:
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
+        return spectral::asked_to_stop() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+};
+
 double half_sum_of_squares(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values) sum += value * value;
@@ -179,7 +189,10 @@ Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
         problem.SetParameterUpperBound(start.data(), static_cast<int>(j), bounds[j].highest);
     }
     ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(stopping), &problem, &summary);
+    StopCallback stop;
+    ceres::Solver::Options options = solver_options(stopping);
+    options.callbacks.push_back(&stop);
+    ceres::Solve(options, &problem, &summary);
     return {start, half_sum_of_squares(residuals(start, false).residuals),
             static_cast<int>(summary.iterations.size()) - 1, summary.termination_type == ceres::CONVERGENCE};
 }
