@@ -44,9 +44,20 @@ struct Stopping {
     double least_gain;  ///< of a step, relative to the sum of squares
 };
 
+/// Half the sum of squares.
+[[nodiscard]] inline double half_sum_of_squares(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value * value;
+    return sum / 2;
+}
+
 /// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start
 /// within them. The same bits for the same start.
 [[nodiscard]] Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
                                     const std::vector<Bounds>& bounds, const Stopping& stopping);
+
+/// The type of `local_minimum`, and of what the module of Ceres Solver has.
+using LocalMinimum = Minimum(const Residuals&, std::vector<double>, const std::vector<Bounds>&,
+                             const Stopping&);
 
 }  // namespace hts::validation
