@@ -122,16 +122,27 @@ TEST_CASE("hts info says how far he and he_unified are to be expected from exact
         R"({"model": "he_unified", "rms_roughness_um": 0.14, "correlation_length_um": 1.1, "index": "Al"})");
     const auto text = place.hts("info m.json --wavelengths 0.55 --theta 30,85");
     CHECK(text.exit_code == 0);
-    for (const std::string part : {"Expected distance from exact scattering [dB]", "1 of 1", "unknown",
-                                   "0 of 1", "A case that is left out is met within a factor of",
-                                   "of what is outside nothing is known", "its mirror is not shadowed"}) {
+    for (const std::string part :
+         {"Expected distance from exact scattering [dB]", "1 of 1", "unknown", "0 of 1",
+          "A case that is left out is met within a factor of", "of what is outside nothing is known",
+          "its mirror is not shadowed", "OUTSIDE the model's validity at 1 of 2 points",
+          "nothing like it was solved"}) {
         INFO(part);
         CHECK(text.output.find(part) != std::string::npos);
     }
     CHECK(text.output.find("not measured yet") == std::string::npos);
+    CHECK(text.output.find("curvature: k R") == std::string::npos);  // the criteria are those of he
+    const auto inside = place.hts("info m.json --wavelengths 0.55 --theta 30");
+    CHECK(inside.output.find("Inside the model's validity: at most 0.5 dB from exact scattering") !=
+          std::string::npos);
+    CHECK(inside.output.find("fine      0.") != std::string::npos);
     const auto json =
         nlohmann::json::parse(place.hts("info m.json --wavelengths 0.55 --theta 30,85 --json").output);
     const auto& near = json["expected_distance_db"]["by_angle"][0];
+    CHECK(json["limits_of_model"] == "he_unified");
+    CHECK(json["validity"] == "outside");
+    CHECK(json["findings"].empty());
+    CHECK(json["expected_error_db"].is_null());  // one angle is not studied
     CHECK(near["he_unified"]["tm"].get<double>() < near["he"]["tm"].get<double>());
     CHECK(json["expected_distance_db"]["by_angle"][1]["he"].is_null());
     CHECK(json["expected_distance_db"]["cases"].get<int>() > 100);
