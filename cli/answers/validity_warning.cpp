@@ -8,6 +8,7 @@
 #include "cli/io/options.hpp"
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
+#include "spectral/energy/surely_valid.hpp"
 
 namespace hts::cli {
 
@@ -92,8 +93,13 @@ void ValidityWarning::note(const spectral::Reflectance& reflectance, const Direc
     gain_.note(reflectance, pair.in);
     const auto& surface = reflectance.properties().surface;
     if (!surface) return;
-    for (const SpectralSample& sample : reflectance.samples())
-        note(spectral::validity(*surface, pair, sample));
+    for (const SpectralSample& sample : reflectance.samples()) {
+        if (spectral::surely_valid(*surface, pair, sample.wavelength)) {
+            ++verdicts_.mine().count;
+        } else {
+            note(spectral::validity(*surface, pair, sample));
+        }
+    }
 }
 
 ValidityWarning::Verdicts ValidityWarning::all() const {
