@@ -44,8 +44,8 @@ std::string correlated_surface_text(const Surface& surface) {
                                                     : brief(along) + " um along the azimuth " +
                                                           brief(azimuth_in_degrees(surface)) + " deg and " +
                                                           brief(across) + " um across";
-    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " +
-           lengths;
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation " + surface.correlation()->name() +
+           ", its length " + lengths;
 }
 
 }  // namespace
@@ -92,6 +92,7 @@ std::string roughness_text(const RoughSurface& surface, const std::vector<double
 
 void add_roughness(Json& to, const RoughSurface& surface, const std::vector<double>& wavelengths) {
     if (!says_more(surface)) return;
+    if (const auto& shape = surface.correlation()) to["correlation"] = shape->name();
     if (const auto& band = surface.band()) {
         to["rms_band_um"] = {1 / band->to, band->from > 0 ? Json(1 / band->from) : Json("infinity")};
         to["rms_roughness_of_band_um"] = rms_of_band(surface, *band);

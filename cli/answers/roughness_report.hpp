@@ -27,7 +27,7 @@ struct SeenRoughness {
 ///   wavelengths   [um], increasing, of which the ends are shown
 [[nodiscard]] std::string roughness_text(const spectral::RoughSurface& surface,
                                          const std::vector<double>& wavelengths);
-/// Adds the keys "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over
+/// Adds the keys "correlation", "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over
 /// wavelengths, where there is text.
 void add_roughness(nlohmann::ordered_json& to, const spectral::RoughSurface& surface,
                    const std::vector<double>& wavelengths);

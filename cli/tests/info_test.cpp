@@ -153,3 +153,14 @@ TEST_CASE("hts info says how far he and he_unified are to be expected from exact
     CHECK(rows[2][rows[2].size() - 7] == "no");
     CHECK(rows[2].back() == "nan");
 }
+
+TEST_CASE("hts info names the correlation of a surface") {
+    const Workplace place;
+    place.file("m.json", R"({"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 1,
+                             "correlation": {"type": "matern", "nu": 1.5}, "index": "Al"})");
+    const auto text = place.hts("info m.json --wavelengths 0.55");
+    CHECK(text.output.find("sigma0 0.1 um, correlation matern, nu 1.5, its length 1 um") !=
+          std::string::npos);
+    const auto json = nlohmann::json::parse(place.hts("info m.json --wavelengths 0.55 --json").output);
+    CHECK(json["correlation"] == "matern, nu 1.5");
+}

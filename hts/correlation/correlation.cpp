@@ -191,6 +191,10 @@ Correlation::Scaled Correlation::of_autocorrelation(std::span<const double> dist
     return {Correlation{std::make_shared<Shared>(made.shape)}, made.length, 1};
 }
 
+std::string Correlation::name() const {
+    return shared_->shape->name();
+}
+
 double Correlation::log_spectrum(double q) const {
     return shared_->shape->log_spectrum(q);
 }

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace hts {
@@ -78,6 +79,9 @@ class Correlation {
     [[nodiscard]] static Scaled of_autocorrelation(std::span<const double> distance,
                                                    std::span<const double> correlation);
 
+    /// For people: "exponential", "matern, nu 1.5", "sum of 0.9 of gaussian + 0.1 of exponential",
+    /// "tabulated".
+    [[nodiscard]] std::string name() const;
     /// ln W(q); -infinity where there is no power.
     [[nodiscard]] double log_spectrum(double q) const;
     /// Share of the variance of heights that frequencies below q carry, integral of W q dq.
