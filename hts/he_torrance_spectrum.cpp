@@ -6,59 +6,34 @@
 #include <utility>
 
 #include "hts/error.hpp"
-#include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/evaluation/prepared.hpp"
+#include "hts/evaluation/single_simd.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
 
 namespace hts {
-namespace {
 
 using evaluation_detail::Forms;
 using evaluation_detail::Prepared;
+using evaluation_detail::PreparedSingle;
 using evaluation_detail::require_size;
-
-constexpr std::size_t padding = 8;  // the longest vector
-
-double square(double x) {
-    return x * x;
-}
-
-Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples) {
-    const double sigma_squared = square(surface.rms_roughness());
-    const double tau_squared = square(surface.correlation_length());
-    const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
-    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
-                tau_squared * std::numbers::inv_pi, evaluation_detail::axis_terms(surface)},
-               samples.size(),
-               padded,
-               std::vector<double>(Prepared::columns * padded)};
-    for (std::size_t i = 0; i < padded; ++i) {
-        const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
-        const double n = s.index.substrate().n();
-        const double k = s.index.substrate().k();
-        // N = i, which reflects everything at every angle, stands for what has films
-        const double d_real = s.index.coated() ? -2 : (n - 1) * (n + 1) - k * k;
-        const double d_imaginary_squared = s.index.coated() ? 0 : square(2 * n * k);
-        const double wave_squared = square(s.wavelength.wave_number());
-        const auto set = [&p, padded, i](Prepared::Column column, double value) {
-            p.data[column * padded + i] = value;
-        };
-        set(Prepared::wave_squared, wave_squared);
-        set(Prepared::inverse_wave_squared, 1 / wave_squared);
-        set(Prepared::d_real, d_real);
-        set(Prepared::d_imaginary_squared, d_imaginary_squared);
-        set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
-        set(Prepared::uniform, s.index.coated() ? 0 : s.uniform_diffuse);
-    }
-    return p;
-}
-
-}  // namespace
+using evaluation_detail::SingleForms;
 
 struct HeTorranceSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
     bool lack_films;
+    SingleForms single_forms{};  // null unless single precision meets the tolerance
+    PreparedSingle single{};
+
+    [[nodiscard]] bool brdf(const DirectionPair& pair, double* result) const noexcept {
+        return single_forms.brdf_one != nullptr ? single_forms.brdf_one(single, pair, result)
+                                                : forms.brdf_one(prepared, pair, result);
+    }
+    [[nodiscard]] bool brdf(std::span<const DirectionPair> pairs, double* result) const noexcept {
+        return single_forms.brdf_many != nullptr ? single_forms.brdf_many(single, pairs, result)
+                                                 : forms.brdf_many(prepared, pairs, result);
+    }
 };
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
@@ -72,11 +47,17 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    const Forms forms = evaluation_detail::forms(tolerance, lobe);
+    const Forms forms = evaluation_detail::forms(lobe);
     if (forms.brdf_one == nullptr) return;
     const bool coated =
         std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
-    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_), coated});
+    Lanes lanes{forms, evaluation_detail::prepared_as<double>(surface_, samples_), coated};
+    if (tolerance.relative_error() >= accuracy::single_precision_brdf &&
+        evaluation_detail::fits_single(surface_, samples_)) {
+        lanes.single_forms = evaluation_detail::single_forms(lobe);
+        lanes.single = evaluation_detail::prepared_as<float>(surface_, samples_);
+    }
+    lanes_ = std::make_unique<const Lanes>(std::move(lanes));
 }
 
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
@@ -99,21 +80,22 @@ HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noex
 }
 
 std::size_t HeTorranceSpectrum::bytes() const noexcept {
-    const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
+    const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
+                                           lanes_->single.data.size() * sizeof(float)
+                                     : 0;
     return sizeof *this + samples_.size() * sizeof(SpectralSample) + seen_.size() * sizeof(Surface) + lanes;
 }
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data()))
-        return add_films(pair, result);
+    if (lanes_ && lanes_->brdf(pair, result.data())) return add_films(pair, result);
     exact_brdf(pair, result);
 }
 
 void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
     require_size("brdf", result.size(), count, pairs.size());
-    const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
+    const bool lanes_take_all = lanes_ && lanes_->brdf(pairs, result.data());
     if (lanes_take_all && !lanes_->lack_films) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto values = result.subspan(i * count, count);

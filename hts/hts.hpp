@@ -9,6 +9,7 @@
 #include "hts/fresnel.hpp"
 #include "hts/he_torrance.hpp"
 #include "hts/he_torrance_gradient.hpp"
+#include "hts/he_torrance_single.hpp"
 #include "hts/he_torrance_spectrum.hpp"
 #include "hts/microfacet/albedo.hpp"
 #include "hts/microfacet/ashikhmin.hpp"

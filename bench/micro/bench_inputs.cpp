@@ -44,6 +44,15 @@ const std::vector<spectral::DirectionPair>& bench_pairs() {
     return pairs;
 }
 
+const std::vector<VectorPair>& bench_vectors() {
+    static const auto vectors = [] {
+        std::vector<VectorPair> converted;
+        for (const auto& [in, out] : bench_pairs()) converted.push_back({single(in), single(out)});
+        return converted;
+    }();
+    return vectors;
+}
+
 const std::vector<std::array<double, 3>>& bench_uniforms() {
     static const auto numbers = [] {
         Random random{20240603};
@@ -87,6 +96,11 @@ MetalIndices bench_indices(int wavelengths) {
         indices.k.push_back(sample.index.substrate().k());
     }
     return indices;
+}
+
+PbrtConductor bench_pbrt_conductor(int wavelengths, Compilation compilation) {
+    const auto [n, k] = bench_indices(wavelengths);
+    return {bench_surface().slope_width(), n, k, compilation};
 }
 
 }  // namespace hts::bench

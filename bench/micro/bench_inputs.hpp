@@ -7,6 +7,7 @@
 
 #include "bench/phi/accuracy_sweep.hpp"
 #include "bench/rivals/ggx.hpp"
+#include "bench/rivals/pbrt_conductor.hpp"
 #include "hts/he_torrance_spectrum.hpp"
 #include "spectral/models/material.hpp"
 
@@ -26,6 +27,9 @@ inline constexpr std::size_t bench_block = 1024;
 
 /// Pairs of directions, each uniform in solid angle over the hemisphere.
 [[nodiscard]] const std::vector<spectral::DirectionPair>& bench_pairs();
+
+/// The same pairs as unit vectors in single precision.
+[[nodiscard]] const std::vector<VectorPair>& bench_vectors();
 
 /// Numbers to draw directions from, as many as there are pairs.
 [[nodiscard]] const std::vector<std::array<double, 3>>& bench_uniforms();
@@ -56,5 +60,7 @@ template <class Conductor = RoughConductor>
     const auto [n, k] = bench_indices(wavelengths);
     return {bench_surface().slope_width(), n, k};
 }
+
+[[nodiscard]] PbrtConductor bench_pbrt_conductor(int wavelengths, Compilation compilation);
 
 }  // namespace hts::bench

@@ -2,6 +2,7 @@
 // metal.
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "bench/micro/bench_inputs.hpp"
@@ -39,6 +40,50 @@ void sample(benchmark::State& state, const Model& model, const Draw& draw) {
         }
         benchmark::DoNotOptimize(weights.data());
         benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// The same of what pbrt-v4 does.
+void sample_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    std::vector<float> weights(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        const auto drawn = model.sample(pairs[i].in, {uniforms[i][1], uniforms[i][2]}, weights);
+        if (drawn.pdf > 0) {
+            const float factor = drawn.out.z / drawn.pdf;
+            for (float& weight : weights) weight *= factor;
+        }
+        benchmark::DoNotOptimize(weights.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void draw_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        auto drawn = model.draw(pairs[i].in, {uniforms[i][1], uniforms[i][2]});
+        benchmark::DoNotOptimize(drawn);
+    }
+    report_items(state, 1);
+}
+
+void pdf_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& pair = pairs[cycle.next()];
+        benchmark::DoNotOptimize(model.pdf(pair.in, pair.out));
     }
     report_items(state, 1);
 }
@@ -84,6 +129,15 @@ void register_sampling() {
     };
     add("sample/he/4", [](benchmark::State& s) { sample(s, bench_he_torrance(4), he); });
     add("sample/ggx/4", [](benchmark::State& s) { sample(s, bench_conductor(4), ggx); });
+    const auto both = [](const std::string& name, const char* after,
+                         void (*run)(benchmark::State&, Compilation)) {
+        benchmark::RegisterBenchmark((name + "/pbrt" + after).c_str(), run, Compilation::as_pbrt_is_built);
+        benchmark::RegisterBenchmark((name + "/pbrt_without_errno" + after).c_str(), run,
+                                     Compilation::without_errno);
+    };
+    both("sample", "/4", sample_pbrt);
+    both("draw", "", draw_pbrt);
+    both("pdf", "", pdf_pbrt);
     add("draw/he", [](benchmark::State& s) { draw_only(s, he); });
     add("draw/ggx", [](benchmark::State& s) { draw_only(s, ggx); });
     add("pdf/he", [](benchmark::State& s) { pdf(s, he_sampler()); });

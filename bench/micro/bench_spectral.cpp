@@ -34,6 +34,21 @@ void evaluate(benchmark::State& state, const Model& model) {
     report_items(state, 1);
 }
 
+/// The same of what pbrt-v4 does, which takes unit vectors in single precision.
+void evaluate_pbrt(benchmark::State& state, int wavelengths, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(wavelengths, compilation);
+    const auto& pairs = bench_vectors();
+    std::vector<float> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& [in, out] = pairs[cycle.next()];
+        model.brdf(in, out, result);
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
 /// A block of pairs per iteration.
 template <class Model>
 void evaluate_batch(benchmark::State& state, const Model& model) {
@@ -82,6 +97,10 @@ void register_spectral() {
     for (const int n : {1, 4, 8, 16, 31}) {
         add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
         add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor(w)); });
+        add("eval/pbrt", n,
+            [](benchmark::State& s, int w) { evaluate_pbrt(s, w, Compilation::as_pbrt_is_built); });
+        add("eval/pbrt_without_errno", n,
+            [](benchmark::State& s, int w) { evaluate_pbrt(s, w, Compilation::without_errno); });
         add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
         add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
         add("eval/ggx_lanes", n,

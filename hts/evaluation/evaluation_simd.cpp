@@ -11,18 +11,15 @@
 #define HWY_TARGET_INCLUDE "hts/evaluation/evaluation_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
-#include "hts/evaluation/kernel-inl.hpp"
-#include "hts/evaluation/limits-inl.hpp"
+#include "hts/evaluation/items-inl.hpp"
 #include "hts/evaluation/pairs-inl.hpp"
 #include "hts/evaluation/turns-inl.hpp"
-#include "hts/phi/phi_block-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::evaluation_detail::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace hl = lanes::HWY_NAMESPACE;
-namespace phi = phi_detail::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR  // no vectors, as on x86 before SSSE3: the exact path
 
@@ -36,7 +33,7 @@ FormTable form_table() {
 template <class Lanes>
 HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const SurfaceTerms& surface,
                                                         const DirectionPair& pair) {
-    constexpr auto two = phi::two;
+    constexpr auto two = hl::two;
     constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both;
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
@@ -51,43 +48,15 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Su
     const PairAngles<typename Lanes::Real> angles{
         o.real(in.cos_theta()),  o.real(in.sin_theta()),  o.real(in.cos_phi()),  o.real(in.sin_phi()),
         o.real(out.cos_theta()), o.real(out.sin_theta()), o.real(out.cos_phi()), o.real(out.sin_phi())};
-    return pair_terms(o, surface, angles, o.real(one_plus_lambert(v)), o.real(shadowing));
+    const auto w = o.real(one_plus_lambert(v));
+    return pair_terms(o, surface, pair_shape(o, surface.axes, angles), w, o.real(surface.variance) / w,
+                      o.real(shadowing));
 }
-
-/// Items of one pair from a wavelength on: a lane is a wavelength.
-template <std::size_t most_lanes>
-struct Spectrum {
-    static constexpr hn::CappedTag<double, most_lanes> d{};
-    using Lanes = hl::WideLanes<hn::CappedTag<double, most_lanes> >;
-    using V = hn::Vec<decltype(d)>;
-    static constexpr std::size_t lanes = hn::MaxLanes(d);
-
-    const Prepared& p;
-    const PairTerms<V>& terms;
-    std::size_t first;
-
-    HWY_INLINE V load(Prepared::Column column, std::size_t i) const {
-        return hn::LoadU(d, p[column] + first + i);
-    }
-    HWY_INLINE FresnelTerms<V> fresnel(std::size_t i) const {
-        return fresnel_terms(
-            Lanes{}, terms.cos_squared,
-            IndexTerms<V>{load(Prepared::d_real, i), load(Prepared::d_imaginary_squared, i)});
-    }
-    HWY_INLINE V g(std::size_t i) const { return terms.variance * load(Prepared::wave_squared, i); }
-    HWY_INLINE V t(std::size_t i) const { return terms.argument * load(Prepared::wave_squared, i); }
-    HWY_INLINE V inverse_g(std::size_t i) const {
-        return terms.inverse_variance * load(Prepared::inverse_wave_squared, i);
-    }
-    HWY_INLINE V scale(std::size_t i) const {
-        return unpolarised(terms.lobe * load(Prepared::weight, i), fresnel(i));
-    }
-};
 
 /// The same with the Fresnel terms that a Mueller matrix multiplies left out.
 template <std::size_t most_lanes>
-struct PolarisedSpectrum : Spectrum<most_lanes> {
-    using V = typename Spectrum<most_lanes>::V;
+struct PolarisedSpectrum : Spectrum<double, most_lanes> {
+    using V = typename Spectrum<double, most_lanes>::V;
     HWY_INLINE V scale(std::size_t i) const {
         const auto f = this->fresnel(i);
         return this->terms.lobe * this->load(Prepared::weight, i) / (f.s_below * f.s_below * f.p_below);
@@ -106,10 +75,12 @@ HWY_INLINE void store_some(hn::Vec<D> value, D d, std::size_t count, double* to)
     }
 }
 
+// A function each for few wavelengths and for many, so that neither holds the other's constants.
+
 template <class Lobe>
-HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Items = Spectrum<8>;
-    using Block = typename Lobe::template Block<8, Items>;
+HWY_ATTR HWY_NOINLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
+    using Items = Spectrum<double, 8>;
+    using Block = typename Lobe::template Block<Items>;
     const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
     for (std::size_t first = 0; first < p.count; first += Block::size) {
         const std::size_t count = std::min(Block::size, p.count - first);
@@ -124,18 +95,18 @@ HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double
 
 /// The same where the wavelengths fit one vector.
 template <class Lobe>
-HWY_INLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Items = Spectrum<4>;
+HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
+    using Items = Spectrum<double, 4>;
     const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
     const Items items{p, terms, 0};
-    typename Lobe::template Block<4, Items> block{items};
+    typename Lobe::template Block<Items> block{items};
     store_some(block.one_vector() + items.load(Prepared::uniform, 0), Items::d, p.count, result);
 }
 
 template <class Lobe>
 HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
-    if (p.count <= Spectrum<4>::lanes)
+    if (p.count <= Spectrum<double, 4>::lanes)
         brdf_of_one_vector<Lobe>(p, pair, result);
     else
         brdf_of_one<Lobe>(p, pair, result);
@@ -145,7 +116,7 @@ HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* res
 template <class Lobe, std::size_t most_lanes>
 HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
     using Items = PolarisedSpectrum<most_lanes>;
-    using Block = typename Lobe::template Block<most_lanes, Items>;
+    using Block = typename Lobe::template Block<Items>;
     constexpr auto d = Items::d;
     const auto terms = terms_of_one(typename Items::Lanes{}, p.surface, pair);
     const TurnedMueller turned{turns(pair)};
@@ -184,7 +155,7 @@ HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller*
 /// |F|^2 exp(-g) S of a direction and its mirror direction: a pair's terms without the lobe.
 template <std::size_t most_lanes>
 HWY_INLINE void specular_of_one(const Prepared& p, const Direction& in, double* result) {
-    using Items = Spectrum<most_lanes>;
+    using Items = Spectrum<double, most_lanes>;
     constexpr typename Items::Lanes o{};
     const auto terms = terms_of_one(o, p.surface, {in, in.mirror()});
     // at theta_r = theta_i the lobe's factor is tau^2/(4 pi) S
@@ -200,39 +171,12 @@ HWY_INLINE void specular_of_one(const Prepared& p, const Direction& in, double* 
 
 HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(in))) return false;
-    if (p.count <= Spectrum<4>::lanes)
+    if (p.count <= Spectrum<double, 4>::lanes)
         specular_of_one<4>(p, in, result);
     else
         specular_of_one<8>(p, in, result);
     return true;
 }
-
-/// Items of one wavelength: a lane is a pair.
-struct Pairs {
-    static constexpr auto d = PairBlock::d;
-    using V = PairBlock::V;
-
-    const PairBlock& block;
-    V wave_squared, inverse_wave_squared, weight;
-    IndexTerms<V> index;
-
-    HWY_INLINE Pairs(const PairBlock& of, const Prepared& p, std::size_t j)
-        : block{of},
-          wave_squared{hn::Set(d, p[Prepared::wave_squared][j])},
-          inverse_wave_squared{hn::Set(d, p[Prepared::inverse_wave_squared][j])},
-          weight{hn::Set(d, p[Prepared::weight][j])},
-          index{hn::Set(d, p[Prepared::d_real][j]), hn::Set(d, p[Prepared::d_imaginary_squared][j])} {}
-
-    HWY_INLINE V g(std::size_t i) const { return hn::Load(d, block.variance + i) * wave_squared; }
-    HWY_INLINE V t(std::size_t i) const { return hn::Load(d, block.argument + i) * wave_squared; }
-    HWY_INLINE V inverse_g(std::size_t i) const {
-        return hn::Load(d, block.inverse_variance + i) * inverse_wave_squared;
-    }
-    HWY_INLINE V scale(std::size_t i) const {
-        return unpolarised(hn::Load(d, block.lobe + i) * weight,
-                           fresnel_terms(PairBlock::Lanes{}, hn::Load(d, block.cos_squared + i), index));
-    }
-};
 
 template <class Lobe>
 HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> pairs,
@@ -244,8 +188,8 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
     const std::size_t count = (pairs.size() + lanes - 1) / lanes * lanes;
     block.evaluate(p.surface, count);
     for (std::size_t j = 0; j < p.count; ++j) {
-        const Pairs items{block, p, j};
-        typename Lobe::template Block<8, Pairs> lobes{items};
+        const Pairs<PairBlock> items{block, p, j};
+        typename Lobe::template Block<Pairs<PairBlock> > lobes{items};
         lobes.prepare(count);
         HWY_ALIGN double values[PairBlock::size];
         const auto uniform = hn::Set(d, p[Prepared::uniform][j]);
@@ -258,6 +202,13 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
 template <class Lobe>
 HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs, double* result) {
     bool ordinary = true;
+    if (pairs.size() < fewest_pairs(p.count, PairBlock::lanes)) {
+        for (const DirectionPair& pair : pairs) {
+            ordinary &= brdf_one<Lobe>(p, pair, result);
+            result += p.count;
+        }
+        return ordinary;
+    }
     constexpr std::size_t size = PairBlock::size;
     for (std::size_t first = 0; first < pairs.size(); first += size) {
         const auto block = [pairs, size](std::size_t at) {
@@ -269,28 +220,12 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
     return ordinary;
 }
 
-/// Phi in full, as a Spec's table has it.
-template <class Spec>
-struct Full {
-    template <std::size_t most_lanes, class Items>
-    using Block = phi::PhiBlock<Spec, most_lanes, Items>;
-};
-struct FirstOrder {
-    template <std::size_t most_lanes, class Items>
-    using Block = FirstOrderBlock<most_lanes, Items>;
-};
-struct RoughLimit {
-    template <std::size_t most_lanes, class Items>
-    using Block = RoughLimitBlock<most_lanes, Items>;
-};
-
 template <class Lobe>
 Forms forms_of() {
     return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, specular_one};
 }
 FormTable form_table() {
-    return {forms_of<Full<phi_detail::Low> >(), forms_of<Full<phi_detail::Medium> >(), forms_of<FirstOrder>(),
-            forms_of<RoughLimit>()};
+    return {forms_of<Full<phi_detail::Medium> >(), forms_of<FirstOrder>(), forms_of<RoughLimit>()};
 }
 
 #endif
@@ -349,7 +284,7 @@ void require_size(const char* call, std::size_t size, std::size_t samples, std::
 
 HWY_EXPORT(form_table);
 
-Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept {
+Forms forms(DiffuseLobe lobe) noexcept {
     const FormTable table = HWY_DYNAMIC_DISPATCH(form_table)();
     switch (lobe) {
         case DiffuseLobe::first_order:
@@ -357,8 +292,7 @@ Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept {
         case DiffuseLobe::rough_limit:
             return table.rough_limit;
         default:
-            // leaves the low form of Phi room for the rounding of the rest
-            return tolerance.relative_error() >= phi_detail::Low::error ? table.low : table.medium;
+            return table.full;
     }
 }
 

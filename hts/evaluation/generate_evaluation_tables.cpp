@@ -49,10 +49,12 @@ void print(const Polynomial& p) {
     for (const Real c : p) std::printf("%a, ", static_cast<double>(c));
 }
 
+template <class Number = double>
 void print_array(const char* name, const Function& f, Real low, Real high, std::size_t size) {
-    const Polynomial p = through_nodes(f, low, high, size);
-    std::printf("// worst relative error %.1Le\nconst std::array<double, %zu> %s{", worst(p, f, low, high),
-                size, name);
+    Polynomial p = through_nodes(f, low, high, size);
+    for (Real& coefficient : p) coefficient = static_cast<Number>(coefficient);
+    std::printf("// worst relative error %.1Le\nconst std::array<%s, %zu> %s{", worst(p, f, low, high),
+                sizeof(Number) == sizeof(float) ? "float" : "double", size, name);
     print(p);
     std::puts("};\n");
 }
@@ -84,6 +86,34 @@ void print_lambert() {
     std::printf("};  // worst relative error %.1Le\n", error);
 }
 
+/// Two functions over one piece, interleaved. Their worst relative error.
+Real print_row(const Function& first, const Function& second, Real low, Real high) {
+    const auto rounded = [&](const Function& f) {
+        Polynomial p = through_nodes(f, low, high, single_lambert_row / 2);
+        for (Real& coefficient : p) coefficient = static_cast<float>(coefficient);
+        return p;
+    };
+    const Polynomial a = rounded(first), b = rounded(second);
+    for (std::size_t j = 0; j < single_lambert_row / 2; ++j) print({a[j], b[j]});
+    std::puts("");
+    return std::max(worst(a, first, low, high), worst(b, second, low, high));
+}
+
+void print_single_lambert() {
+    constexpr int pieces = 1 << single_lambert_log2_pieces;
+    Real error = 0;
+    std::printf("alignas(64) const std::array<float, %zu> single_lambert_coefficients{\n",
+                single_lambert_coefficients.size());
+    for (int i = 0; i < lambert_octaves * pieces; ++i) {
+        const Real step = 1 / Real(pieces);
+        const Real low = std::ldexp(1 + step * (i % pieces), i / pieces);
+        error = std::max(error, print_row(
+                                    one_plus_lambert, [](Real v) { return 1 / one_plus_lambert(v); }, low,
+                                    low + std::ldexp(step, i / pieces)));
+    }
+    std::printf("};  // worst relative error %.1Le\n\n", error);
+}
+
 }  // namespace
 
 int main() {
@@ -96,5 +126,8 @@ int main() {
     print_array("erfcx_coefficients", erfcx_over_y, erfcx_centre / Real{erfcx_centre + erfcx_far}, 1,
                 erfcx_coefficients.size());
     print_lambert();
+    print_array<float>("single_erfcx_coefficients", erfcx_over_y,
+                       erfcx_centre / Real{erfcx_centre + erfcx_far}, 1, single_erfcx_coefficients.size());
+    print_single_lambert();
     std::puts("\n}  // namespace hts::evaluation_detail");
 }

@@ -59,7 +59,7 @@ HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const Surfa
                                                                      const DirectionPair& pair) {
     using V = typename Vectors<most_lanes>::V;
     constexpr typename Vectors<most_lanes>::Lanes o{};
-    constexpr auto two = phi::two;
+    constexpr auto two = hl::two;
     constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both{};
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
@@ -204,7 +204,7 @@ struct LobeBlock {
     KicksBlock<KicksSpec, most_lanes, Items> kicks;
     HWY_ALIGN double matrices[polarised ? 8 : 1][block_size];
     All items;
-    phi::PhiBlock<PhiSpec, most_lanes, All> lobe;
+    phi::PhiBlock<PhiSpec, All> lobe;
 
     HWY_INLINE explicit LobeBlock(const Items& of) : items{of, kicks.mean, matrices}, lobe{items} {}
     /// Calls use(i, the lobe of items i ... i + lanes - 1).
