@@ -78,14 +78,18 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
-spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
-    return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = bench_tolerance, .lobe = lobe});
+spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance, DiffuseLobe lobe) {
+    return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = tolerance, .lobe = lobe});
 }
 
 HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths) {
+    return {bench_surface(), bench_samples(wavelengths), bench_tolerance};
+}
+
+std::vector<SpectralSample> bench_samples(int wavelengths) {
     const auto reflectance = bench_he_torrance(wavelengths);
     const auto samples = reflectance.samples();
-    return {bench_surface(), {samples.begin(), samples.end()}, bench_tolerance};
+    return {samples.begin(), samples.end()};
 }
 
 MetalIndices bench_indices(int wavelengths) {

@@ -8,7 +8,7 @@
 #include "bench/phi/accuracy_sweep.hpp"
 #include "bench/rivals/ggx.hpp"
 #include "bench/rivals/pbrt_conductor.hpp"
-#include "hts/he_torrance_spectrum.hpp"
+#include "hts/rendering/he_torrance_single.hpp"
 #include "spectral/models/material.hpp"
 
 namespace hts::bench {
@@ -45,7 +45,8 @@ inline constexpr std::size_t bench_block = 1024;
 inline constexpr Tolerance bench_tolerance{1e-6};
 
 /// That material at those wavelengths, and the prepared spectrum beneath it.
-[[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full);
+[[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance = bench_tolerance,
+                                                      DiffuseLobe lobe = DiffuseLobe::full);
 [[nodiscard]] HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths);
 
 /// The metal's refractive indices at those wavelengths.
@@ -62,5 +63,8 @@ template <class Conductor = RoughConductor>
 }
 
 [[nodiscard]] PbrtConductor bench_pbrt_conductor(int wavelengths, Compilation compilation);
+
+/// What the material is at those wavelengths.
+[[nodiscard]] std::vector<SpectralSample> bench_samples(int wavelengths);
 
 }  // namespace hts::bench

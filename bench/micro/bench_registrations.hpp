@@ -12,7 +12,8 @@ namespace hts::bench {
 void register_phi();
 
 /// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n
-/// wavelengths; eval/pbrt/<n> and eval/pbrt_without_errno/<n>, the conductor of pbrt-v4 in both compilations; reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of
+/// wavelengths; eval/pbrt/<n> and eval/pbrt_without_errno/<n>, the conductor of pbrt-v4 in both compilations;
+/// eval/he_single/<n>, eval_batch/he_single/<n> and eval_pdf/he_single/4 of unit vectors in single precision; reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of
 /// HeTorranceSpectrum.
 void register_spectral();
 

@@ -1,6 +1,7 @@
 // Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same
 // metal.
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -54,6 +55,29 @@ void sample_pbrt(benchmark::State& state, Compilation compilation) {
     for (auto _ : state) {
         const std::size_t i = cycle.next();
         const auto drawn = model.sample(pairs[i].in, {uniforms[i][1], uniforms[i][2]}, weights);
+        if (drawn.pdf > 0) {
+            const float factor = drawn.out.z / drawn.pdf;
+            for (float& weight : weights) weight *= factor;
+        }
+        benchmark::DoNotOptimize(weights.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// The same in single precision, by the mixture of three wavelengths.
+void sample_single(benchmark::State& state) {
+    const HeTorranceRendering model{bench_surface(), bench_samples(4)};
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    std::vector<float> weights(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        const auto& u = uniforms[i];
+        const auto single = [](double x) { return std::min(static_cast<float>(x), 0x1.fffffep-1F); };
+        const auto drawn =
+            model.sample(pairs[i].in, {single(u[0]), single(u[1]), single(u[2]), single(u[0])}, weights);
         if (drawn.pdf > 0) {
             const float factor = drawn.out.z / drawn.pdf;
             for (float& weight : weights) weight *= factor;
@@ -135,6 +159,7 @@ void register_sampling() {
         benchmark::RegisterBenchmark((name + "/pbrt_without_errno" + after).c_str(), run,
                                      Compilation::without_errno);
     };
+    add("sample/he_single/4", sample_single);
     both("sample", "/4", sample_pbrt);
     both("draw", "", draw_pbrt);
     both("pdf", "", pdf_pbrt);

@@ -17,7 +17,8 @@
 #include <span>
 #include <vector>
 
-#include "hts/he_torrance_single.hpp"
+#include "hts/direction.hpp"
+#include "hts/evaluation/single_precision.hpp"
 
 namespace hts::bench {
 

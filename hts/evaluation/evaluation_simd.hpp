@@ -71,7 +71,7 @@ inline constexpr double lowest_cosine = 1.1e-5;
 /// the wavelengths fill those of single pairs.
 ///   lanes   of the block's vectors
 [[nodiscard]] constexpr std::size_t fewest_pairs(std::size_t wavelengths, std::size_t lanes) noexcept {
-    return wavelengths <= 4 ? lanes * 5 / 8 + 1 : lanes * 3 / 2;
+    return wavelengths <= 4 ? lanes / 2 + 3 : 2 * lanes;
 }
 
 /// A Gaussian correlation, lengths and indices whose products stay far from the ends of a

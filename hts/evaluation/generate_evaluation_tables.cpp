@@ -1,12 +1,15 @@
-// Writes evaluation_table.cpp, the coefficients of the lanes, to standard output: Chebyshev interpolants in
-// long double. cmake --build build/release --target hts_evaluation_tables runs it.
+// Writes evaluation_table.cpp and single_table.cpp, the coefficients of the lanes, into a folder: Chebyshev
+// interpolants in long double. cmake --build build/release --target hts_evaluation_tables runs it, clang-format
+// comes after.
 #include "hts/evaluation/evaluation_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <boost/math/special_functions/lambert_w.hpp>
@@ -86,48 +89,58 @@ void print_lambert() {
     std::printf("};  // worst relative error %.1Le\n", error);
 }
 
-/// Two functions over one piece, interleaved. Their worst relative error.
-Real print_row(const Function& first, const Function& second, Real low, Real high) {
-    const auto rounded = [&](const Function& f) {
-        Polynomial p = through_nodes(f, low, high, single_lambert_row / 2);
-        for (Real& coefficient : p) coefficient = static_cast<float>(coefficient);
-        return p;
-    };
-    const Polynomial a = rounded(first), b = rounded(second);
-    for (std::size_t j = 0; j < single_lambert_row / 2; ++j) print({a[j], b[j]});
-    std::puts("");
-    return std::max(worst(a, first, low, high), worst(b, second, low, high));
-}
-
+/// Rows of two interleaved functions, 1 + W_0 and its reciprocal, seven numbers to a line.
 void print_single_lambert() {
     constexpr int pieces = 1 << single_lambert_log2_pieces;
+    const Function reciprocal = [](Real v) { return 1 / one_plus_lambert(v); };
     Real error = 0;
+    std::size_t count = 0;
     std::printf("alignas(64) const std::array<float, %zu> single_lambert_coefficients{\n",
                 single_lambert_coefficients.size());
     for (int i = 0; i < lambert_octaves * pieces; ++i) {
         const Real step = 1 / Real(pieces);
         const Real low = std::ldexp(1 + step * (i % pieces), i / pieces);
-        error = std::max(error, print_row(
-                                    one_plus_lambert, [](Real v) { return 1 / one_plus_lambert(v); }, low,
-                                    low + std::ldexp(step, i / pieces)));
+        const Real high = low + std::ldexp(step, i / pieces);
+        const auto rounded = [&](const Function& f) {
+            Polynomial p = through_nodes(f, low, high, single_lambert_row / 2);
+            for (Real& coefficient : p) coefficient = static_cast<float>(coefficient);
+            error = std::max(error, worst(p, f, low, high));
+            return p;
+        };
+        const Polynomial w = rounded(one_plus_lambert), over_w = rounded(reciprocal);
+        for (std::size_t j = 0; j < w.size(); ++j) {
+            for (const Real c : {w[j], over_w[j]})
+                std::printf("%a,%s", static_cast<double>(c), ++count % 7 == 0 ? "\n" : "");
+        }
     }
-    std::printf("};  // worst relative error %.1Le\n\n", error);
+    std::printf("};  // worst relative error %.1Le\n", error);
 }
 
-}  // namespace
-
-int main() {
+void begin(const std::string& folder, const char* file) {
+    if (std::freopen((folder + '/' + file).c_str(), "w", stdout) == nullptr) std::exit(1);
     std::puts(
         "// Written by generate_evaluation_tables; do not edit.\n#include "
         "\"hts/evaluation/evaluation_table.hpp\"\n");
     std::puts("namespace hts::evaluation_detail {\n");
+}
+void end() {
+    std::puts("\n}  // namespace hts::evaluation_detail");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    begin(argv[1], "evaluation_table.cpp");
     print_array(
         "exp2_coefficients", [](Real f) { return std::exp2(f); }, -0.5L, 0.5L, exp2_coefficients.size());
-    print_array("erfcx_coefficients", erfcx_over_y, erfcx_centre / Real{erfcx_centre + erfcx_far}, 1,
-                erfcx_coefficients.size());
+    constexpr Real first = erfcx_centre / Real{erfcx_centre + erfcx_far};
+    print_array("erfcx_coefficients", erfcx_over_y, first, 1, erfcx_coefficients.size());
     print_lambert();
-    print_array<float>("single_erfcx_coefficients", erfcx_over_y,
-                       erfcx_centre / Real{erfcx_centre + erfcx_far}, 1, single_erfcx_coefficients.size());
+    end();
+    begin(argv[1], "single_table.cpp");
+    print_array<float>("single_erfcx_coefficients", erfcx_over_y, first, 1, single_erfcx_coefficients.size());
+    std::puts("// clang-format off");
     print_single_lambert();
-    std::puts("\n}  // namespace hts::evaluation_detail");
+    end();
 }

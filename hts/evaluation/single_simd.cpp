@@ -107,8 +107,8 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Si
         seen_across(both, in_and_out(pair.cos_in, pair.cos_out), in_and_out(pair.sin_in, pair.sin_out),
                     in_and_out(pair.width_in, pair.width_out));
     const auto swapped = [two](auto v) HWY_ATTR { return hn::Reverse2(two, v); };
-    const float v = hn::GetLane(lambert_coordinate(both, s.obstruction + swapped(s.obstruction)));
-    const auto w = one_plus_lambert(v);
+    const float coordinate = hn::GetLane(lambert_coordinate(both, s.obstruction + swapped(s.obstruction)));
+    const auto w = one_plus_lambert(coordinate);
     const float over_w = hn::GetLane(hn::Reverse2(hn::FixedTag<float, 4>{}, w));
     const auto shadowing = (s.lit * swapped(s.lit)) / (s.reach * swapped(s.reach));
     const auto all = [&o](auto v) HWY_ATTR { return hn::Set(Lanes::d, hn::GetLane(v)); };
@@ -189,9 +189,9 @@ HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const PreparedSingle& p, const Pai
     const auto terms = terms_of_one(Items::Lanes{}, p.surface, single_pair(p.surface, pair));
     const Items items{p, terms, 0};
     typename Lobe::template Block<Items> block{items};
-    HWY_ALIGN float values[4];
+    HWY_ALIGN float values[4] = {};
     hn::Store(block.one_vector() + items.load(PreparedSingle::uniform, 0), Items::d, values);
-    std::copy_n(values, p.count, result);
+    std::copy_n(values, std::min(p.count, std::size_t{4}), result);
 }
 
 template <class Lobe, class Pair, class Result>
@@ -204,10 +204,11 @@ HWY_ATTR HWY_NOINLINE void brdf_of_one(const PreparedSingle& p, const Pair& pair
         const Items items{p, terms, first};
         Block block{items};
         block.prepare((count + Items::lanes - 1) / Items::lanes * Items::lanes);
-        HWY_ALIGN float values[Block::size];
-        for (std::size_t i = 0; i < count; i += Items::lanes)
-            hn::Store(block.value(i) + items.load(PreparedSingle::uniform, i), Items::d, values + i);
-        std::copy_n(values, count, result + first);
+        for (std::size_t i = 0; i < count; i += Items::lanes) {
+            HWY_ALIGN float values[Items::lanes] = {};
+            hn::Store(block.value(i) + items.load(PreparedSingle::uniform, i), Items::d, values);
+            std::copy_n(values, std::min(Items::lanes, count - i), result + first + i);
+        }
     }
 }
 

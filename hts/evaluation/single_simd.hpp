@@ -4,7 +4,7 @@
 #include <span>
 
 #include "hts/evaluation/evaluation_simd.hpp"
-#include "hts/he_torrance_single.hpp"
+#include "hts/evaluation/single_precision.hpp"
 
 namespace hts::evaluation_detail {
 

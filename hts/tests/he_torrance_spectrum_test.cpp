@@ -11,7 +11,7 @@
 
 #include "comparison.hpp"
 #include "hts/error.hpp"
-#include "hts/he_torrance_single.hpp"
+#include "hts/evaluation/single_precision.hpp"
 
 using hts::DiffuseLobe;
 using hts::Direction;

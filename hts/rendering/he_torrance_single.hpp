@@ -16,25 +16,10 @@
 #include <span>
 #include <vector>
 
+#include "hts/evaluation/single_precision.hpp"
 #include "hts/sampling/lobe_sampler.hpp"
 
 namespace hts {
-
-namespace accuracy {
-/// Of a BRDF in single precision: relative above single_precision_floor, absolute times the floor below.
-inline constexpr double single_precision_brdf = 1e-3;
-inline constexpr double single_precision_floor = 1e-30;  ///< [1/sr]
-}  // namespace accuracy
-
-/// A unit vector in the frame of the surface, to rounding; no invariant.
-struct Vector3f {
-    float x, y, z;
-};
-
-/// Light from `in` seen from `out`.
-struct VectorPair {
-    Vector3f in, out;
-};
 
 /// A direction drawn for all wavelengths.
 struct SpectralDraw {

@@ -1,4 +1,4 @@
-#include "hts/he_torrance_single.hpp"
+#include "hts/rendering/he_torrance_single.hpp"
 
 #include <algorithm>
 #include <utility>

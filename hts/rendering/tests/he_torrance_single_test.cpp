@@ -1,5 +1,5 @@
 // Single precision against the exact path of terms.hpp. HTS_EXHAUSTIVE=1 takes 10^7 points, otherwise 10^6.
-#include "hts/he_torrance_single.hpp"
+#include "hts/rendering/he_torrance_single.hpp"
 
 #include <array>
 #include <cmath>
