@@ -290,7 +290,7 @@ bool fits_single(const Surface& surface, std::span<const SpectralSample> samples
                const double wavelength = s.wavelength.micrometres();
                const auto columns = index_columns(s);
                const bool reflects_all =
-                   columns.d_real < 0 && columns.d_imaginary_squared < 1e-8 * columns.d_real * columns.d_real;
+                   columns.d_real < 0 && columns.d_imaginary_squared < 1e-6 * columns.d_real * columns.d_real;
                return wavelength >= 0.05 && wavelength <= 1e3 && s.index.substrate().n() <= 1e3 &&
                       s.index.substrate().k() <= 1e3 && (s.index.coated() || !reflects_all);
            });
