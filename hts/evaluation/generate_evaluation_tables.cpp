@@ -1,6 +1,6 @@
 // Writes evaluation_table.cpp and single_table.cpp, the coefficients of the lanes, into a folder: Chebyshev
-// interpolants in long double. cmake --build build/release --target hts_evaluation_tables runs it, clang-format
-// comes after.
+// interpolants in long double. cmake --build build/release --target hts_evaluation_tables runs it;
+// clang-format comes after.
 #include "hts/evaluation/evaluation_table.hpp"
 
 #include <algorithm>

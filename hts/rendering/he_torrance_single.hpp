@@ -72,7 +72,8 @@ class HeTorranceRendering : public HeTorranceSingle {
     ///   cost   three samplers, some 30 ms each
     HeTorranceRendering(const Surface& surface, const std::vector<SpectralSample>& samples);
 
-    /// Density in solid angle of `sample` drawing `out` from a diffuse lobe [1/sr]; 0 on and below the horizon.
+    /// Density in solid angle of `sample` drawing `out` from a diffuse lobe [1/sr]; 0 on and below the
+    /// horizon.
     [[nodiscard]] float pdf(const Vector3f& in, const Vector3f& out) const noexcept;
     /// Both at once.
     float brdf_and_pdf(const Vector3f& in, const Vector3f& out, std::span<float> result) const;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "hts/error.hpp"
 #include "hts/tolerance.hpp"
@@ -245,8 +246,7 @@ static OutsideRange outside_from(const JsonValue& file) {
     return located(outside->place(), [&] { return outside_range_named(outside->text()); });
 }
 
-Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
-    const JsonValue file = JsonValue::read(path);
+static Scene scene_from(const JsonValue& file, const fs::path& path, std::vector<Material> materials) {
     file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
                              "compensate_energy", "outside", "clamp", "largest_theta_i_deg",
                              "largest_theta_r_deg", "tolerance", "memory_budget_bytes"});
@@ -255,7 +255,7 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue wavelengths = file["wavelengths_um"];
     const bool colour = file["tolerance"].find(name(ErrorMeasure::delta_e_2000)).has_value();
     Scene scene{path,
-                materials_from(file["materials"], path.parent_path(), models),
+                std::move(materials),
                 wavelengths_from(wavelengths),
                 outside_from(file),
                 angle_from(file["largest_theta_i_deg"]),
@@ -273,6 +273,15 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     located(tolerance.place(), [&] { require_tolerance(scene.measure, scene.tolerance); });
     require_wavelengths(wavelengths, scene);
     return scene;
+}
+
+Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
+    const JsonValue file = JsonValue::read(path);
+    return scene_from(file, path, materials_from(file["materials"], path.parent_path(), models));
+}
+
+Scene scene_from_text(const std::string& text, const std::string& source, Material material) {
+    return scene_from(JsonValue::parse(text, source), source, {std::move(material)});
 }
 
 std::string fingerprint(const Scene& scene) {

@@ -60,6 +60,10 @@ void require_tolerance(ErrorMeasure measure, double tolerance);
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path,
                                const std::vector<ModelEntry>& models = built_in_models());
 
+/// The same of one material, from text without the key "materials".
+///   source   what errors call the text
+[[nodiscard]] Scene scene_from_text(const std::string& text, const std::string& source, Material material);
+
 /// A checksum, 16 hexadecimal digits, of all that a plan depends on: every member but `path`, and of each
 /// material its name, its model, and at the wavelengths and between them: of model he index and albedo (to 12
 /// digits) beside the roughness, of others BRDF values of a few directions (to 9, so that another compiler's
