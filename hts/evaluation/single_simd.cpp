@@ -111,7 +111,7 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Si
     const auto w = one_plus_lambert(coordinate);
     const float over_w = hn::GetLane(hn::Reverse2(hn::FixedTag<float, 4>{}, w));
     const auto shadowing = (s.lit * swapped(s.lit)) / (s.reach * swapped(s.reach));
-    const auto all = [&o](auto v) HWY_ATTR { return hn::Set(Lanes::d, hn::GetLane(v)); };
+    const auto all = [](auto v) HWY_ATTR { return hn::Set(Lanes::d, hn::GetLane(v)); };
     const PairShape<typename Lanes::Real> shape{
         hn::Set(Lanes::d, pair.cos_in) + hn::Set(Lanes::d, pair.cos_out), hn::Set(Lanes::d, pair.horizontal),
         hn::Set(Lanes::d, pair.stretched)};
