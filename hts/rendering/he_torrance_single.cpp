@@ -124,16 +124,22 @@ SpectralDraw HeTorranceRendering::sample(const Vector3f& in, const std::array<fl
         return SpectralDraw{out, 0, Lobe::none};
     };
     if (!above(in)) return none(in);
-    const auto chosen = static_cast<std::size_t>(u[3] * static_cast<float>(drawing_wavelengths));
-    const Draw drawn =
-        samplers_[std::min(chosen, drawing_wavelengths - 1)].draw(direction(in), {u[0], u[1], u[2]});
+    const Direction from = direction(in);
+    const std::size_t chosen = std::min(
+        static_cast<std::size_t>(u[3] * static_cast<float>(drawing_wavelengths)), drawing_wavelengths - 1);
+    const Draw drawn = samplers_[chosen].draw(from, {u[0], u[1], u[2]});
     const Vector3f out = rounded(drawn.out);
     if (drawn.lobe == Lobe::specular) {
         specular_reflectance(in, result);
         return {out, specular_probability(in), drawn.lobe};
     }
     if (drawn.lobe == Lobe::none || !above(out)) return none(out);
-    return {out, brdf_and_pdf(in, out, result), drawn.lobe};
+    brdf(in, out, result);
+    double density = drawn.pdf;
+    for (std::size_t i = 0; i < samplers_.size(); ++i) {
+        if (i != chosen) density += samplers_[i].pdf(from, drawn.out);
+    }
+    return {out, static_cast<float>(density / drawing_wavelengths), drawn.lobe};
 }
 
 float HeTorranceRendering::specular_probability(const Vector3f& in) const noexcept {
