@@ -179,7 +179,7 @@ TEST_CASE("the conductor in lanes is the scalar one") {
 TEST_CASE("pbrt's conductor is the plain one in single precision, however compiled") {
     using hts::bench::Compilation;
     Random random{4};
-    WorstCase brdf{"pbrt's BRDF", 4e-3}, density{"pbrt's density", 4e-3};
+    WorstCase brdf{"pbrt's BRDF", 8e-6}, density{"pbrt's density", 8e-6};
     for (const auto compilation : {Compilation::as_pbrt_is_built, Compilation::without_errno}) {
         const std::vector<double> n{0.2, 1.2, 2.5, 1.1}, k{3, 7, 3.4, 2};
         const RoughConductor plain{0.3, n, k};
