@@ -1,9 +1,9 @@
 /// The three terms of one surface at several wavelengths, prepared once for many fast evaluations.
 ///
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
-/// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
-/// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon
-/// take the exact path of terms.hpp.
+/// lanes, wavelengths of one pair of directions and pairs of many, chosen by the processor at run time; from
+/// 1e-3 on a BRDF runs in single precision (evaluation/single_precision.hpp). Finer tolerances, extreme
+/// lengths or indices, and directions within lowest_cosine of the horizon take the exact path of terms.hpp.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
 /// reflectance multiplies it.
@@ -70,7 +70,7 @@ class HeTorranceSpectrum {
 
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
     ///   result   samples().size() values
-    ///   error    relative, at most the tolerance, above 1e-280; accuracy::brdf where that is more
+    ///   error    relative, the tolerance or accuracy::brdf, above 1e-280; in single precision above 1e-30
     void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     ///   result   pairs.size() * samples().size() values
