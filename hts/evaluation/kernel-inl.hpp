@@ -58,25 +58,32 @@ HWY_INLINE V erfcx_over_y(const Lanes& o, V position) {
         return polynomial(o, erfcx_coefficients, position);
 }
 
-/// hts::visibility in lanes.
-///   cosine   >= lowest_cosine      width_sine   2 sigma_0 / tau times sin theta, >= 0
-///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+inline constexpr double erfcx_first = erfcx_centre / (erfcx_centre + erfcx_far);
+
+/// The same from c = cosine/width_sine, at most erfcx_far, and y = erfcx_centre/(erfcx_centre + c).
 template <class Lanes, class V>
-HWY_INLINE Seen<V> seen_across(const Lanes& o, V cosine, V sine, V width_times_sine) {
-    constexpr double first = erfcx_centre / (erfcx_centre + erfcx_far);
-    constexpr double length = 1 - first;
-    const V width_sine = o.max(width_times_sine, o.real(is_single<Lanes> ? 1e-30 : 1e-300));
-    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
-    const V centred = o.real(erfcx_centre) * width_sine;
-    const V y = o.max(centred / (centred + cosine), o.real(first));
-    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + first) / (2 * length)));
+HWY_INLINE Seen<V> seen_at(const Lanes& o, V cosine, V tangent, V width_sine, V c, V y) {
+    constexpr double length = 1 - erfcx_first;
+    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + erfcx_first) / (2 * length)));
     const V erfcx = y * erfcx_over_y(o, position);
     const V gaussian = exp_of_minus(o, c * c);
     const V complement = gaussian * erfcx;
     const V ierfc = gaussian * o.neg_mul_add(c, erfcx, o.real(std::numbers::inv_sqrtpi));
     const V half = o.real(0.5);
-    return {sine / cosine * complement, o.neg_mul_add(half, complement, o.real(1)),
+    return {tangent * complement, o.neg_mul_add(half, complement, o.real(1)),
             o.mul_add(half * width_sine, ierfc, cosine), half * width_sine * ierfc};
+}
+
+/// hts::visibility in lanes.
+///   cosine   >= lowest_cosine      width_sine   the width of the slopes times sine, >= 0
+///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen_across(const Lanes& o, V cosine, V sine, V width_times_sine) {
+    const V width_sine = o.max(width_times_sine, o.real(is_single<Lanes> ? 1e-30 : 1e-300));
+    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
+    const V centred = o.real(erfcx_centre) * width_sine;
+    const V y = o.max(centred / (centred + cosine), o.real(erfcx_first));
+    return seen_at(o, cosine, sine / cosine, width_sine, c, y);
 }
 template <class Lanes, class V>
 HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
@@ -219,6 +226,12 @@ HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const Surface& surface, const
                 shadowing_over_cosines,
             cos_squared};
 }
+template <class Lanes, class V>
+HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const SurfaceTerms& surface, const PairAngles<V>& a,
+                                   V one_plus_w, V shadowing_over_cosines) {
+    return pair_terms(o, surface, pair_shape(o, surface.axes, a), one_plus_w,
+                      o.real(surface.variance) / one_plus_w, shadowing_over_cosines);
+}
 
 /// Optical constants at a wavelength: d = N^2 - 1.
 template <class V>
@@ -263,15 +276,6 @@ HWY_INLINE FresnelTerms<V> fresnel_terms(const Lanes& o, V cos_squared, const In
 template <class V>
 HWY_INLINE V unpolarised(V scale, const FresnelTerms<V>& f) {
     return scale * f.p_mean / (f.s_below * f.s_below * f.p_below);
-}
-/// k^2 lobe |F|^2
-///   weight   Prepared::weight; in single precision the reflectance comes first, so that nothing overflows
-template <class Lanes, class V>
-HWY_INLINE V lobe_scale(const Lanes& /*o*/, V lobe, V weight, V wave_squared, const FresnelTerms<V>& f) {
-    if constexpr (is_single<Lanes>)
-        return lobe * wave_squared * unpolarised(weight, f);
-    else
-        return unpolarised(lobe * weight, f);
 }
 
 /// Mueller matrix of diag(F_s, F_p): p on both ends of the diagonal's first half, q beside it, and F_s F_p*.

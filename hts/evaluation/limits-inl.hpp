@@ -59,6 +59,11 @@ struct GeometricLimit {
     }
 };
 
+template <class Items>
+using FirstOrderBlock = LimitBlock<FirstOrderLimit, Items>;
+template <class Items>
+using RoughLimitBlock = LimitBlock<GeometricLimit, Items>;
+
 #endif
 
 }  // namespace hts::evaluation_detail::HWY_NAMESPACE

@@ -70,9 +70,7 @@ struct PairBlock {
             const PairAngles<V> angles{at(cos_in, i),      at(sin_in, i),     at(cos_phi_in, i),
                                        at(sin_phi_in, i),  at(cos_out, i),    at(sin_out, i),
                                        at(cos_phi_out, i), at(sin_phi_out, i)};
-            const V w = at(lambert, i);
-            const auto terms = pair_terms(o, surface, pair_shape(o, surface.axes, angles), w,
-                                          o.real(surface.variance) / w, at(shadowing, i));
+            const auto terms = pair_terms(o, surface, angles, at(lambert, i), at(shadowing, i));
             hn::Store(terms.variance, d, variance + i);
             hn::Store(terms.inverse_variance, d, inverse_variance + i);
             hn::Store(terms.argument, d, argument + i);

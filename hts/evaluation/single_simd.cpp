@@ -10,7 +10,8 @@
 #define HWY_TARGET_INCLUDE "hts/evaluation/single_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
-#include "hts/evaluation/items-inl.hpp"
+#include "hts/evaluation/single_items-inl.hpp"
+#include "hts/phi/phi_block-inl.hpp"
 #include "hwy/cache_control.h"
 #include "hwy/highway.h"
 
@@ -185,7 +186,7 @@ struct SingleBlock {
 
 template <class Lobe, class Pair, class Result>
 HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const PreparedSingle& p, const Pair& pair, Result* result) {
-    using Items = Spectrum<float, 4>;
+    using Items = SingleSpectrum<4>;
     const auto terms = terms_of_one(Items::Lanes{}, p.surface, single_pair(p.surface, pair));
     const Items items{p, terms, 0};
     typename Lobe::template Block<Items> block{items};
@@ -196,7 +197,7 @@ HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const PreparedSingle& p, const Pai
 
 template <class Lobe, class Pair, class Result>
 HWY_ATTR HWY_NOINLINE void brdf_of_one(const PreparedSingle& p, const Pair& pair, Result* result) {
-    using Items = Spectrum<float, 8>;
+    using Items = SingleSpectrum<8>;
     using Block = typename Lobe::template Block<Items>;
     const auto terms = terms_of_one(Items::Lanes{}, p.surface, single_pair(p.surface, pair));
     for (std::size_t first = 0; first < p.count; first += Block::size) {
@@ -226,8 +227,8 @@ HWY_ATTR bool brdf_one(const PreparedSingle& p, const Pair& pair, Result* result
 template <class Lobe>
 HWY_ATTR HWY_NOINLINE void values_at(const PreparedSingle& p, const SingleBlock& pairs, std::size_t j,
                                      std::size_t count, float* values) {
-    const Pairs<SingleBlock> items{pairs, p, j};
-    typename Lobe::template Block<Pairs<SingleBlock> > lobes{items};
+    const SinglePairs<SingleBlock> items{pairs, p, j};
+    typename Lobe::template Block<SinglePairs<SingleBlock> > lobes{items};
     lobes.prepare(count);
     const auto uniform = hn::Set(SingleBlock::d, p[PreparedSingle::uniform][j]);
     for (std::size_t i = 0; i < count; i += SingleBlock::lanes)
@@ -265,13 +266,27 @@ HWY_ATTR bool brdf_many(const PreparedSingle& p, std::span<const Pair> pairs, Re
     return ordinary;
 }
 
+struct SingleFull {
+    template <class Items>
+    using Block = phi_detail::HWY_NAMESPACE::PhiBlock<phi_detail::Low, Items>;
+};
+struct SingleFirstOrder {
+    template <class Items>
+    using Block = FirstOrderBlock<Items>;
+};
+struct SingleRoughLimit {
+    template <class Items>
+    using Block = RoughLimitBlock<Items>;
+};
+
 template <class Lobe>
-SingleForms forms_of() {
+SingleForms single_forms_of() {
     return {brdf_one<Lobe, DirectionPair, double>, brdf_one<Lobe, VectorPair, float>,
             brdf_many<Lobe, DirectionPair, double>, brdf_many<Lobe, VectorPair, float>};
 }
 SingleFormTable single_form_table() {
-    return {forms_of<Full<phi_detail::Low> >(), forms_of<FirstOrder>(), forms_of<RoughLimit>()};
+    return {single_forms_of<SingleFull>(), single_forms_of<SingleFirstOrder>(),
+            single_forms_of<SingleRoughLimit>()};
 }
 
 #endif
@@ -285,8 +300,8 @@ namespace hts::evaluation_detail {
 bool fits_single(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
     const auto length = [](double x) { return x >= 1e-3 && x <= 1e4; };
     const auto& [along, across] = surface.correlation_lengths();
-    return is_ordinary(surface, samples) && length(surface.rms_roughness()) && length(along) &&
-           length(across) && std::ranges::all_of(samples, [](const SpectralSample& s) {
+    return !surface.correlation() && is_ordinary(surface, samples) && length(surface.rms_roughness()) &&
+           length(along) && length(across) && std::ranges::all_of(samples, [](const SpectralSample& s) {
                const double wavelength = s.wavelength.micrometres();
                const auto columns = index_columns(s);
                const bool reflects_all =

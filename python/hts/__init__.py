@@ -16,10 +16,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from . import _core  # before NumPy, which a subinterpreter had better not import
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
 from ._core import Error, curve_names, formats, log_phi, models, phi, substances, written_formats
 from ._fits import Curves, Fit, Parameter, curves, fit
 from ._material import Floats, Form, Material, Plan, Sample, Table, Validity, read

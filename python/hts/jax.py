@@ -46,7 +46,7 @@ def _derivative(
     shape = _shape(of, values)
 
     def slopes(*arrays: Any, **parameters: Any) -> Any:
-        gradient = material.gradient(*arrays, of=of, **parameters)
+        gradient = material.gradient(*arrays, **{"of": of, **parameters})
         return np.stack([np.broadcast_to(gradient[names[i]], shape_of(arrays[0])) for i in wanted], axis=arrays[0].ndim)
 
     def shape_of(first: Any) -> tuple[int, ...]:
@@ -75,5 +75,5 @@ def _called_back(names: tuple[str, ...], values: tuple[Any, ...], shape: tuple[i
         positional, parameters = numbers(names, [np.asarray(each, dtype=float) for each in arrays])
         return np.asarray(function(*positional, **parameters), dtype=values[0].dtype)
 
-    result = jax.ShapeDtypeStruct(shape, values[0].dtype)
+    result = jax.ShapeDtypeStruct(shape, values[0].dtype)  # type: ignore[no-untyped-call, unused-ignore]
     return jax.pure_callback(evaluate, result, *values, vmap_method="broadcast_all")

@@ -35,7 +35,7 @@ def _call(of: str, material: Material, arguments: tuple[Any, ...], parameters: d
     return _Evaluated.apply(of, material, names_of(arguments, parameters), *torch.broadcast_tensors(*values))
 
 
-class _Evaluated(torch.autograd.Function):  # type: ignore[misc]
+class _Evaluated(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
     @staticmethod
     def forward(ctx: Any, of: str, material: Material, names: tuple[str, ...], *values: Any) -> Any:
         ctx.of, ctx.material, ctx.names = of, material, names
@@ -45,13 +45,13 @@ class _Evaluated(torch.autograd.Function):  # type: ignore[misc]
         return torch.as_tensor(found, dtype=values[0].dtype, device=values[0].device)
 
     @staticmethod
-    @torch.autograd.function.once_differentiable
+    @torch.autograd.function.once_differentiable  # type: ignore[misc, unused-ignore]
     def backward(ctx: Any, above: Any) -> Any:
         if ctx.needs_input_grad[3]:
             raise Error("hts.torch: no derivative by wavelength")
         values = ctx.saved_tensors
         arrays, parameters = _arrays(ctx.names, values)
-        gradient = ctx.material.gradient(*arrays, of=ctx.of, **parameters)
+        gradient = ctx.material.gradient(*arrays, **{"of": ctx.of, **parameters})
         result: list[Any] = []
         for name, needed in zip(ctx.names, ctx.needs_input_grad[4:]):
             if not needed:

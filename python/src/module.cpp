@@ -26,6 +26,8 @@ static bool interrupted() {
 }  // namespace hts::python
 
 NB_MODULE(_core, module) {
+    if (PyInterpreterState_Get() != PyInterpreterState_Main())
+        throw nanobind::import_error("hts: must be imported in the main interpreter, not in a subinterpreter");
     nanobind::set_leak_warnings(false);  // a function that is a material's index may refer to that material
     nanobind::exception<hts::Error>(module, "Error", PyExc_ValueError);
     hts::python::bind_material(module);

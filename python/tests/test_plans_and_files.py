@@ -71,10 +71,28 @@ def test_emissivity_of_what_lets_light_through():
             call()
 
 
+def test_subinterpreters_are_refused(tmp_path):
+    program = """
+        import warnings, _xxsubinterpreters as interpreters
+        warnings.simplefilter("ignore")
+        other = interpreters.create()
+        try:
+            interpreters.run_string(other, "import hts")
+        except interpreters.RunFailedError as error:
+            print(error)
+        import hts
+        print(hts.phi(1, 1) > 0)
+    """
+    said = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", textwrap.dedent(program)], capture_output=True, text=True, cwd=tmp_path
+    ).stdout
+    assert "must be imported in the main interpreter" in said and said.endswith("True\n")
+
+
 # Each in a process of its own, which is interrupted: (what runs, and takes some ten seconds or more).
 JOBS = {
     "table": "material.table(np.linspace(0.4, 0.7, 31), 1e-4)",
-    "fit": "hts.fit('anodised-ec1', 'he', starts=4000)",
+    "fit": "hts.fit('curet-sandpaper', 'ashikhmin', starts=64)",
     "values": "material.brdf(np.linspace(0.4, 0.7, 31), np.full((4000000, 1), 0.3), 0.4, 3.0, tolerance=1e-12)",
 }
 

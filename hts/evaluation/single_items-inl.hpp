@@ -1,17 +1,16 @@
-// What a lane is, a wavelength of one pair or a pair at one wavelength, and the lobes evaluated there;
-// included once per instruction set.
-#if defined(HTS_EVALUATION_ITEMS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HTS_EVALUATION_ITEMS_INL
-#undef HTS_EVALUATION_ITEMS_INL
+// What a lane of single precision is, a wavelength of one pair or a pair at one wavelength; included once per
+// instruction set.
+#if defined(HTS_SINGLE_ITEMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HTS_SINGLE_ITEMS_INL
+#undef HTS_SINGLE_ITEMS_INL
 #else
-#define HTS_EVALUATION_ITEMS_INL
+#define HTS_SINGLE_ITEMS_INL
 #endif
 
 #include <cstddef>
 
 #include "hts/evaluation/kernel-inl.hpp"
 #include "hts/evaluation/limits-inl.hpp"
-#include "hts/phi/phi_block-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::evaluation_detail::HWY_NAMESPACE {
@@ -20,13 +19,20 @@ namespace hl = lanes::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
+/// k^2 lobe |F|^2, the reflectance first, so that nothing overflows.
+///   weight   |d|^2
+template <class V>
+HWY_INLINE V single_scale(V lobe, V weight, V wave_squared, const FresnelTerms<V>& f) {
+    return lobe * wave_squared * unpolarised(weight, f);
+}
+
 /// Items of one pair from a wavelength on: a lane is a wavelength.
-template <class Number, std::size_t most_lanes>
-struct Spectrum {
-    static constexpr hn::CappedTag<Number, most_lanes> d{};
-    using Lanes = hl::WideLanes<hn::CappedTag<Number, most_lanes> >;
+template <std::size_t most_lanes>
+struct SingleSpectrum {
+    static constexpr hn::CappedTag<float, most_lanes> d{};
+    using Lanes = hl::WideLanes<hn::CappedTag<float, most_lanes> >;
     using V = hn::Vec<decltype(d)>;
-    using Columns = PreparedAs<Number>;
+    using Columns = PreparedSingle;
     static constexpr std::size_t lanes = hn::MaxLanes(d);
 
     const Columns& p;
@@ -46,24 +52,23 @@ struct Spectrum {
         return terms.inverse_variance * load(Columns::inverse_wave_squared, i);
     }
     HWY_INLINE V scale(std::size_t i) const {
-        return lobe_scale(Lanes{}, terms.lobe, load(Columns::weight, i), load(Columns::wave_squared, i),
-                          fresnel(i));
+        return single_scale(terms.lobe, load(Columns::weight, i), load(Columns::wave_squared, i), fresnel(i));
     }
 };
 
 /// Items of one wavelength: a lane is a pair of a block.
 template <class Block>
-struct Pairs {
+struct SinglePairs {
     static constexpr auto d = Block::d;
     using Lanes = typename Block::Lanes;
     using V = typename Block::V;
-    using Columns = PreparedAs<typename Lanes::Number>;
+    using Columns = PreparedSingle;
 
     const Block& block;
     V wave_squared, inverse_wave_squared, weight;
     IndexTerms<V> index;
 
-    HWY_INLINE Pairs(const Block& of, const Columns& p, std::size_t j)
+    HWY_INLINE SinglePairs(const Block& of, const Columns& p, std::size_t j)
         : block{of},
           wave_squared{hn::Set(d, p[Columns::wave_squared][j])},
           inverse_wave_squared{hn::Set(d, p[Columns::inverse_wave_squared][j])},
@@ -76,24 +81,9 @@ struct Pairs {
         return hn::Load(d, block.inverse_variance + i) * inverse_wave_squared;
     }
     HWY_INLINE V scale(std::size_t i) const {
-        return lobe_scale(Lanes{}, hn::Load(d, block.lobe + i), weight, wave_squared,
-                          fresnel_terms(Lanes{}, hn::Load(d, block.cos_squared + i), index));
+        return single_scale(hn::Load(d, block.lobe + i), weight, wave_squared,
+                            fresnel_terms(Lanes{}, hn::Load(d, block.cos_squared + i), index));
     }
-};
-
-/// Phi in full, as a Spec's table has it.
-template <class Spec>
-struct Full {
-    template <class Items>
-    using Block = phi_detail::HWY_NAMESPACE::PhiBlock<Spec, Items>;
-};
-struct FirstOrder {
-    template <class Items>
-    using Block = LimitBlock<FirstOrderLimit, Items>;
-};
-struct RoughLimit {
-    template <class Items>
-    using Block = LimitBlock<GeometricLimit, Items>;
 };
 
 #endif
