@@ -1,8 +1,8 @@
 /// The three terms of one surface at several wavelengths, prepared once for many fast evaluations.
 ///
-/// At a tolerance of 1e-6 or coarser all runs in vector lanes, which are wavelengths for one pair of directions
-/// and pairs for many, chosen by the processor at run time; a BRDF at 1e-3 or coarser in single precision
-/// (evaluation/single_precision.hpp). Finer tolerances, extreme lengths or indices, grazing within
+/// At a tolerance of 1e-6 or coarser all runs in vector lanes, which are wavelengths for one pair of
+/// directions and pairs for many, chosen by the processor at run time; a BRDF at 1e-3 or coarser in single
+/// precision (evaluation/single_precision.hpp). Finer tolerances, extreme lengths or indices, grazing within
 /// lowest_cosine and the other limit of a correlation that is not Gaussian take the exact path of terms.hpp.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
