@@ -28,7 +28,7 @@ struct Folder {
 const std::vector<Folder> folders{
     {"hts",
      {"phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
-      "unified"}},
+      "rendering", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
     {"validation", {"report", "curves", "fit", "topography", "scattering", "papers", "pictures"}},
