@@ -41,8 +41,7 @@ vector      Exact scattering by surfaces that are rough in both directions, perf
             conductors, polarised: s and p into s and p, in the plane of incidence and out
             of it, on six surfaces at 20, 40 and 60 degrees. Takes hours.
 models      What is kept of the studies above, in seconds: he beside he_unified, in TE, TM
-            and unpolarised light; where he_unified is further off; the mirrors; then all
-            models against the surfaces of vector.
+            and unpolarised light; where he_unified is further off; the mirrors.
 fourier     Kirchhoff's integral summed over explicit surfaces and averaged, against the
             directional-diffuse term before shadowing.
 rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of the rough
@@ -82,8 +81,7 @@ constexpr std::array studies{
     Truth{"unseen", validation::unseen_study},
     Truth{"metal", validation::metal_study},
     Truth{"grazing", validation::grazing_study},
-    Truth{"vector",
-          [](Effort, const std::string&) { return validation::quick_vector_study(); }},
+    Truth{"vector", [](Effort, const std::string&) { return validation::quick_vector_study(); }},
     Truth{"models",
           [](Effort effort, const std::string&) { return validation::model_distance_study(effort); }},
     Truth{"refinement",
@@ -126,28 +124,19 @@ void report(const std::vector<validation::Check>& checks) {
     }
 }
 
-/// Solves realisations of the vector study, unless they are only to be collected.
-///   returns   whether the tables are to be made
-bool solve_vector(const TruthOptions& options, const fs::path& parts) {
-    const auto shard = options.shard.empty()
-                           ? tables::TableShard{}
-                           : from_option("--shard", [&] { return tables::TableShard::from_text(options.shard); });
-    if (!options.collect) validation::solve_vector_realisations(parts, shard, options.realisations);
-    if (shard.count == 1) return true;
-    std::cout << parts.string() << '\n';
-    return false;
-}
-
-void require_study(const TruthOptions& options) {
+/// What of the vector study is solved here.
+tables::TableShard shard_of(const TruthOptions& options) {
     const bool vector = options.study == "vector" && !options.quick;
     if (!vector && (options.collect || !options.shard.empty()))
         throw UsageError{"--shard and --collect are of hts truth vector without --quick"};
-    if (options.collect && !options.shard.empty())
+    if (options.shard.empty()) return {};
+    if (options.collect)
         throw UsageError{"--collect takes what all shards have solved, so it goes without --shard"};
+    return from_option("--shard", [&] { return tables::TableShard::from_text(options.shard); });
 }
 
 void run(const TruthOptions& options) {
-    require_study(options);
+    const tables::TableShard shard = shard_of(options);
     const fs::path folder{options.folder};
     const auto effort = options.quick ? validation::Effort::quick : validation::Effort::full;
     validation::GroundTruth truth;
@@ -156,16 +145,16 @@ void run(const TruthOptions& options) {
     if (!unfinished.empty()) fs::create_directories(folder);
     if (options.study == "vector" && !options.quick) {
         const fs::path parts = folder / "vector.parts";
-        if (!solve_vector(options, parts)) return;
+        if (!options.collect) validation::solve_vector_realisations(parts, shard, options.realisations);
+        if (shard.count > 1) {
+            std::cout << parts.string() << '\n';
+            return;
+        }
         truth = validation::vector_study(parts);
     } else {
         for (const Truth& each : studies) {
             if (options.study == each.name) truth = each.study(effort, unfinished);
         }
-    }
-    if (options.study == "models") {
-        for (auto& table : validation::kept_vector_distances())
-            truth.section.tables.push_back(std::move(table));
     }
     if (options.quick) mark_as_quick(truth.section.checks);
     for (const validation::FigureTable& table : truth.tables) {

@@ -189,8 +189,8 @@ std::vector<Currents> ConductorPatch::applied(std::span<const Currents* const> c
                 const std::size_t i = first + lane;
                 const SelfMatrix& self = self_[i];
                 const auto x = (*currents[c])[2 * i], y = (*currents[c])[2 * i + 1];
-                result[c][2 * i] = x - self.xx * x - self.xy * y -
-                                   std::complex<float>{of[lane], of[block + lane]};
+                result[c][2 * i] =
+                    x - self.xx * x - self.xy * y - std::complex<float>{of[lane], of[block + lane]};
                 result[c][2 * i + 1] = y - self.yx * x - self.yy * y -
                                        std::complex<float>{of[2 * block + lane], of[3 * block + lane]};
             }
@@ -262,8 +262,7 @@ std::vector<std::vector<FarAmplitude>> ConductorPatch::radiated(std::span<const 
                 const Direction& to = out[first + lane];
                 const Vector3 s = s_vector_of_reflected(to), p = cross(s, to.vector());
                 const auto along = [&](Vector3 v) {
-                    return std::complex<float>{factor *
-                                               (v.x * part(0) + v.y * part(1) + v.z * part(2))};
+                    return std::complex<float>{factor * (v.x * part(0) + v.y * part(1) + v.z * part(2))};
                 };
                 result[c][first + lane] = {along(s), along(p)};
             }

@@ -29,8 +29,9 @@ PlaneWaveBeam::PlaneWaveBeam(double theta, double azimuth, double width, double 
             const double down = std::sqrt(1 - square);
             const double c = std::cos(azimuth), s = std::sin(azimuth);
             const double amplitude = std::exp(-away) * down / cosine;
-            waves_.push_back(
-                {{along * c - across * s, along * s + across * c, -down}, amplitude, amplitude * amplitude * down});
+            waves_.push_back({{along * c - across * s, along * s + across * c, -down},
+                              amplitude,
+                              amplitude * amplitude * down});
             all += waves_.back().weight;
         }
     }

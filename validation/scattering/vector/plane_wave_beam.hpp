@@ -34,15 +34,15 @@ struct BeamWave {
 
 class PlaneWaveBeam {
   public:
-    ///   theta     of incidence [rad], such that no wave of weight is vertical or grazing: 0.2 … 1.3 for widths
-    ///             of 2 and more
+    ///   theta     of incidence [rad], such that no wave of weight is vertical or grazing: 0.2 … 1.3 where
+    ///             the width is 2 or more
     ///   azimuth   of the horizontal direction of propagation [rad]
     ///   least     amplitude of waves that are left out, of the strongest
     PlaneWaveBeam(double theta, double azimuth, double width, double period, double least = 1e-5);
 
     [[nodiscard]] const std::vector<BeamWave>& waves() const noexcept { return waves_; }
     [[nodiscard]] double azimuth() const noexcept { return azimuth_; }
-    /// Power through a horizontal plane, in units where a plane wave of amplitude 1 carries cos theta per area.
+    /// Power through a horizontal plane, of which a plane wave of amplitude 1 carries cos theta per area.
     [[nodiscard]] double power() const noexcept { return power_; }
     /// H at a point, of both polarisations.
     [[nodiscard]] std::array<ComplexVector, 2> magnetic_field(Vector3 point) const noexcept;

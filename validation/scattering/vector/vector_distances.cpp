@@ -121,8 +121,8 @@ ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes) {
         "correlation length.",
         {"sigma0", "tau", "azimuth", "theta_i"},
         {}};
-    for (const VectorModel model : {VectorModel::kirchhoff, VectorModel::smith, VectorModel::he,
-                                    VectorModel::he_unified}) {
+    for (const VectorModel model :
+         {VectorModel::kirchhoff, VectorModel::smith, VectorModel::he, VectorModel::he_unified}) {
         table.columns.push_back(std::string{name(model)} + " s");
         table.columns.insert(table.columns.end(), {"p", "cross", "unpol"});
     }
@@ -134,8 +134,8 @@ ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes) {
             for (const VectorLight light : vector_lights)
                 row.push_back(rounded(lobe.distance_of(model, light, VectorRegion::all).rms, 2));
         }
-        row.push_back(rounded(
-            lobe.distance_of(VectorModel::he, VectorLight::cross, VectorRegion::all).chance, 2));
+        row.push_back(
+            rounded(lobe.distance_of(VectorModel::he, VectorLight::cross, VectorRegion::all).chance, 2));
         table.rows.push_back(std::move(row));
     }
     return table;

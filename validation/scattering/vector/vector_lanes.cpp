@@ -52,10 +52,10 @@ HWY_INLINE Matrix matrix(const Target& at, const NodeArrays& nodes, std::size_t 
     const V dx = hn::Sub(at.x, set(nodes.x[source])), dy = hn::Sub(at.y, set(nodes.y[source])),
             dz = hn::Sub(at.z, set(nodes.z[source]));
     // of the node itself all is 0 but the kernel, which must be finite
-    const V square =
-        hn::Max(hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), set(1e-10F));
+    const V square = hn::Max(hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), set(1e-10F));
     V inverse = hn::ApproximateReciprocalSqrt(square);
-    inverse = hn::Mul(inverse, hn::NegMulAdd(hn::Mul(hn::Mul(square, set(0.5F)), inverse), inverse, set(1.5F)));
+    inverse =
+        hn::Mul(inverse, hn::NegMulAdd(hn::Mul(hn::Mul(square, set(0.5F)), inverse), inverse, set(1.5F)));
     const V distance = hn::Mul(square, inverse), phase = hn::Mul(distance, set(two_pi));
     const Turn e = turn(distance);
     const V strength = hn::Mul(hn::Mul(hn::Mul(inverse, inverse), inverse), scale);
@@ -129,8 +129,7 @@ HWY_ATTR void add_field_to(const NodeArrays& nodes, float area, const float* cur
             for (std::size_t i = 0; i < sources; ++i) {
                 const Matrix m = matrix(target, nodes, start + i, scale);
                 HTS_UNROLL
-                for (std::size_t e = 0; e < 8; ++e)
-                    hn::Store(m.of[e], d, matrices + (8 * i + e) * lanes);
+                for (std::size_t e = 0; e < 8; ++e) hn::Store(m.of[e], d, matrices + (8 * i + e) * lanes);
             }
             for (std::size_t g = 0; g < groups; ++g)
                 add_group(matrices, sources, currents + start * stride + g * 4 * group, stride,
@@ -178,9 +177,9 @@ HWY_ATTR void add_radiation_to(const NodeArrays& nodes, const DirectionArrays& s
         for (std::size_t start = 0; start < nodes.count; start += tile) {
             const std::size_t sources = nodes.count - start < tile ? nodes.count - start : tile;
             for (std::size_t i = 0; i < sources; ++i) {
-                const V turns = hn::MulAdd(
-                    sx, set(nodes.x[start + i]),
-                    hn::MulAdd(sy, set(nodes.y[start + i]), hn::Mul(sz, set(nodes.z[start + i]))));
+                const V turns =
+                    hn::MulAdd(sx, set(nodes.x[start + i]),
+                               hn::MulAdd(sy, set(nodes.y[start + i]), hn::Mul(sz, set(nodes.z[start + i]))));
                 const Turn e = turn(hn::Neg(turns));
                 hn::Store(e.cosine, d, phases + 2 * i * lanes);
                 hn::Store(e.sine, d, phases + (2 * i + 1) * lanes);

@@ -49,8 +49,8 @@ std::array<Channels, vector_models.size()> ClosedForms::lobes(const Direction& i
     const UnifiedWave& wave = unified_.waves()[0];
     const UnifiedLobe unified = unified_lobe(view_in, view_out, wave);
     const double cosines = in.cos_theta() * out.cos_theta();
-    const double amplitude = wave.k_length * std::numbers::inv_sqrtpi / 4 *
-                             wave_vector_change(in, out).root_geometrical_factor();
+    const double amplitude =
+        wave.k_length * std::numbers::inv_sqrtpi / 4 * wave_vector_change(in, out).root_geometrical_factor();
     const double strength = amplitude * amplitude * unified.kicks.phi / cosines;
     const Channels facet = squared(facet_jones(in, out, {-1, 1}));
     const double masked =

@@ -171,7 +171,8 @@ std::array<double, 2> mirrored(const std::vector<VectorRealisation>& all, std::s
 
 VectorResult result_of(const VectorCase& of, const VectorSettings& settings,
                        const std::vector<VectorRealisation>& all, std::size_t grid) {
-    VectorResult result{of, static_cast<int>(all.size()), 0, {}, mirrored(all, grid), {}, 0, 0, vector_bins()};
+    VectorResult result{of,           static_cast<int>(all.size()), 0, {}, mirrored(all, grid), {}, 0, 0,
+                        vector_bins()};
     const auto count = static_cast<double>(all.size());
     std::array<double, 2> squares{};
     for (const VectorRealisation& each : all) {
@@ -183,8 +184,8 @@ VectorResult result_of(const VectorCase& of, const VectorSettings& settings,
         }
     }
     for (std::size_t q = 0; q < 2; ++q)
-        result.energy_error[q] = std::sqrt(
-            std::max(0.0, squares[q] - result.energy[q] * result.energy[q]) / (count - 1));
+        result.energy_error[q] =
+            std::sqrt(std::max(0.0, squares[q] - result.energy[q] * result.energy[q]) / (count - 1));
     const LeftOut exact = left_out(all, grid, true), kirchhoff = left_out(all, grid, false);
     const auto closed = binned(ClosedForms{of.surface.surface()}, of, settings);
     std::vector<double> gains;
@@ -201,7 +202,8 @@ VectorResult result_of(const VectorCase& of, const VectorSettings& settings,
             result.bins[bin].exact[c] = estimate.mean;
             result.bins[bin].error[c] = estimate.error;
             if (estimate.error > 0)
-                gains.push_back(estimate.plain_error * estimate.plain_error / (estimate.error * estimate.error));
+                gains.push_back(estimate.plain_error * estimate.plain_error /
+                                (estimate.error * estimate.error));
         }
         double of_realisations = 0, of_closed_form = 0;
         for (const Channel c : channels) {
@@ -279,14 +281,13 @@ std::vector<std::array<Channels, vector_models.size()>> binned(const ClosedForms
 
 std::vector<VectorResult> vector_results(const VectorSurface& surface, const VectorSettings& settings,
                                          const std::vector<VectorRealisation>& all) {
-    if (all.size() < 3)
-        throw out_of_range("realisations", static_cast<double>(all.size()), "", "at least 3");
+    if (all.size() < 3) throw out_of_range("realisations", static_cast<double>(all.size()), "", "at least 3");
     std::vector<VectorResult> results;
     for (std::size_t grid = 0; grid < all[0].grids.size(); ++grid) {
         const std::size_t angles = settings.theta_i_deg.size();
-        results.push_back(result_of(
-            {surface, vector_azimuths_deg[grid / angles], settings.theta_i_deg[grid % angles]}, settings, all,
-            grid));
+        results.push_back(
+            result_of({surface, vector_azimuths_deg[grid / angles], settings.theta_i_deg[grid % angles]},
+                      settings, all, grid));
     }
     return results;
 }

@@ -6,8 +6,8 @@
 ///
 ///   exact = <E> - b (<K> - K),   b = cov(E, K)/var(K)
 ///
-/// by realisations, bin by bin and in each channel by itself. The closed forms, of Kirchhoff and of every model,
-/// are averages over the waves of the beam and over the bin.
+/// by realisations, bin by bin and in each channel by itself. The closed forms, of Kirchhoff and of every
+/// model, are averages over the waves of the beam and over the bin.
 #pragma once
 
 #include <array>

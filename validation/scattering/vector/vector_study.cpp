@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "hts/error.hpp"
-#include "spectral/text/output.hpp"
+#include "spectral/text/unfinished.hpp"
 #include "validation/scattering/gaussian_surface.hpp"
 #include "validation/scattering/vector/conductor_patch.hpp"
 
@@ -91,8 +91,7 @@ double azimuth(int step) noexcept {
 
 double solid_angle(int polar_step) noexcept {
     const double width = pi / 2 / polar_steps;
-    return 2 * pi / azimuth_steps *
-           (std::cos(polar_step * width) - std::cos((polar_step + 1) * width));
+    return 2 * pi / azimuth_steps * (std::cos(polar_step * width) - std::cos((polar_step + 1) * width));
 }
 
 VectorRealisation realisation(const VectorSurface& surface, const VectorSettings& settings,
@@ -124,7 +123,8 @@ VectorRealisation realisation(const VectorSurface& surface, const VectorSettings
         const auto far = patch.radiated(currents, directions(vector_azimuths_deg[plane] * degree));
         for (std::size_t i = 0; i < in_plane; ++i) {
             const std::size_t theta = i / incident_states.size();
-            const std::size_t grid = surface.isotropic() ? theta : plane * settings.theta_i_deg.size() + theta;
+            const std::size_t grid =
+                surface.isotropic() ? theta : plane * settings.theta_i_deg.size() + theta;
             const double power = beams[plane * settings.theta_i_deg.size() + theta].power();
             add(result.grids[grid], incident_states[i % incident_states.size()], far[i], far[in_plane + i],
                 {static_cast<float>(1 / (samples * power)),
@@ -179,7 +179,13 @@ void RealisationFile::write(const VectorRealisation& realisation) const {
     for (const ScatterGrid& grid : realisation.grids)
         bytes.append(reinterpret_cast<const char*>(grid.data()), grid.size() * sizeof(Scatter));
     bytes.append(reinterpret_cast<const char*>(&realisation.iterations), sizeof(float));
-    spectral::write_file(path_.string(), bytes);
+    // not by spectral::write_file, whose files appear when the program ends
+    const std::filesystem::path begun = path_.string() + ".begun";
+    const spectral::Unfinished unfinished{begun.string(), spectral::Unfinished::Kind::file};
+    std::ofstream file{begun, std::ios::binary};
+    file << bytes;
+    if (!file.flush()) throw Error{path_.string() + ": cannot be written"};
+    std::filesystem::rename(begun, path_);
 }
 
 }  // namespace hts::validation

@@ -2,8 +2,8 @@
 /// beams, and what is kept of each on the way to averages: sums in files of their own, so that a long run can
 /// be stopped, goes on where it ended, and is shared among processes and machines.
 ///
-/// The wavelength is the unit of length. Directions of scattering stand on a grid of 2 degrees in theta_r and 3
-/// in the azimuth from the plane of incidence, forward 0; both sides of the plane are averaged, which the
+/// The wavelength is the unit of length. Directions of scattering stand on a grid of 2 degrees in theta_r and
+/// 3 in the azimuth from the plane of incidence, forward 0; both sides of the plane are averaged, which the
 /// statistics of the surfaces do not tell apart.
 #pragma once
 

@@ -101,7 +101,8 @@ TEST_CASE("conductor patch: a flat plate mirrors everything in its own polarisat
     }
 }
 
-TEST_CASE("conductor patch: what GMRES finds solves the equation, by the same bits for any number of threads") {
+TEST_CASE(
+    "conductor patch: what GMRES finds solves the equation, by the same bits for any number of threads") {
     const ConductorPatch patch{random_field({0.3, 1}, 0.2, 40, 3)};
     const PlaneWaveBeam beam{40 * degree, 0, 1.4, 10};
     const auto right = patch.kirchhoff(beam);
@@ -191,8 +192,8 @@ TEST_CASE("conductor patch: the first order in the heights is perturbation theor
                            std::polar(1.0, -k * change.x * step * (static_cast<double>(x) - middle));
                 spectrum += row * std::polar(1.0, -k * change.y * step * (static_cast<double>(y) - middle));
             }
-            const Complex amplitude = wave.amplitude * k * k * in.cos_theta() * out[i].cos_theta() / pi *
-                                      spectrum * step * step;
+            const Complex amplitude =
+                wave.amplitude * k * k * in.cos_theta() * out[i].cos_theta() / pi * spectrum * step * step;
             const JonesMatrix b = bragg_jones(in, out[i], perfect_conductor(), 0);
             sum.ss += amplitude * b.ss;
             sum.sp += amplitude * b.sp;
@@ -231,8 +232,13 @@ TEST_CASE("conductor patch: a surface that varies along one axis scatters as its
     }
     const double period = 1.25 * length;
     const PlaneWaveBeam beam{35 * degree, 0, length / 6, period};
-    Contour contour{step, {}, profile.height, std::vector<double>(side, 1), profile.slope,
-                    std::vector<double>(side, 0), profile.second_derivative};
+    Contour contour{step,
+                    {},
+                    profile.height,
+                    std::vector<double>(side, 1),
+                    profile.slope,
+                    std::vector<double>(side, 0),
+                    profile.second_derivative};
     std::vector<double> angles;
     std::vector<Direction> out;
     for (int angle = -75; angle <= 75; angle += 5) {

@@ -86,7 +86,8 @@ TEST_CASE("vector results: Kirchhoff's currents on realisations have the mean of
     CHECK(result.mirror[0] == Approx(std::exp(-g)).epsilon(0.25));
     // a gentle surface: the successor is within the errors of so few realisations
     std::vector<Channels> unified;
-    for (const auto& bin : binned(ClosedForms{surface.surface()}, result.of, small())) unified.push_back(bin[3]);
+    for (const auto& bin : binned(ClosedForms{surface.surface()}, result.of, small()))
+        unified.push_back(bin[3]);
     const VectorDistance off = distance(result.bins, unified, VectorLight::unpolarised, VectorRegion::all);
     std::printf("he_unified %.2f dB off, chance %.2f dB\n", off.rms, off.chance);
     CHECK(off.rms < 1.5);
@@ -135,10 +136,13 @@ TEST_CASE("vector results: a realisation's file gives back what was written, and
     CHECK_THROWS_WITH((RealisationFile{folder.path(), surface, settings, 3}.read()),
                       Catch::Contains("is of another run of this study") && Catch::Contains(".part"));
     settings.tolerance = 1e-3;
-    const auto path = std::filesystem::directory_iterator{folder.path()}->path();
+    const auto path = std::filesystem::directory_iterator {
+        folder.path()
+        } -> path();
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
     CHECK_THROWS_WITH(file.read(), Catch::Contains("is damaged"));
-    CHECK_THROWS_WITH(vector_study(folder.path()), Catch::Contains("0 realisations of the surface sigma0 0.05") &&
-                                                     Catch::Contains("must be at least 10"));
+    CHECK_THROWS_WITH(vector_study(folder.path()),
+                      Catch::Contains("0 realisations of the surface sigma0 0.05") &&
+                          Catch::Contains("must be at least 10"));
     CHECK_THROWS_WITH(vector_results(surface, settings, {solved}), Catch::Contains("at least 3"));
 }
