@@ -41,7 +41,8 @@ vector      Exact scattering by surfaces that are rough in both directions, perf
             conductors, polarised: s and p into s and p, in the plane of incidence and out
             of it, on six surfaces at 20, 40 and 60 degrees. Takes hours.
 models      What is kept of the studies above, in seconds: he beside he_unified, in TE, TM
-            and unpolarised light; where he_unified is further off; the mirrors.
+            and unpolarised light; where he_unified is further off; the mirrors; then all
+            models against the surfaces of vector.
 fourier     Kirchhoff's integral summed over explicit surfaces and averaged, against the
             directional-diffuse term before shadowing.
 rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of the rough
@@ -155,6 +156,10 @@ void run(const TruthOptions& options) {
         for (const Truth& each : studies) {
             if (options.study == each.name) truth = each.study(effort, unfinished);
         }
+    }
+    if (options.study == "models") {
+        for (auto& table : validation::kept_vector_distances())
+            truth.section.tables.push_back(std::move(table));
     }
     if (options.quick) mark_as_quick(truth.section.checks);
     for (const validation::FigureTable& table : truth.tables) {

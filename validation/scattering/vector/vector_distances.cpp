@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hts/error.hpp"
+#include "spectral/output/script.hpp"
 #include "spectral/statistics.hpp"
 
 namespace hts::validation {
@@ -19,6 +20,41 @@ VectorModel other(std::size_t index) {
 std::string tau_text(const VectorSurface& surface) {
     if (surface.isotropic()) return shortest(surface.lengths.along);
     return shortest(surface.lengths.along) + " x " + shortest(surface.lengths.across);
+}
+
+/// A column of the picture of lobes.
+struct LobeColumn {
+    const char* title;
+    VectorLight light;
+    bool out_of_plane;
+};
+constexpr std::array lobe_columns{LobeColumn{"s into s, in plane", VectorLight::ss, false},
+                                  LobeColumn{"p into p, in plane", VectorLight::pp, false},
+                                  LobeColumn{"cross, in plane", VectorLight::cross, false},
+                                  LobeColumn{"cross, out of plane", VectorLight::cross, true}};
+
+double decibels(double value) {
+    return 10 * std::log10(std::max(value, 1e-12));
+}
+
+/// Bins of the column in the order of the signed angle: within 21 degrees of the plane of incidence, or
+/// about at right angles to it.
+output::Rows lobe_rows(const ComparedLobe& lobe, const LobeColumn& column) {
+    output::Rows rows;
+    for (std::size_t i = 0; i < lobe.exact.size(); ++i) {
+        const VectorBin& bin = lobe.exact[i];
+        const bool forward = bin.phi_deg == 0, backward = bin.most_phi_deg == 180;
+        const bool across = bin.phi_deg < 90 && bin.most_phi_deg > 90;
+        if (bin.most_theta_deg > most_compared_theta_deg ||
+            (column.out_of_plane ? !across : !forward && !backward))
+            continue;
+        const double exact = of(bin.exact, column.light), error = error_of(bin, column.light);
+        rows.push_back({(backward ? -1 : 1) * (bin.theta_deg + bin.most_theta_deg) / 2, decibels(exact),
+                        decibels(exact - error), decibels(exact + error)});
+        for (const auto& model : lobe.model) rows.back().push_back(decibels(of(model[i], column.light)));
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
 }
 
 }  // namespace
@@ -139,6 +175,38 @@ ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes) {
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+Figure vector_lobe_figure(const std::vector<ComparedLobe>& lobes, double theta_i_deg) {
+    std::vector<std::string> titles, columns;
+    std::vector<double> tops;
+    std::vector<int> out_of_plane;
+    std::vector<output::Rows> panels;
+    for (const LobeColumn& column : lobe_columns) {
+        columns.emplace_back(column.title);
+        out_of_plane.push_back(column.out_of_plane ? 1 : 0);
+    }
+    for (const ComparedLobe& lobe : lobes) {
+        if (lobe.of.theta_i_deg != theta_i_deg) continue;
+        titles.push_back("σ_0 = " + shortest(lobe.of.surface.rms_roughness) + " λ, τ = " +
+                         tau_text(lobe.of.surface) + " λ" + (lobe.of.azimuth_deg != 0 ? " across" : ""));
+        for (const LobeColumn& column : lobe_columns) {
+            panels.push_back(lobe_rows(lobe, column));
+            double brightest = -200;
+            for (const auto& row : panels.back()) brightest = std::max(brightest, row[1]);
+            tops.push_back(5 * std::ceil(brightest / 5) + 5);
+        }
+    }
+    output::Script script;
+    script.set("title", "Light scattered by rough conductors, light at " + shortest(theta_i_deg) +
+                            "°: exact and closed forms");
+    script.set("row_title", titles).set("column_title", columns).set("out_of_plane", out_of_plane);
+    script.set("top", tops).data("lobes", panels);
+    return {"vector-lobes",
+            {},
+            script.with("vector-lobes"),
+            "Exact scattering by rough conducting surfaces (dots with standard errors), and closed forms as "
+            "the beam sees them."};
 }
 
 }  // namespace hts::validation

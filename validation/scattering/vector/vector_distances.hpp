@@ -27,6 +27,8 @@ struct ComparedLobe {
 
 /// Over all cases, by light and region: median and greatest distance of each model.
 [[nodiscard]] ReportTable vector_summary_table(const std::vector<ComparedLobe>& lobes);
+/// A row per surface, its lobes by polarisation in and out of the plane of incidence.
+[[nodiscard]] Figure vector_lobe_figure(const std::vector<ComparedLobe>& lobes, double theta_i_deg);
 /// By case.
 [[nodiscard]] ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes);
 

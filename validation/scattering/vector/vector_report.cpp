@@ -13,7 +13,7 @@
 namespace hts::validation {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = std::numbers::pi / 180, drawn_theta_i_deg = 40;
 
 /// The short correlation lengths by more points.
 std::vector<VectorSurface> surfaces() {
@@ -105,11 +105,24 @@ Check nearer_check(const std::vector<ComparedLobe>& lobes, VectorLight light) {
             nearer == lobes.size()};
 }
 
-void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string&) {
+void add_results(Section& section, const std::vector<FigureTable>& tables, const std::string& provenance) {
     const auto lobes = compared(tables[1]);
     section.checks.push_back(energy_check(tables[0]));
     for (const VectorLight light : vector_lights) section.checks.push_back(nearer_check(lobes, light));
     section.tables = {vector_summary_table(lobes), vector_case_table(lobes)};
+    section.figures.push_back(vector_lobe_figure(lobes, drawn_theta_i_deg));
+    section.figures.back().caption.append(" ").append(provenance);
+}
+
+Section empty_section() {
+    return {"vector-scattering",
+            "Exact scattering by rough surfaces, polarised",
+            prose("vector-scattering"),
+            {},
+            {},
+            {},
+            {},
+            {}};
 }
 
 GroundTruth study(const std::vector<VectorResult>& results, const VectorSettings& settings, Effort effort) {
@@ -125,16 +138,7 @@ GroundTruth study(const std::vector<VectorResult>& results, const VectorSettings
             count + " realisations, a square of " + shortest(settings.length) +
             " wavelengths, Gaussian beam of a sixth, Kirchhoff's currents as control variate, seeds from " +
             std::to_string(settings.study) + regenerating("vector", effort),
-        {map_table(results, settings), vector_lobe_table(results, settings)},
-        {"vector-scattering",
-         "Exact scattering by rough surfaces, polarised",
-         prose("vector-scattering"),
-         {},
-         {},
-         {},
-         {},
-         {}},
-        add_results);
+        {map_table(results, settings), vector_lobe_table(results, settings)}, empty_section(), add_results);
 }
 
 }  // namespace
@@ -178,6 +182,19 @@ GroundTruth quick_vector_study() {
     std::vector<VectorRealisation> all;
     for (std::size_t number = 0; number < 6; ++number) all.push_back(realisation(surface, settings, number));
     return study(vector_results(surface, settings, all), settings, Effort::quick);
+}
+
+Section vector_section(Effort effort) {
+    if (effort == Effort::quick) return section_of(quick_vector_study(), effort, add_results);
+    const std::vector<FigureTable> kept{kept_table("vector-map"), kept_table("vector-lobes")};
+    Section section = empty_section();
+    add_results(section, kept, kept_provenance("vector-map"));
+    return section;
+}
+
+std::vector<ReportTable> kept_vector_distances() {
+    const auto lobes = compared(kept_table("vector-lobes"));
+    return {vector_summary_table(lobes), vector_case_table(lobes)};
 }
 
 }  // namespace hts::validation

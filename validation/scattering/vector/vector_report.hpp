@@ -22,4 +22,11 @@ inline constexpr std::size_t fewest_vector_realisations = 10;
 /// One surface on a small patch, six realisations.
 [[nodiscard]] GroundTruth quick_vector_study();
 
+/// The section of a report: the quick study beside what is kept; of a full one what is kept alone, since it
+/// takes hours.
+[[nodiscard]] Section vector_section(Effort effort);
+
+/// Distances of the models from the lobes that are kept: by light and region, and by case.
+[[nodiscard]] std::vector<ReportTable> kept_vector_distances();
+
 }  // namespace hts::validation

@@ -311,6 +311,16 @@ double of(const Channels& each, VectorLight light) noexcept {
     }
 }
 
+double error_of(const VectorBin& bin, VectorLight light) noexcept {
+    double squares = 0;
+    for (const Channel c : channels) {
+        Channels one;
+        one[c] = bin.error[c];
+        squares += std::pow(of(one, light), 2);
+    }
+    return std::sqrt(squares);
+}
+
 const char* name(VectorRegion region) noexcept {
     constexpr std::array names{"all", "in_plane", "out_of_plane"};
     return names[static_cast<std::size_t>(region)];
@@ -327,15 +337,8 @@ VectorDistance distance(const std::vector<VectorBin>& exact, const std::vector<C
             continue;
         const double power = of(bin.exact, light), own = of(model[i], light);
         if (!(power > 0) || !(own > 0)) continue;
-        // the channels' errors are taken for independent
-        double error = 0;
-        for (const Channel c : channels) {
-            Channels one;
-            one[c] = bin.error[c];
-            error += std::pow(of(one, light), 2);
-        }
         const double energy = power * bin.solid_angle(), off = decibels(own / power),
-                     error_db = decibels(std::numbers::e) * std::sqrt(error) / power;
+                     error_db = decibels(std::numbers::e) * error_of(bin, light) / power;
         weight += energy;
         sum += energy * off;
         squares += energy * off * off;

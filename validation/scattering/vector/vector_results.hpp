@@ -64,6 +64,9 @@ inline constexpr std::array vector_lights{VectorLight::ss, VectorLight::pp, Vect
 /// Of channels: cross is sp and ps, unpolarised all, both for unpolarised incident light.
 [[nodiscard]] double of(const Channels& each, VectorLight light) noexcept;
 
+/// Standard error of that in a bin, those of its channels taken for independent.
+[[nodiscard]] double error_of(const VectorBin& bin, VectorLight light) noexcept;
+
 /// Which directions.
 enum class VectorRegion { all, in_plane, out_of_plane };
 inline constexpr std::array vector_regions{VectorRegion::all, VectorRegion::in_plane,
