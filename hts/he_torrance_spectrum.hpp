@@ -3,10 +3,11 @@
 /// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
 /// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
 /// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon
-/// take the exact path of terms.hpp.
+/// take the exact path of terms.hpp, and so does another limit of a correlation that is not Gaussian.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
-/// reflectance multiplies it.
+/// reflectance multiplies it, from a table over cos theta_d for each wavelength (amplitudes to 1e-10);
+/// one by one where no table of bounded size would do.
 #pragma once
 
 #include <cstddef>

@@ -63,14 +63,8 @@ Json json_of(const TrueDecibels& of) {
 
 spectral::ExpectedDistance distance_at(const MaterialInfo& info,
                                        const spectral::MaterialValidity::Point& point) {
-    const double lambda = point.sample.wavelength.micrometres();
-    spectral::ExpectedDistance expected = spectral::expected_distance(
-        {info.surface.rms_roughness() / lambda, info.surface.shortest_correlation_length() / lambda,
-         std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi},
-        point.sample.index.substrate());
-    // neither films nor heights of another correlation were
-    if (point.sample.index.coated() || info.surface.correlation()) expected.studied = false;
-    return expected;
+    return spectral::expected_distance(
+        info.surface, point.sample, std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi);
 }
 
 void add_distance(TableWriter::Row& row, const MaterialInfo& info,

@@ -2,16 +2,12 @@
 
 namespace hts::cli {
 
-spectral::Reflectance ReflectanceCache::at(
+const spectral::Reflectance& ReflectanceCache::at(
     double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make) {
-    {
-        const std::lock_guard lock{mutex_};
-        if (const auto found = made_.find(micrometres); found != made_.end()) return found->second;
-    }
-    const spectral::Reflectance made = make(micrometres);
-    const std::lock_guard lock{mutex_};
-    if (made_.size() >= most) made_.clear();
-    return made_.emplace(micrometres, made).first->second;
+    auto& made = made_.mine();
+    if (const auto found = made.find(micrometres); found != made.end()) return found->second;
+    if (made.size() >= most) made.clear();
+    return made.emplace(micrometres, make(micrometres)).first->second;
 }
 
 std::vector<spectral::EnergyCompensation> CompensationCache::at(const spectral::RoughSurface& surface,

@@ -9,23 +9,23 @@
 #include <optional>
 #include <vector>
 
+#include "cli/io/per_thread.hpp"
 #include "spectral/energy/compensation.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
 
-/// Reflectances of one material by wavelength.
+/// Reflectances of one material by wavelength, made once by each thread.
 class ReflectanceCache {
   public:
-    /// The one at a wavelength, made where it is not there yet.
-    [[nodiscard]] spectral::Reflectance at(
+    /// The one at a wavelength, made where it is not there yet; it stays until the thread asks again.
+    [[nodiscard]] const spectral::Reflectance& at(
         double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make);
 
   private:
     static constexpr std::size_t most =
         4096;  ///< before it starts anew: a file may have a wavelength of its own in each row
-    std::mutex mutex_;
-    std::map<double, spectral::Reflectance> made_;
+    PerThread<std::map<double, spectral::Reflectance>> made_;
 };
 
 /// The energy compensation of surfaces of one material and wavelengths, each solved once.

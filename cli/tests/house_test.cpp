@@ -27,7 +27,7 @@ struct Folder {
 };
 const std::vector<Folder> folders{
     {"hts",
-     {"correlation", "phi/tables", "lanes", "phi", "films", "evaluation", "microfacet", "sampling",
+     {"phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
       "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},

@@ -34,6 +34,8 @@ moments     Exact scattering by random profiles: perfect conductors, TE and TM, 
 dielectric  The same for glass, refractive index 1.5, on four surfaces.
 unseen      Conductors that no constant of a model was chosen by: 14 surfaces drawn by a
             seed, at three angles each, 150 profiles.
+k-correlation  8 K-correlated conductors drawn by a seed, nu 1/2 (exponential) and 3/2,
+            spectra cut beyond 2.5 per wavelength, at three angles each, 100 profiles.
 metal       A metal, refractive index 0.16 + 3.6i, on three surfaces, 160 profiles.
 grazing     Smooth conductors at 60 and 70 degrees on profiles of 120 wavelengths.
 refinement  The same rough profiles by twice the points per wavelength.
@@ -80,6 +82,7 @@ constexpr std::array studies{
     Truth{"moments", validation::exact_scattering_study},
     Truth{"dielectric", validation::dielectric_scattering_study},
     Truth{"unseen", validation::unseen_study},
+    Truth{"k-correlation", validation::k_correlation_study},
     Truth{"metal", validation::metal_study},
     Truth{"grazing", validation::grazing_study},
     Truth{"vector", [](Effort, const std::string&) { return validation::quick_vector_study(); }},

@@ -213,6 +213,10 @@ ScatteringIntegral Correlation::lobe(double g, double q) const noexcept {
     return {std::exp(log), log, std::exp(log_inverse_mean)};
 }
 
+const correlation_detail::LobeTable& Correlation::table() const {
+    return shared_->made();
+}
+
 std::size_t Correlation::table_bytes() const noexcept {
     const LobeTable* const table = shared_->table.load(std::memory_order_acquire);
     return table == nullptr ? 0 : table->bytes();

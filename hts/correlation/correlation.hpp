@@ -21,6 +21,10 @@
 
 namespace hts {
 
+namespace correlation_detail {
+class LobeTable;
+}
+
 // Of `Correlation::lobe`, for g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold
 // them against series, quadrature, and the transform on another grid.
 namespace accuracy {
@@ -90,6 +94,8 @@ class Correlation {
     ///   error   accuracy::correlation_lobe, accuracy::correlation_tail
     [[nodiscard]] ScatteringIntegral lobe(double g, double q) const noexcept;
     static constexpr double most_phase_variance = 1e8;
+    /// The table, for vector lanes; made where there is none yet.
+    [[nodiscard]] const correlation_detail::LobeTable& table() const;
     /// Of the table, which shapes of the same numbers share; 0 before it is made.
     [[nodiscard]] std::size_t table_bytes() const noexcept;
 

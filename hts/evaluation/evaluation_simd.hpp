@@ -45,6 +45,10 @@ struct Prepared {
     SurfaceTerms surface;
     std::size_t count, padded;
     std::vector<double> data;
+    // of a correlation that is not Gaussian: its table, and the slope widths along both axes that each
+    // wavelength sees, first all along
+    const correlation_detail::LobeTable* correlation = nullptr;
+    std::vector<double> widths{};
 
     [[nodiscard]] const double* operator[](Column column) const noexcept {
         return data.data() + column * padded;
@@ -62,7 +66,7 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
-/// A Gaussian correlation, lengths and indices whose products stay far from the ends of a
+/// Lengths and indices whose products stay far from the ends of a
 /// double's range, in any order.
 [[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
 
@@ -88,12 +92,13 @@ struct Forms {
     SpecularOne specular_one;
 };
 
-/// What one instruction set has: Phi at 1e-3 and at 1e-6, and its limits.
+/// What one instruction set has: Phi at 1e-3 and at 1e-6, its limits, and 2 D of other correlations.
 struct FormTable {
-    Forms low, medium, first_order, rough_limit;
+    Forms low, medium, first_order, rough_limit, correlated;
 };
 
 /// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
-[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept;
+///   correlated   whether the correlation is not Gaussian: then of the full lobe alone
+[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe, bool correlated) noexcept;
 
 }  // namespace hts::evaluation_detail

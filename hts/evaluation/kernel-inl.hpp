@@ -42,25 +42,32 @@ struct Seen {
     V masked;       // cos theta Lambda, (sigma_0/tau) sin theta ierfc(c)
 };
 
-/// hts::visibility in lanes.
-///   cosine   >= lowest_cosine      slope_width   > 0
-///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+inline constexpr double erfcx_first = erfcx_centre / (erfcx_centre + erfcx_far);
+
+/// The same from c = cosine/width_sine, at most erfcx_far, and y = erfcx_centre/(erfcx_centre + c).
 template <class Lanes, class V>
-HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
-    constexpr double first = erfcx_centre / (erfcx_centre + erfcx_far);
-    constexpr double length = 1 - first;
-    const V width_sine = o.max(slope_width * sine, o.real(1e-300));
-    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
-    const V centred = o.real(erfcx_centre) * width_sine;
-    const V y = o.max(centred / (centred + cosine), o.real(first));
-    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + first) / (2 * length)));
+HWY_INLINE Seen<V> seen_at(const Lanes& o, V cosine, V tangent, V width_sine, V c, V y) {
+    constexpr double length = 1 - erfcx_first;
+    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + erfcx_first) / (2 * length)));
     const V erfcx = y * polynomial(o, erfcx_coefficients, position);
     const V gaussian = exp_of_minus(o, c * c);
     const V complement = gaussian * erfcx;
     const V ierfc = gaussian * o.neg_mul_add(c, erfcx, o.real(std::numbers::inv_sqrtpi));
     const V half = o.real(0.5);
-    return {sine / cosine * complement, o.neg_mul_add(half, complement, o.real(1)),
+    return {tangent * complement, o.neg_mul_add(half, complement, o.real(1)),
             o.mul_add(half * width_sine, ierfc, cosine), half * width_sine * ierfc};
+}
+
+/// hts::visibility in lanes.
+///   cosine   >= lowest_cosine      slope_width   > 0
+///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
+    const V width_sine = o.max(slope_width * sine, o.real(1e-300));
+    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
+    const V centred = o.real(erfcx_centre) * width_sine;
+    const V y = o.max(centred / (centred + cosine), o.real(erfcx_first));
+    return seen_at(o, cosine, sine / cosine, width_sine, c, y);
 }
 
 /// The coordinate v of `lambert_coefficients` for the obstruction of a pair: x = K^2 / 8 pi.

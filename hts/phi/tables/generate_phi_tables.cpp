@@ -1,6 +1,6 @@
 // Writes the coefficients of phi, the same bytes each time: generate_phi_tables FOLDER, a minute or two.
-// Each octave is cut into as few cells as meet the Spec's share of its error; the coefficients are fitted in 50
-// digits, the cuts are chosen in long double.
+// Each octave is cut into as few cells as meet the Spec's share of its error; the coefficients are fitted in
+// 50 digits, the cuts are chosen in long double.
 #include <cstdint>
 #include <fstream>
 #include <iostream>

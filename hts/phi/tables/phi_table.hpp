@@ -23,9 +23,15 @@ namespace hts::phi_detail {
 //                        from 2^emax on one row in 1/g
 //   line_rows, line_sub  the pieces of F and W: coefficients, and log2 of pieces per octave of v
 // clang-format off
-struct Low    { using Coefficient = float;  static constexpr double error = 1e-3;  static constexpr int rows = 4,  lanes = 4,  emin = -6, emax = 3, line_rows = 5,  line_sub = 2, exp_degree = 3; };
-struct Medium { using Coefficient = float;  static constexpr double error = 1e-6;  static constexpr int rows = 6,  lanes = 4,  emin = -7, emax = 4, line_rows = 6,  line_sub = 3, exp_degree = 5; };
-struct High   { using Coefficient = double; static constexpr double error = 1e-12; static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5, line_rows = 10, line_sub = 3, exp_degree = 10; };
+struct Low    { using Coefficient = float;  static constexpr double error = 1e-3;
+                static constexpr int rows = 4,  lanes = 4,  emin = -6, emax = 3,
+                                     line_rows = 5,  line_sub = 2, exp_degree = 3; };
+struct Medium { using Coefficient = float;  static constexpr double error = 1e-6;
+                static constexpr int rows = 6,  lanes = 4,  emin = -7, emax = 4,
+                                     line_rows = 6,  line_sub = 3, exp_degree = 5; };
+struct High   { using Coefficient = double; static constexpr double error = 1e-12;
+                static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5,
+                                     line_rows = 10, line_sub = 3, exp_degree = 10; };
 // clang-format on
 
 inline constexpr double least_log_phi = -660;  // cells are fitted where ln Phi is more: above 1e-287
