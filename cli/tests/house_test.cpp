@@ -31,7 +31,8 @@ const std::vector<Folder> folders{
       "rendering", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
-    {"validation", {"report", "curves", "fit", "topography", "scattering", "papers", "pictures"}},
+    {"validation",
+     {"report", "curves", "fit", "topography", "scattering", "scattering/vector", "papers", "pictures"}},
     {"bench", {"", "rivals", "phi", "stability", "charts", "micro"}},
     {"cli", {"io", "answers", "verbs", ""}},
 };
