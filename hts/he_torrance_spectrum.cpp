@@ -1,12 +1,12 @@
 #include "hts/he_torrance_spectrum.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "hts/error.hpp"
-#include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/evaluation/prepared.hpp"
+#include "hts/evaluation/single_simd.hpp"
 #include "hts/films/cosine_table.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
@@ -16,50 +16,21 @@ namespace {
 
 using evaluation_detail::Forms;
 using evaluation_detail::Prepared;
+using evaluation_detail::PreparedSingle;
 using evaluation_detail::require_size;
-
-constexpr std::size_t padding = 8;  // the longest vector
-
-double square(double x) {
-    return x * x;
-}
+using evaluation_detail::SingleForms;
 
 ///   seen   by each wavelength; none where the correlation is Gaussian
 Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples,
                  const std::vector<Surface>& seen) {
-    const double sigma_squared = square(surface.rms_roughness());
-    const double tau_squared = square(surface.correlation_length());
-    const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
-    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
-                tau_squared * std::numbers::inv_pi, evaluation_detail::axis_terms(surface)},
-               samples.size(),
-               padded,
-               std::vector<double>(Prepared::columns * padded)};
-    for (std::size_t i = 0; i < padded; ++i) {
-        const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
-        const double n = s.index.substrate().n();
-        const double k = s.index.substrate().k();
-        // N = i, which reflects everything at every angle, stands for what has films
-        const double d_real = s.index.coated() ? -2 : (n - 1) * (n + 1) - k * k;
-        const double d_imaginary_squared = s.index.coated() ? 0 : square(2 * n * k);
-        const double wave_squared = square(s.wavelength.wave_number());
-        const auto set = [&p, padded, i](Prepared::Column column, double value) {
-            p.data[column * padded + i] = value;
-        };
-        set(Prepared::wave_squared, wave_squared);
-        set(Prepared::inverse_wave_squared, 1 / wave_squared);
-        set(Prepared::d_real, d_real);
-        set(Prepared::d_imaginary_squared, d_imaginary_squared);
-        set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
-        set(Prepared::uniform, s.index.coated() ? 0 : s.uniform_diffuse);
-    }
+    Prepared p = evaluation_detail::prepared_as<double>(surface, samples);
     if (seen.empty()) return p;
     p.correlation = &surface.correlation()->table();
-    p.widths.resize(2 * padded);
-    for (std::size_t i = 0; i < padded; ++i) {
+    p.widths.resize(2 * p.padded);
+    for (std::size_t i = 0; i < p.padded; ++i) {
         const auto& lengths = seen[std::min(i, seen.size() - 1)].correlation_lengths();
         p.widths[i] = 2 * surface.rms_roughness() / lengths.along;
-        p.widths[padded + i] = 2 * surface.rms_roughness() / lengths.across;
+        p.widths[p.padded + i] = 2 * surface.rms_roughness() / lengths.across;
     }
     return p;
 }
@@ -71,6 +42,8 @@ struct HeTorranceSpectrum::Lanes {
     Prepared prepared;
     std::vector<FilmTable> films;  // by sample, where one has films, which the lanes lack
     bool all_coated;
+    SingleForms single_forms{};  // null unless single precision meets the tolerance
+    PreparedSingle single{};
 
     Lanes(const Forms& of, Prepared samples_prepared, const std::vector<SpectralSample>& samples)
         : forms{of}, prepared{std::move(samples_prepared)} {
@@ -80,6 +53,14 @@ struct HeTorranceSpectrum::Lanes {
         for (const SpectralSample& sample : samples) films.emplace_back(sample.index);
     }
 
+    [[nodiscard]] bool brdf(const DirectionPair& pair, double* result) const noexcept {
+        return single_forms.brdf_one != nullptr ? single_forms.brdf_one(single, pair, result)
+                                                : forms.brdf_one(prepared, pair, result);
+    }
+    [[nodiscard]] bool brdf(std::span<const DirectionPair> pairs, double* result) const noexcept {
+        return single_forms.brdf_many != nullptr ? single_forms.brdf_many(single, pairs, result)
+                                                 : forms.brdf_many(prepared, pairs, result);
+    }
     /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take
     /// the pair.
     bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
@@ -118,7 +99,13 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
     if (!seen_.empty() && lobe != DiffuseLobe::full) return;
     const Forms forms = evaluation_detail::forms(tolerance, lobe, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
-    lanes_ = std::make_unique<const Lanes>(forms, prepare(surface_, samples_, seen_), samples_);
+    auto lanes = std::make_unique<Lanes>(forms, prepare(surface_, samples_, seen_), samples_);
+    if (tolerance.relative_error() >= accuracy::single_precision_brdf && seen_.empty() &&
+        evaluation_detail::fits_single(surface_, samples_)) {
+        lanes->single_forms = evaluation_detail::single_forms(lobe);
+        lanes->single = evaluation_detail::prepared_as<float>(surface_, samples_);
+    }
+    lanes_ = std::move(lanes);
 }
 
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
@@ -146,20 +133,20 @@ std::size_t HeTorranceSpectrum::bytes() const noexcept {
     if (!lanes_) return sum;
     for (const FilmTable& table : lanes_->films) sum += table.bytes();
     return sum + sizeof(Lanes) +
-           (lanes_->prepared.data.size() + lanes_->prepared.widths.size()) * sizeof(double);
+           (lanes_->prepared.data.size() + lanes_->prepared.widths.size()) * sizeof(double) +
+           lanes_->single.data.size() * sizeof(float);
 }
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data()))
-        return add_films(pair, result);
+    if (lanes_ && lanes_->brdf(pair, result.data())) return add_films(pair, result);
     exact_brdf(pair, result);
 }
 
 void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
     require_size("brdf", result.size(), count, pairs.size());
-    const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
+    const bool lanes_take_all = lanes_ && lanes_->brdf(pairs, result.data());
     if (lanes_take_all && lanes_->films.empty()) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto values = result.subspan(i * count, count);

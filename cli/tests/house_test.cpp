@@ -28,10 +28,11 @@ struct Folder {
 const std::vector<Folder> folders{
     {"hts",
      {"phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
-      "unified"}},
+      "rendering", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
-    {"validation", {"report", "curves", "fit", "topography", "scattering", "papers", "pictures"}},
+    {"validation",
+     {"report", "curves", "fit", "topography", "scattering", "scattering/vector", "papers", "pictures"}},
     {"bench", {"", "rivals", "phi", "stability", "charts", "micro"}},
     {"cli", {"io", "answers", "verbs", ""}},
 };

@@ -34,7 +34,7 @@ FormTable form_table() {
 template <class Lanes>
 HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const SurfaceTerms& surface,
                                                         const DirectionPair& pair) {
-    constexpr auto two = phi::two;
+    constexpr auto two = hl::two;
     constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both;
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
@@ -116,8 +116,10 @@ HWY_INLINE void store_some(hn::Vec<D> value, D d, std::size_t count, double* to)
     }
 }
 
+// A function each for few wavelengths and for many, so that neither holds the other's constants.
+
 template <class Lobe>
-HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
+HWY_ATTR HWY_NOINLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
     using Items = Spectrum<8, Lobe>;
     using Block = typename Lobe::template Block<8, Items>;
     typename Items::Terms terms{p, pair};
@@ -135,7 +137,7 @@ HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double
 
 /// The same where the wavelengths fit one vector.
 template <class Lobe>
-HWY_INLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
+HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
     using Items = Spectrum<4, Lobe>;
     typename Items::Terms terms{p, pair};
     terms.prepare(0, p.count);
@@ -276,6 +278,13 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
 template <class Lobe>
 HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs, double* result) {
     bool ordinary = true;
+    if (pairs.size() < fewest_pairs(p.count, PairBlock::lanes)) {
+        for (const DirectionPair& pair : pairs) {
+            ordinary &= brdf_one<Lobe>(p, pair, result);
+            result += p.count;
+        }
+        return ordinary;
+    }
     constexpr std::size_t size = PairBlock::size;
     for (std::size_t first = 0; first < pairs.size(); first += size) {
         const auto block = [pairs, size](std::size_t at) {
@@ -297,15 +306,15 @@ struct OfSurface {
 template <class Spec>
 struct Full : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = phi::PhiBlock<Spec, most_lanes, Items>;
+    using Block = phi::PhiBlock<Spec, Items>;
 };
 struct FirstOrder : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = FirstOrderBlock<most_lanes, Items>;
+    using Block = FirstOrderBlock<Items>;
 };
 struct RoughLimit : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = RoughLimitBlock<most_lanes, Items>;
+    using Block = RoughLimitBlock<Items>;
 };
 /// 2 D of another correlation.
 struct Correlated {

@@ -130,15 +130,21 @@ std::vector<double> profile_correlation(const RoughnessStatistics& statistics, d
 RandomField random_field(const RoughnessStatistics& statistics, double step, std::size_t samples,
                          std::uint64_t seed) {
     if (statistics.nu) throw Error{"a random field: must be of a Gaussian correlation"};
+    return random_field(statistics.rms_roughness,
+                        {statistics.correlation_length, statistics.correlation_length}, step, samples, seed);
+}
+
+RandomField random_field(double rms_roughness, const CorrelationLengths& lengths, double step,
+                         std::size_t samples, std::uint64_t seed) {
     const std::vector<double> waves = wave_numbers(samples, step);
     Field first = real_noise(samples * samples, seed);
     transform_forward(first, samples, samples);
     Field second(first.size());
     for (std::size_t j = 0; j < samples; ++j) {
-        const double across = amplitude_filter(waves[j], step, statistics.correlation_length);
+        const double across = amplitude_filter(waves[j], step, lengths.across);
         for (std::size_t i = 0; i < samples; ++i) {
-            const double along = amplitude_filter(waves[i], step, statistics.correlation_length);
-            const Complex height = first[j * samples + i] * (statistics.rms_roughness * along * across);
+            const double along = amplitude_filter(waves[i], step, lengths.along);
+            const Complex height = first[j * samples + i] * (rms_roughness * along * across);
             first[j * samples + i] = height * (1 - waves[i]);
             second[j * samples + i] = height * Complex{0, waves[j]};
         }
@@ -146,6 +152,24 @@ RandomField random_field(const RoughnessStatistics& statistics, double step, std
     transform_inverse(first, samples, samples);
     transform_inverse(second, samples, samples);
     return {step, samples, part(first, real_part), part(first, imaginary_part), part(second, real_part)};
+}
+
+FieldCurvature curvature_of(const RandomField& field) {
+    const std::size_t samples = field.samples;
+    const std::vector<double> waves = wave_numbers(samples, field.step);
+    Field first(field.height.begin(), field.height.end());
+    transform_forward(first, samples, samples);
+    Field second(first.size());
+    for (std::size_t j = 0; j < samples; ++j) {
+        for (std::size_t i = 0; i < samples; ++i) {
+            Complex& height = first[j * samples + i];
+            second[j * samples + i] = -height * (waves[i] * waves[j]);
+            height *= Complex{-waves[i] * waves[i], -waves[j] * waves[j]};
+        }
+    }
+    transform_inverse(first, samples, samples);
+    transform_inverse(second, samples, samples);
+    return {part(first, real_part), part(second, real_part), part(first, imaginary_part)};
 }
 
 }  // namespace hts::validation

@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include "hts/surface.hpp"
+
 namespace hts::validation {
 
 /// A seed of its own for each realisation and part of a study; neighbours give unrelated streams.
@@ -55,5 +57,14 @@ struct RandomField {
 ///   cost      0.2 microseconds a sample
 [[nodiscard]] RandomField random_field(const RoughnessStatistics& statistics, double step,
                                        std::size_t samples, std::uint64_t seed);
+/// The same with another correlation length along y than along x.
+[[nodiscard]] RandomField random_field(double rms_roughness, const CorrelationLengths& lengths, double step,
+                                       std::size_t samples, std::uint64_t seed);
+
+/// Second derivatives at the samples of a field.
+struct FieldCurvature {
+    std::vector<double> xx, xy, yy;
+};
+[[nodiscard]] FieldCurvature curvature_of(const RandomField& field);
 
 }  // namespace hts::validation

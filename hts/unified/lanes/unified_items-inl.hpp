@@ -52,7 +52,7 @@ HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const Surfa
                                                                      const DirectionPair& pair) {
     using V = typename Vectors<most_lanes>::V;
     constexpr typename Vectors<most_lanes>::Lanes o{};
-    constexpr auto two = phi::two;
+    constexpr auto two = hl::two;
     constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both{};
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)

@@ -40,7 +40,7 @@ struct LobeBlock {
     KicksBlock<KicksSpec, most_lanes, Items> kicks;
     HWY_ALIGN double matrices[parts_of(what)][block_size];
     All items;
-    phi::PhiBlock<PhiSpec, most_lanes, All> lobe;
+    phi::PhiBlock<PhiSpec, All> lobe;
 
     HWY_INLINE explicit LobeBlock(const Items& of) : items{of, kicks.mean, matrices}, lobe{items} {}
     /// Calls use(i, the lobe of items i ... i + lanes - 1).
