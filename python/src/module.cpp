@@ -27,7 +27,7 @@ static bool interrupted() {
 
 NB_MODULE(_core, module) {
     if (PyInterpreterState_Get() != PyInterpreterState_Main())
-        throw nanobind::import_error("hts: must be imported in the main interpreter, not in a subinterpreter");
+        throw nanobind::import_error("hts: must be imported in the main interpreter, not in another");
     nanobind::set_leak_warnings(false);  // a function that is a material's index may refer to that material
     nanobind::exception<hts::Error>(module, "Error", PyExc_ValueError);
     hts::python::bind_material(module);

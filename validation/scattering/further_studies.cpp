@@ -163,15 +163,19 @@ GroundTruth grazing_study(Effort effort, const std::string& unfinished) {
 
 GroundTruth refinement_study(Effort effort) {
     MomentSettings conductor = settings(effort, 20, 24, 10), glass = settings(effort, 20, 24, 12),
-                   gold = settings(effort, 20, 12, 30);
+                   gold = settings(effort, 20, 12, 30), exponential = settings(effort, 20, 24, 16);
     glass.index = RefractiveIndex{1.5, 0};
     gold.index = metal;
-    std::vector<Refined> all{{conductor, {0.5, 1}}, {glass, {0.25, 1}}, {glass, {0.5, 2}}, {gold, {0.25, 1}}};
+    std::vector<Refined> all{{conductor, {0.5, 1}},
+                             {glass, {0.25, 1}},
+                             {glass, {0.5, 2}},
+                             {gold, {0.25, 1}},
+                             {exponential, {0.148, 0.635, 0.5}}};
     if (effort == Effort::quick) all.resize(1);
     FigureTable table{"refinement",
                       {"index_n", "index_k", "sigma0_over_lambda", "tau_over_lambda", "theta_i_deg",
                        "points_per_wavelength", "te_db", "tm_db", "energy_te", "energy_tm", "fine_energy_te",
-                       "fine_energy_tm", "mirror_te", "mirror_tm", "fine_mirror_te", "fine_mirror_tm"},
+                       "fine_energy_tm", "mirror_te", "mirror_tm", "fine_mirror_te", "fine_mirror_tm", "nu"},
                       {}};
     for (const auto& [coarse, surface] : all) {
         MomentSettings fine = coarse;
@@ -186,7 +190,8 @@ GroundTruth refinement_study(Effort effort) {
                                   few[i].of.theta_i_deg, static_cast<double>(coarse.points_per_wavelength),
                                   lobe_difference(few[i], many[i]), lobe_difference(few[i + 1], many[i + 1]),
                                   few[i].energy, few[i + 1].energy, many[i].energy, many[i + 1].energy,
-                                  few[i].mirror, few[i + 1].mirror, many[i].mirror, many[i + 1].mirror});
+                                  few[i].mirror, few[i + 1].mirror, many[i].mirror, many[i + 1].mirror,
+                                  surface.nu.value_or(0)});
         }
     }
     return ground_truth(

@@ -29,7 +29,7 @@ namespace hts::validation {
 /// light near the horizon passes their ends.
 [[nodiscard]] GroundTruth grazing_study(Effort effort, const std::string& unfinished = {});
 /// The same rough surfaces by the points of the studies and by twice as many: a
-/// conductor, glass and the metal.
+/// conductor, glass, the metal and an exponential conductor; nu 0 stands for a Gaussian.
 [[nodiscard]] GroundTruth refinement_study(Effort effort);
 
 }  // namespace hts::validation
