@@ -9,6 +9,7 @@
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
 #include "spectral/energy/surely_valid.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::cli {
 
@@ -71,11 +72,13 @@ void GainWarning::print(const std::string& source) const {
         for (const std::optional<Place>& place : {places.oblique, places.upright})
             if (place) all.note(place->reflectance, place->in);
     });
-    double most = 0;
-    for (const std::optional<Place>& place : {all.oblique, all.upright}) {
-        if (place) most = std::max(most, least_reflectance(place->reflectance, place->in, 0).value_or(0));
-    }
-    warn_of_gain(source, most);
+    const std::array places{&all.oblique, &all.upright};
+    std::array<double, places.size()> least{};
+    spectral::parallel_for(places.size(), [&](std::size_t i) {
+        const std::optional<Place>& place = *places[i];
+        if (place) least[i] = least_reflectance(place->reflectance, place->in, 0).value_or(0);
+    });
+    warn_of_gain(source, std::max(least[0], least[1]));
 }
 
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <span>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/io/summary.hpp"
@@ -24,8 +26,9 @@ using spectral::CsvReader;
 using spectral::CsvRow;
 
 /// Turns every input row into `each` output rows: the input's cells and what `append` adds. Works on a chunk
-/// at a time, so memory does not grow with the table; the output is the same for any number of threads. An
-/// unusual way of writing the input goes to standard error.
+/// at a time, so memory does not grow with the table, and one thread reads the next and writes the one before
+/// while the others evaluate; the output is the same for any number of threads. An unusual way of writing the
+/// input goes to standard error.
 template <class Value>
 class Transform {
   public:
@@ -45,13 +48,25 @@ class Transform {
         std::error_code unknown;  // of standard input and the like
         const auto size = std::filesystem::file_size(input_.name(), unknown);
         const spectral::Job job{"", unknown ? 0 : size};
-        CsvLines chunk;
-        for (input_.take(rows, chunk); !chunk.empty(); input_.take(rows, chunk)) {
-            count += chunk.size();
-            const std::size_t parts = answer(chunk, evaluate, append);
-            for (std::size_t i = 0; i < parts; ++i) output_.add(texts_[i]);
+        CsvLines lines, next;
+        read(rows, lines);
+        for (; !lines.empty(); std::swap(lines, next)) {
+            count += lines.size();
+            // by one thread at once; few where they are few, since each may take long
+            const std::size_t block = std::clamp<std::size_t>(values_at_once / each_, 1,
+                                                              std::max<std::size_t>(1, lines.size() / 64));
+            const std::size_t parts = (lines.size() + block - 1) / block;
+            texts_.resize(parts);
+            spectral::parallel_for(1 + parts, [&](std::size_t i) {
+                if (i > 0) return answer(lines, (i - 1) * block, block, texts_[i - 1], evaluate, append);
+                write_answered();
+                read(rows, next);
+            });
+            std::swap(texts_, answered_);
             job.set_done(input_.bytes_read());
         }
+        if (failure_) std::rethrow_exception(failure_);
+        write_answered();
         output_.finish();
         watch_.stop();
         return {count, each_, watch_.seconds()};
@@ -60,30 +75,37 @@ class Transform {
   private:
     static constexpr std::size_t values_per_chunk = 1 << 14, values_at_once = 1 << 8;
 
-    /// Renders what is written for some lines in as many texts as it says.
-    template <class Evaluate, class Append>
-    std::size_t answer(const CsvLines& lines, const Evaluate& evaluate, const Append& append) {
-        // by one thread at once; few where they are few, since each may take long
-        const std::size_t block =
-            std::clamp<std::size_t>(values_at_once / each_, 1, std::max<std::size_t>(1, lines.size() / 64));
-        const std::size_t parts = (lines.size() + block - 1) / block;
-        texts_.resize(std::max(texts_.size(), parts));
-        spectral::parallel_blocks(lines.size(), block, [&](std::size_t first, std::size_t number) {
-            CsvRow row;
-            std::vector<Value> values(each_);
-            std::string& text = texts_[first / block];
+    /// A failure waits until all before it is evaluated, so that of two the one of the earlier line is told.
+    void read(std::size_t rows, CsvLines& lines) {
+        lines.clear();
+        try {
+            if (!failure_) input_.take(rows, lines);
+        } catch (...) {
+            failure_ = std::current_exception();
+        }
+    }
+
+    void write_answered() {
+        for (std::string& text : answered_) {
+            output_.add(text);
             text.clear();
-            for (std::size_t i = first; i < first + number; ++i) {
-                input_.parse(lines, i, row);
-                try {
-                    evaluate(row, std::span{values});
-                } catch (const Error& error) {
-                    throw Error{input_.where(row.line) + error.what()};
-                }
-                write(text, row, values, append);
+        }
+    }
+
+    template <class Evaluate, class Append>
+    void answer(const CsvLines& lines, std::size_t first, std::size_t most, std::string& text,
+                const Evaluate& evaluate, const Append& append) const {
+        CsvRow row;
+        std::vector<Value> values(each_);
+        for (std::size_t i = first; i < std::min(first + most, lines.size()); ++i) {
+            input_.parse(lines, i, row);
+            try {
+                evaluate(row, std::span{values});
+            } catch (const Error& error) {
+                throw Error{input_.where(row.line) + error.what()};
             }
-        });
-        return parts;
+            write(text, row, values, append);
+        }
     }
 
     template <class Append>
@@ -101,7 +123,8 @@ class Transform {
     CsvReader& input_;
     TableWriter& output_;
     std::size_t each_;
-    std::vector<std::string> texts_;  // their memory is used again
+    std::vector<std::string> texts_, answered_;  // in parts; their memory is used again
+    std::exception_ptr failure_;
     Stopwatch watch_;
 };
 

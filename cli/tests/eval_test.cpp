@@ -144,6 +144,21 @@ TEST_CASE("random pairs have the same mean for any number of threads and of chun
     }
 }
 
+TEST_CASE("of two faults hts eval tells the one of the earlier line") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    std::string points = header + "\n";
+    for (int i = 0; i < 20'000; ++i) points += "0.5,30,0,30,180\n";
+    place.file("a.csv", points + "0.5,91,0,30,180\n0.5,\xFF,0,30,180\n");
+    const std::string command = "eval --material al.json --output values.csv --points ";
+    check_complaint(place.hts(command + "a.csv"), 1, {"a.csv:20002: ", "91"});
+    place.file("b.csv", points + "0.5,\xFF,0,30,180\n0.5,91,0,30,180\n");
+    check_complaint(place.hts(command + "b.csv"), 1, {"b.csv:20002: not UTF-8 text"});
+    place.file("c.csv", "\xFF\n");
+    check_complaint(place.hts(command + "c.csv"), 1, {"c.csv:1: not UTF-8 text"});
+    CHECK(place.names() == std::vector<std::string>{"a.csv", "al.json", "b.csv", "c.csv"});
+}
+
 TEST_CASE("hts eval reads and writes structured arrays of NumPy") {
     const Workplace place;
     place.file("al.json", aluminium);

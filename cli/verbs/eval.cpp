@@ -37,7 +37,7 @@ plan's. A spectral plan adds wavelength_um, brdf, specular_reflectance, an rgb o
 sRGB: red, green, blue of the radiance factor pi f and specular_red, specular_green,
 specular_blue of the specular reflectance.
 With --tolerance 1e-6, --random-pairs takes a seventh of its time at 31 wavelengths and
---points six sevenths, since most of that goes into reading and writing numbers (one core
+--points four fifths, since most of that goes into reading and writing numbers (one core
 of an AMD EPYC, material rough-aluminium.json).
 
 Examples:
