@@ -2,18 +2,6 @@
 
 namespace hts::cli {
 
-spectral::Reflectance ReflectanceCache::at(
-    double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make) {
-    {
-        const std::lock_guard lock{mutex_};
-        if (const auto found = made_.find(micrometres); found != made_.end()) return found->second;
-    }
-    const spectral::Reflectance made = make(micrometres);
-    const std::lock_guard lock{mutex_};
-    if (made_.size() >= most) made_.clear();
-    return made_.emplace(micrometres, made).first->second;
-}
-
 std::vector<spectral::EnergyCompensation> CompensationCache::at(const spectral::RoughSurface& surface,
                                                                 const spectral::WavelengthGrid& wavelengths) {
     std::vector<spectral::EnergyCompensation> all;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -14,18 +13,29 @@
 
 namespace hts::cli {
 
-/// Reflectances of one material by wavelength.
-class ReflectanceCache {
+/// What is made of one material for each wavelength.
+template <class Value>
+class WavelengthCache {
   public:
     /// The one at a wavelength, made where it is not there yet.
-    [[nodiscard]] spectral::Reflectance at(
-        double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make);
+    ///   make   (double micrometres) -> Value
+    template <class Make>
+    [[nodiscard]] Value at(double micrometres, const Make& make) {
+        {
+            const std::lock_guard lock{mutex_};
+            if (const auto found = made_.find(micrometres); found != made_.end()) return found->second;
+        }
+        const Value made = make(micrometres);
+        const std::lock_guard lock{mutex_};
+        if (made_.size() >= most) made_.clear();
+        return made_.emplace(micrometres, made).first->second;
+    }
 
   private:
     static constexpr std::size_t most =
         4096;  ///< before it starts anew: a file may have a wavelength of its own in each row
     std::mutex mutex_;
-    std::map<double, spectral::Reflectance> made_;
+    std::map<double, Value> made_;
 };
 
 /// The energy compensation of surfaces of one material and wavelengths, each solved once.

@@ -144,6 +144,15 @@ void JsonValue::require_keys_among(const std::vector<std::string>& known) const 
     }
 }
 
+JsonValue JsonValue::without(const std::vector<std::string>& keys) const {
+    require_object();
+    const auto there = [&](const std::string& key) { return value_of(value_).contains(key); };
+    if (std::none_of(keys.begin(), keys.end(), there)) return *this;
+    json rest = value_of(value_);
+    for (const std::string& key : keys) rest.erase(key);
+    return {std::make_shared<const json>(std::move(rest)), file_, key_};
+}
+
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
     require_object();
     const auto found = value_of(value_).find(std::string{key});

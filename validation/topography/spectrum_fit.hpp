@@ -61,6 +61,8 @@ struct SpectrumFit {
     /// beyond the rings as they were measured. The third place where the rms of the heights must come back.
     double rms_of_rings;
     double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
+    /// Relative covariances of rms_of_band and of the model's own values in their order, row by row.
+    std::vector<double> covariances;
     /// per degree of freedom: 1 at most where the description holds; errors grow with its root
     double deviance;
     double aic;                          ///< Akaike's criterion, of all descriptions on the same data

@@ -1,4 +1,4 @@
-#include "validation/fit/fit_section.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "validation/curves/built_in_curves.hpp"
-#include "validation/fit/fit_cases.hpp"
-#include "validation/fit/fit_section.hpp"
+#include "validation/fit/sections/fit_cases.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 #include "validation/fit/fit_table.hpp"
 #include "validation/report/prose.hpp"
 
@@ -120,7 +120,10 @@ std::string lobes_text(const std::vector<SetResult>& results) {
 
 Section models_section(Effort effort) {
     std::vector<SetResult> results;
-    for (const std::string& set : built_in_curve_names()) results.push_back(result_of(set, effort));
+    for (const std::string& set : built_in_curve_names()) {
+        if (built_in_curves(set).quantity != Quantity::hemispherical_reflectance)
+            results.push_back(result_of(set, effort));
+    }
     const auto median = [](const Fit& fit) { return fit.statistics.median_abs_log; };
     const auto l2 = [](const Fit& fit) { return fit.statistics.l2; };
     Section section{"models", "All models fitted to all measurements", "", {}, {}, {}, {}, {}};
