@@ -98,6 +98,10 @@ bool JsonValue::is_list() const noexcept {
     return value_of(value_).is_array();
 }
 
+bool JsonValue::is_null() const noexcept {
+    return value_of(value_).is_null();
+}
+
 double JsonValue::number() const {
     if (!value_of(value_).is_number()) throw error("must be a number, not " + with_article(value_of(value_)));
     return value_of(value_).get<double>();

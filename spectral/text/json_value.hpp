@@ -28,6 +28,7 @@ class JsonValue {
     [[nodiscard]] bool is_object() const noexcept;
     [[nodiscard]] bool is_text() const noexcept;
     [[nodiscard]] bool is_list() const noexcept;
+    [[nodiscard]] bool is_null() const noexcept;
 
     /// The value as what it must be; hts::Error that says what it is otherwise.
     [[nodiscard]] double number() const;

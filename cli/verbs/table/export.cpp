@@ -31,6 +31,7 @@ struct ExportOptions {
     bool json = false, colour = false;
     std::string basis;
     int depth = 0;
+    std::optional<double> mirror_azimuth;
     OutsideOption outside;
 };
 
@@ -53,7 +54,8 @@ R, G, B.
 Examples:
   hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
   hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf
-  hts table export cli/data/rough-aluminium.json --format glsl --output aluminium.glsl)";
+  hts table export cli/data/rough-aluminium.json --format glsl --output aluminium.glsl
+  hts table export cli/data/rough-aluminium.json --format openmaterial --output aluminium.xomp)";
 }
 
 const TableFormat& format_named(const std::string& name) {
@@ -70,11 +72,13 @@ ExportDetails details_of(const ExportOptions& options, const TableFormat& format
     require(options.colour, "--colour");
     require(!options.basis.empty(), "--basis");
     require(options.depth > 0, "--depth");
+    require(options.mirror_azimuth.has_value(), "--mirror-azimuth");
     if (format.holds_specular && options.specular == "box")
         throw UsageError{"--specular box: must not come with --format " + format.name +
                          ", which holds the specular term as it is"};
     ExportDetails details{.colour = options.colour, .depth = options.depth};
     if (!options.basis.empty()) details.basis = options.basis;
+    details.mirror_azimuth = options.mirror_azimuth.value_or(details.mirror_azimuth);
     return details;
 }
 
@@ -202,6 +206,9 @@ void add_table_export(CLI::App& table) {
                      "of the tree of radiance: halvings of each dimension, 1 ... 8, for\n"
                      "surfaces with a grain 6; more is finer (7, or 5)")
         ->check(whole_number(1, 8));
+    verb->add_option("--mirror-azimuth", options->mirror_azimuth,
+                     "of openmaterial: where azimuths have the mirror direction [deg], 0 or 180 (the default)")
+        ->check(CLI::IsMember({0.0, 180.0}));
     verb->add_option(pairs_names, options->pairs, "pairs of directions to compare at, 1 ... 100000000")
         ->check(whole_number(1, 100'000'000))
         ->capture_default_str();

@@ -29,6 +29,7 @@ struct ExportDetails {
     bool colour = false;         ///< three channels where a format could hold others
     std::string basis = "full";  ///< of Klems: full, half or quarter
     int depth = 0;               ///< of a tensor tree, 0 for its default
+    double mirror_azimuth = 180;  ///< of OpenMATERIAL: where azimuths have the mirror direction [deg]
 };
 
 /// A format: what is written, and how programs that know it read it.
