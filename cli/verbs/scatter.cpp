@@ -20,7 +20,8 @@ on both sides of the mirror direction; x = |sin(theta_r) - sin(theta_i)|, signed
   harvey_shack   b0 (1 + (x/l)^2)^(s/2)
   k_correlation  16 pi^2 cos(theta_i) cos(theta_r) Q S2(x/lambda)/lambda^4, the law of smooth
                  surfaces, S2(f) = A/(1 + (B f)^2)^(s/2): Zemax' and FRED's numbers, the rms
-                 roughness that of frequencies 0 ... 1/lambda
+                 roughness that of frequencies 0 ... 1/lambda; of views with
+                 cos(theta_r) >= cos(theta_i)/2
 Each parameter is a row, with the median and the root mean square of ln(form/BRDF) that its
 form leaves. Q is what the material reflects in all unless --reflectance says it. Of rough
 surfaces, or where the residual is large, the numbers of k_correlation are effective ones.

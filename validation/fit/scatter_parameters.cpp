@@ -17,6 +17,8 @@ constexpr double pi = std::numbers::pi;
 constexpr int views_a_side = 60;
 constexpr double nearest = 1e-3, farthest_theta = 85;  // of beta from the mirror's; [deg]
 
+constexpr double grazing = 0.5;                      // of cos theta_i, below which cos theta_r is no law's
+
 struct View {
     double x, cos_theta_r, log_brdf;
 };
@@ -113,14 +115,14 @@ Found fitted(const Form& form, const std::vector<View>& views) {
 
 std::vector<ScatterParameter> parameters(const Form& form, const Found& found, double wavelength,
                                          double cos_theta_i, double reflectance) {
-    const double width = std::exp(found.log_width), f0 = std::exp(found.log_f0);
+    const double width = std::exp(found.log_width), most = std::exp(found.log_f0);
     if (!form.smooth_law && form.shape == abg) {
         const double b = std::pow(width, found.power);
-        return {{"A", "1/sr", f0 * b}, {"B", "1", b}, {"g", "1", found.power}};
+        return {{"A", "1/sr", most * b}, {"B", "1", b}, {"g", "1", found.power}};
     }
-    if (!form.smooth_law) return {{"b0", "1/sr", f0}, {"l", "1", width}, {"s", "1", -found.power}};
-    // f0 is what the law has at x = 0 but for cos theta_r
-    const double a = f0 * std::pow(wavelength, 4) / (16 * pi * pi * cos_theta_i * reflectance);
+    if (!form.smooth_law) return {{"b0", "1/sr", most}, {"l", "1", width}, {"s", "1", -found.power}};
+    // `most` is what the law has at x = 0 but for cos theta_r
+    const double a = most * std::pow(wavelength, 4) / (16 * pi * pi * cos_theta_i * reflectance);
     const double b = wavelength / width, s = found.power, ends = std::log1p(b * b / (wavelength * wavelength));
     // integral of S2 2 pi f df up to 1/lambda; (1 - e^(-u t))/u is t at u = 0
     const double u = s / 2 - 1, part = std::abs(u) < 1e-9 ? ends : -std::expm1(-u * ends) / u;
@@ -142,12 +144,15 @@ std::vector<ScatterFit> scatter_fits(const spectral::Reflectance& brdf, std::siz
     if (reflectance <= 0) reflectance = brdf.albedo(in, wavelength).total();
     std::vector<ScatterFit> result;
     for (const Form& form : forms) {
-        Found found = fitted(form, seen);
+        std::vector<View> used = seen;
+        if (form.smooth_law)
+            std::erase_if(used, [&](const View& view) { return view.cos_theta_r < grazing * in.cos_theta(); });
+        Found found = fitted(form, used);
         for (double& each : found.residuals) each = std::abs(each);
         result.push_back({form.name,
                           parameters(form, found, brdf.wavelengths().micrometres()[wavelength], in.cos_theta(),
                                      reflectance),
-                          seen.size(), spectral::median(found.residuals),
+                          used.size(), spectral::median(found.residuals),
                           spectral::root_mean_square(found.residuals),
                           *std::ranges::max_element(found.residuals)});
     }

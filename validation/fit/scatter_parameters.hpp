@@ -9,7 +9,8 @@
 ///                   the two-dimensional spectrum and whose rms roughness holds for frequencies 0 ... 1/lambda
 ///
 /// Each is fitted to ln f at 120 views in the plane of incidence, on both sides of the mirror direction, x from
-/// 0.001 on by equal factors, up to theta_r = 85 deg. The specular term is left out.
+/// 0.001 on by equal factors, up to theta_r = 85 deg; K-correlation where cos theta_r is at least half of
+/// cos theta_i, since its law has no index and fails at grazing angles. The specular term is left out.
 #pragma once
 
 #include <string>

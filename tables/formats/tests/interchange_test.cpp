@@ -154,7 +154,7 @@ TEST_CASE("OpenMATERIAL files hold to the schema and come back as the material t
     CHECK(found.format == "openmaterial");
     const auto material = spectral::material_from_text(found.material, "a.json");
     CHECK(material.model_name() == "he");
-    const auto read = material.at(two_wavelengths, {.tolerance = testing::exactly});
+    const auto read = material.at(two_wavelengths, {.tolerance = tables::testing::exactly});
     const DirectionPair pair{Direction::from_degrees(30, 0), Direction::from_degrees(40, 170)};
     for (std::size_t i : {0U, 1U}) {
         CHECK(read.brdf(pair)[i] == Approx(brdf.brdf(pair)[i]).epsilon(1e-9));
@@ -306,13 +306,13 @@ TEST_CASE("damaged JSON of other programs gives a named error or something sound
         std::vector<double> values(brdf.size());
         for (const double theta : {0., 25., 60., 89.}) {
             brdf.evaluator().brdf({Direction::from_degrees(theta, 0), Direction::from_degrees(40, 170)}, values);
-            for (const double value : values) testing::require_sound(value >= 0 && std::isfinite(value));
+            for (const double value : values) tables::testing::require_sound(value >= 0 && std::isfinite(value));
         }
     };
-    testing::check_damaged({"OpenMATERIAL", brdf_table(rows), 600, nasty, [&](const std::string& text) {
+    tables::testing::check_damaged({"OpenMATERIAL", brdf_table(rows), 600, nasty, [&](const std::string& text) {
                                 sound(brdf_from("o", points_of_open_material(text, "o", std::nullopt)).brdf);
                             }});
-    testing::check_damaged({"BiRD", bird(bird_good), 600, nasty, [&](const std::string& text) {
+    tables::testing::check_damaged({"BiRD", bird(bird_good), 600, nasty, [&](const std::string& text) {
                                 sound(brdf_from("b", points_of_bird(text, "b", std::nullopt)).brdf);
                             }});
 }

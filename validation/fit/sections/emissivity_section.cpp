@@ -35,7 +35,7 @@ struct Energy {
     [[nodiscard]] std::size_t within(double deviations) const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < theta.size(); ++i)
-            count += std::abs(computed[i] - measured[i]) <= deviations * deviation[i] ? 1 : 0;
+            if (std::abs(computed[i] - measured[i]) <= deviations * deviation[i]) ++count;
         return count;
     }
 };
@@ -109,7 +109,7 @@ Section emissivity_section(const std::vector<CaseResult>& results) {
                                   energy.off() <= most_deviations,
                                   "",
                                   0.1});
-        met += section.checks.back().passed ? 1 : 0;
+        if (section.checks.back().passed) ++met;
     }
     section.learned = "Of " + std::to_string(section.checks.size()) +
                       " surfaces whose curves were fitted in the plane of incidence, " + std::to_string(met) +

@@ -19,7 +19,6 @@ namespace hts::validation {
 namespace {
 
 using nlohmann::ordered_json;
-using spectral::brief;
 
 constexpr AveragingNodes nodes{1, 1};
 constexpr double most_albedo = 0.2;
@@ -150,7 +149,7 @@ double map_error(const CurveSet& set, const Description& description) {
 }
 
 std::vector<std::string> figures(const FiguresOfMerit& f) {
-    return {brief(f.median_abs_log, 3), brief(f.rms_log, 3), brief(f.mean_log, 3)};
+    return {spectral::brief(f.median_abs_log, 3), spectral::brief(f.rms_log, 3), spectral::brief(f.mean_log, 3)};
 }
 
 ReportTable table_of(const CaseResult& fit, const std::vector<Predicted>& all) {
@@ -160,11 +159,11 @@ ReportTable table_of(const CaseResult& fit, const std::vector<Predicted>& all) {
                       {"roughness", "model", "n", "albedo", "median |ln(model/measured)|", "rms ln", "mean ln"},
                       {}};
     for (const Predicted& each : all) {
-        std::vector<std::string> row{each.roughness, each.model, brief(each.n), brief(each.albedo, 3)};
+        std::vector<std::string> row{each.roughness, each.model, spectral::brief(each.n), spectral::brief(each.albedo, 3)};
         for (std::string& cell : figures(each.figures)) row.push_back(std::move(cell));
         table.rows.push_back(std::move(row));
     }
-    const auto& parameter = [&](const char* name) { return brief(fit.fit.parameter(name).value, 3); };
+    const auto& parameter = [&](const char* name) { return spectral::brief(fit.fit.parameter(name).value, 3); };
     const Comparison fitted = comparison(
         fit.set, Prediction{fit.set, nodes}.values(fitted_material(fit.fit), spectral::OutsideRange::hold));
     std::vector<std::string> row{"fitted: Gaussian, σ₀ " + parameter("sigma0") + " µm, τ " + parameter("tau") + " µm",
@@ -189,7 +188,7 @@ Figure figure_of(const CaseResult& fit, const std::vector<Predicted>& all) {
     }
     std::vector<output::Rows> points, drawn;
     for (std::size_t c = 0; c < set.curves.size(); ++c) {
-        titles.push_back("light at " + brief(set.curves[c].fixed_angle()) + "°");
+        titles.push_back("light at " + spectral::brief(set.curves[c].fixed_angle()) + "°");
         auto& dots = points.emplace_back();
         for (const CurvePoint& point : set.curves[c].points)
             dots.push_back({set.curves[c].swept_angle(point), point.value});
@@ -201,7 +200,7 @@ Figure figure_of(const CaseResult& fit, const std::vector<Predicted>& all) {
         }
     }
     output::Script script;
-    script.set("surface", set.surface + ", measured by " + set.by + ", " + brief(set.curves[0].band.first) + " µm");
+    script.set("surface", set.surface + ", measured by " + set.by + ", " + spectral::brief(set.curves[0].band.first) + " µm");
     script.set("panel", titles).set("line", legend).data("points", points).data("lines", drawn);
     return {set.stem + "-predicted",
             {},
@@ -232,16 +231,16 @@ Section predicted_section(const std::vector<CaseResult>& results) {
         const double shape = shaped.figures.median_abs_log, error = map_error(fit.set, descriptions[2]);
         section.checks.push_back({fit.set.surface + ": the map's K-correlation predicts within a factor of 1.5 "
                                                     "in the median, n = 1.5",
-                                  "median |ln(model / measured)| " + brief(shape, 3), shape <= std::log(1.5), "", 0.05});
+                                  "median |ln(model / measured)| " + spectral::brief(shape, 3), shape <= std::log(1.5), "", 0.05});
         section.text += "\n\n" + fit.set.surface + ": with n = 1.5 a Gaussian of the map's rms and length is " +
-                        brief(gaussian.figures.median_abs_log, 2) + " off in the median of |ln|, its K-correlation " +
-                        brief(shape, 2) + ", with n = 2 " + brief(other.figures.median_abs_log, 2) +
-                        "; the errors of the K-correlation's numbers account for " + brief(error, 2) +
+                        spectral::brief(gaussian.figures.median_abs_log, 2) + " off in the median of |ln|, its K-correlation " +
+                        spectral::brief(shape, 2) + ", with n = 2 " + spectral::brief(other.figures.median_abs_log, 2) +
+                        "; the errors of the K-correlation's numbers account for " + spectral::brief(error, 2) +
                         " of it (median relative standard deviation), the fit leaves " +
-                        brief(fit.fit.statistics.median_abs_log, 2) + ".";
+                        spectral::brief(fit.fit.statistics.median_abs_log, 2) + ".";
         section.learned += (section.learned.empty() ? "From height maps alone the scatter of two coatings is predicted to "
                                                     : " and ") +
-                           brief(shape, 2);
+                           spectral::brief(shape, 2);
     }
     section.learned += " in the median of |ln(model / measured)|; fits reach the values of their tables.";
     return section;
