@@ -94,7 +94,8 @@ std::optional<ordered_json> uncertainty_json(const Fit& fit) {
             return std::nullopt;
         result[parameter.key] = parameter.standard_error;
         for (const auto& [key, other] : known)
-            correlated.push_back({key, parameter.key, fit.correlation[other][static_cast<std::size_t>(place)]});
+            correlated.push_back(
+                {key, parameter.key, fit.correlation[other][static_cast<std::size_t>(place)]});
         known.emplace_back(parameter.key, static_cast<std::size_t>(place));
     }
     if (known.empty()) return std::nullopt;
@@ -145,12 +146,12 @@ std::string cross_validation_text(const validation::CrossValidation& result) {
     std::string text = "  each angle predicted by a fit without it:\n    " + padded("angle [deg]", 14) +
                        padded("values", 8) + "median |ln| rms ln    rms diff.  L2\n";
     for (const validation::LeftOut& part : result.parts) {
-        const std::string angle = brief(part.first_angle) + (part.last_angle > part.first_angle
-                                                                 ? " to " + brief(part.last_angle)
-                                                                 : "");
+        const std::string angle = brief(part.first_angle) +
+                                  (part.last_angle > part.first_angle ? " to " + brief(part.last_angle) : "");
         text += "    " + padded(angle, 14) + padded(std::to_string(part.error.data), 8) + figures(part.error);
     }
-    return text + "    " + padded("all", 14) + padded(std::to_string(result.all.data), 8) + figures(result.all);
+    return text + "    " + padded("all", 14) + padded(std::to_string(result.all.data), 8) +
+           figures(result.all);
 }
 
 std::string fit_json(const Fit& fit, const std::optional<validation::CrossValidation>& cross_validation) {
@@ -161,22 +162,22 @@ std::string fit_json(const Fit& fit, const std::optional<validation::CrossValida
             {{"cost", number(start.cost)}, {"iterations", start.iterations}, {"converged", start.converged}});
     }
     ordered_json report{{"data", fit.data},
-                              {"model", fit.model},
-                              {"lobes", fit.request.lobes},
-                              {"residual", name(fit.request.residual)},
-                              {"loss", name(fit.request.loss)},
-                              {"loss_scale", fit.request.loss_scale},
-                              {"parameters", parameters},
-                              {"sigma0_over_tau", slope_json(fit)},
-                              {"sigma0_and_tau_apart", fit.slope_alone},
-                              {"errors_hold", fit.errors_hold},
-                              {"correlated", fit.correlated},
-                              {"correlation", fit.correlation},
-                              {"statistics", statistics_json(fit.statistics)},
-                              {"statements", fit.statements},
-                              {"starts", starts},
-                              {"starts_at_best", fit.starts_at_best},
-                              {"material", ordered_json::parse(fit.material)}};
+                        {"model", fit.model},
+                        {"lobes", fit.request.lobes},
+                        {"residual", name(fit.request.residual)},
+                        {"loss", name(fit.request.loss)},
+                        {"loss_scale", fit.request.loss_scale},
+                        {"parameters", parameters},
+                        {"sigma0_over_tau", slope_json(fit)},
+                        {"sigma0_and_tau_apart", fit.slope_alone},
+                        {"errors_hold", fit.errors_hold},
+                        {"correlated", fit.correlated},
+                        {"correlation", fit.correlation},
+                        {"statistics", statistics_json(fit.statistics)},
+                        {"statements", fit.statements},
+                        {"starts", starts},
+                        {"starts_at_best", fit.starts_at_best},
+                        {"material", ordered_json::parse(fit.material)}};
     if (cross_validation) report["cross_validation"] = cross_validation_json(*cross_validation);
     return report.dump(2) + "\n";
 }

@@ -211,7 +211,8 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
 
 void PointEvaluator::add_uncertainty(const DirectionPair& pair, const spectral::WavelengthGrid& grid,
                                      std::span<Evaluation> result) const {
-    const auto of = uncertainty_->at(grid.micrometres()[0], [&](double) { return uncertain_->at(grid, how_); });
+    const auto of =
+        uncertainty_->at(grid.micrometres()[0], [&](double) { return uncertain_->at(grid, how_); });
     std::vector<double> brdf(result.size()), specular(result.size());
     of.brdf(pair, brdf);
     of.specular_reflectance(pair.in, specular);

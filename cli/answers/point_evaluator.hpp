@@ -111,8 +111,9 @@ class PointEvaluator {
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::EvaluationOptions how_;
     std::optional<spectral::Reflectance> same_for_all_;  ///< rows, if it is
-    std::shared_ptr<WavelengthCache<spectral::Reflectance>> by_wavelength_;    ///< of rows that differ in nothing else
-    std::shared_ptr<CompensationCache> compensation_;    ///< null without
+    std::shared_ptr<WavelengthCache<spectral::Reflectance>>
+        by_wavelength_;                                ///< of rows that differ in nothing else
+    std::shared_ptr<CompensationCache> compensation_;  ///< null without
     std::optional<spectral::UncertainMaterial> uncertain_{};
     std::shared_ptr<WavelengthCache<spectral::UncertainReflectance>> uncertainty_;  ///< by wavelength
 };

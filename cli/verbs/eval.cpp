@@ -142,7 +142,9 @@ spectral::UncertainMaterial uncertain_material(const EvalOptions& options) {
         given.push_back({name, value});
     }
     const std::string text = spectral::read_text_file(path);
-    const auto make = [&] { return spectral::UncertainMaterial{text, path, given, tables::models_with_files()}; };
+    const auto make = [&] {
+        return spectral::UncertainMaterial{text, path, given, tables::models_with_files()};
+    };
     return given.empty() ? make() : from_option("--uncertainty", make);
 }
 
@@ -171,8 +173,9 @@ void evaluate_points(const EvalOptions& options) {
     PointEvaluator evaluator{points, described, grid, options.evaluation()};
     if (options.uncertainty) evaluator.with(uncertain_material(options));
     warn_of_unused(points);
-    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && evaluator.of_rough_surfaces(),
-                      options.uncertainty, options.transmission, options.columns};
+    EvalAnswer answer{
+        grid.has_value(),    options.mueller,      options.detail && evaluator.of_rough_surfaces(),
+        options.uncertainty, options.transmission, options.columns};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -240,8 +243,8 @@ void run(const EvalOptions& options) {
             "--polarisation, "
             "--plan, --random-pairs"};
     }
-    if (options.uncertainty && (options.transmission || options.compensate || !options.plan.empty() ||
-                                options.random_pairs)) {
+    if (options.uncertainty &&
+        (options.transmission || options.compensate || !options.plan.empty() || options.random_pairs)) {
         throw UsageError{
             "--uncertainty: must not come with --transmission, --compensate-energy, --plan, --random-pairs"};
     }

@@ -195,8 +195,9 @@ void say_who_predicts(const FitOptions& options, const std::vector<Fit>& fits,
 void fit_all_models(const FitOptions& options) {
     const auto names = expanded(options.curves);
     Output output{options.output.empty() ? "-" : options.output};
-    std::vector<std::string> columns{"data", "model", "values", "free_parameters", "median_abs_log", "rms_log",
-                                     "rms", "l2_cosine_per_sr", "aic", "bic"};
+    std::vector<std::string> columns{
+        "data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms", "l2_cosine_per_sr",
+        "aic",  "bic"};
     if (options.cross_validate)
         columns.insert(columns.end(), {"predicted_median_abs_log", "predicted_rms_log", "predicted_rms",
                                        "predicted_l2_cosine_per_sr"});

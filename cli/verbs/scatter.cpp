@@ -82,8 +82,7 @@ void add_scatter(CLI::App& program) {
         program.add_subcommand("scatter", "ABg, Harvey-Shack and K-correlation parameters of any material");
     auto options = std::make_shared<ScatterOptions>();
     options->material.add_to(*verb)->required();
-    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
-        ->required();
+    verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")->required();
     comma_list(*verb, "--theta-i", options->theta_i, "angles of incidence [deg]");
     verb->add_option("--reflectance", options->reflectance,
                      "Q of k_correlation, 0 ... 1; 0: what the material reflects in all")

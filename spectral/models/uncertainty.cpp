@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double step = 0.25;           // of a standard deviation, to either side
-constexpr double finest = 1e-9;         // of the values whose difference is taken
+constexpr double step = 0.25;    // of a standard deviation, to either side
+constexpr double finest = 1e-9;  // of the values whose difference is taken
 constexpr std::size_t most_numbers = 64;
 
 // ---- exact derivatives
@@ -146,7 +146,8 @@ std::string pointer_of(const json& file, const std::string& name, const std::str
     if (is_number("/" + name)) return "/" + name;
     if ((name == "n" || name == "k") && is_number("/index/" + name)) return "/index/" + name;
     if ((name == "n" || name == "k") && file.contains("index")) return "";
-    throw Error{place + ": must name a number of the material file, as rms_roughness_um, correlation/B_um or n"};
+    throw Error{place +
+                ": must name a number of the material file, as rms_roughness_um, correlation/B_um or n"};
 }
 
 double deviation_from(const JsonValue& value) {
@@ -162,8 +163,7 @@ template <class Ask>
 void UncertainReflectance::combine(std::span<double> deviations, const Ask& ask) const {
     const std::size_t count = changes_.size(), width = deviations.size();
     std::vector<double> changes(count * width);
-    for (std::size_t i = 0; i < count; ++i)
-        ask(*changes_[i], std::span{changes}.subspan(i * width, width));
+    for (std::size_t i = 0; i < count; ++i) ask(*changes_[i], std::span{changes}.subspan(i * width, width));
     for (std::size_t w = 0; w < width; ++w) {
         double variance = 0;
         for (std::size_t i = 0; i < count; ++i)
@@ -178,7 +178,8 @@ void UncertainReflectance::brdf(const DirectionPair& pair, std::span<double> dev
 }
 
 void UncertainReflectance::specular_reflectance(const Direction& in, std::span<double> deviations) const {
-    combine(deviations, [&](const Change& of, std::span<double> values) { of.specular_reflectance(in, values); });
+    combine(deviations,
+            [&](const Change& of, std::span<double> values) { of.specular_reflectance(in, values); });
 }
 
 UncertainMaterial::UncertainMaterial(const std::string& text, std::filesystem::path path,
@@ -232,7 +233,8 @@ UncertainMaterial::UncertainMaterial(const std::string& text, std::filesystem::p
         correlations_[i * count + j] = correlations_[j * count + i] = r;
     }
     if (!possible(correlations_, count))
-        throw correlated->error("no errors have all these correlations: the matrix has a negative eigenvalue");
+        throw correlated->error(
+            "no errors have all these correlations: the matrix has a negative eigenvalue");
 }
 
 Material UncertainMaterial::with(std::span<const double> differences) const {

@@ -11,8 +11,8 @@
 ///                      "correlated": [["rms_roughness_um", "correlation_length_um", 0.8]]}}
 ///
 /// A name may be any number of the file, inner keys and places in lists behind "/": "correlation/B_um",
-/// "correlation_length_um/0", "lobes/0/mx". "n" and "k" are the index, whatever gives it: one deviation at all
-/// wavelengths, which err together.
+/// "correlation_length_um/0", "lobes/0/mx". "n" and "k" are the index, whatever gives it: one deviation at
+/// all wavelengths, which err together.
 ///
 ///   variance   sum over i, j of d_i d_j r_ij s_i s_j, s the standard deviations, r their correlations, d the
 ///              derivatives; of first order, so the deviations must be small beside what the value bends on
@@ -95,8 +95,9 @@ class UncertainMaterial {
     std::vector<ModelEntry> models_;
     Material material_;
     std::vector<UncertainNumber> numbers_;
-    std::vector<std::string> pointers_;  // JSON pointers into the text; of "n" and "k" empty where the file has
-                                         // no such number
+    std::vector<std::string>
+        pointers_;  // JSON pointers into the text; of "n" and "k" empty where the file has
+                    // no such number
     std::vector<double> correlations_;
 };
 

@@ -112,7 +112,8 @@ spectral::Reflectance at_some_wavelengths(const std::string& material, const Pat
     if (um.empty()) um.push_back(0.55);
     std::vector<double> some;
     const std::size_t count = std::min(most, um.size());
-    for (std::size_t i = 0; i < count; ++i) some.push_back(um[count == 1 ? 0 : i * (um.size() - 1) / (count - 1)]);
+    for (std::size_t i = 0; i < count; ++i)
+        some.push_back(um[count == 1 ? 0 : i * (um.size() - 1) / (count - 1)]);
     return spectral::material_from_text(material, path)
         .at(spectral::WavelengthGrid::from_micrometres(std::move(some)));
 }
@@ -126,7 +127,10 @@ BrdfFile read_open_material(std::string bytes, const Path& path, const BrdfReadi
         if (!found.material.empty()) {
             if (how.wavelengths)
                 throw Error{path.string() + ": says its wavelengths, which must not be given"};
-            return {at_some_wavelengths(found.material, path), "openmaterial", std::move(found.notes), {},
+            return {at_some_wavelengths(found.material, path),
+                    "openmaterial",
+                    std::move(found.notes),
+                    {},
                     std::move(found.material)};
         }
         table = found.brdf_table;
@@ -201,7 +205,8 @@ const std::vector<BrdfFormat>& readable_formats() {
          [](std::string bytes, const Path& path, const BrdfReading& how) {
              const std::string text = spectral::checked_text(std::move(bytes), path);
              return file_of_points(
-                 path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(0)), "fred");
+                 path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(0)),
+                 "fred");
          }},
         {"openmaterial", "ASAM OpenMATERIAL 3D, a material (.xomp) or the table of its BRDF (_brdf.xompt)",
          [](std::string_view bytes, const Path&) { return is_open_material(without_mark(bytes)); },
@@ -211,8 +216,8 @@ const std::vector<BrdfFormat>& readable_formats() {
          [](std::string bytes, const Path& path, const BrdfReading& how) {
              const std::string text = spectral::checked_text(std::move(bytes), path);
              return file_of_points(
-                 path,
-                 points_of_bird(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(180)), "bird");
+                 path, points_of_bird(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(180)),
+                 "bird");
          }},
         {"astm", "ASTM E1392 (E2387) scatter file, KEY value lines, VARS and points",
          [](std::string_view bytes, const Path&) { return has_line_vars(without_mark(bytes)); },

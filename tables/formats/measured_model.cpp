@@ -289,7 +289,8 @@ spectral::Material read_measured(const spectral::MaterialFile& file) {
     }
     const auto key = file.json["file"];
     BrdfFile found = spectral::located(key.place(), [&] { return read_brdf(file.folder / key.text(), how); });
-    if (!found.material.empty()) return spectral::material_from_text(found.material, file.folder / key.text());
+    if (!found.material.empty())
+        return spectral::material_from_text(found.material, file.folder / key.text());
     return material_of_file(found.brdf, std::move(found.notes), std::move(found.channels));
 }
 

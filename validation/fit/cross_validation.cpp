@@ -24,9 +24,8 @@ CurveSet with_angles(const CurveSet& set, const std::function<bool(double angle)
     for (Curve& curve : result.curves) {
         const bool scattered = curve.sweep == Sweep::scattered;
         const double fixed = scattered ? 0 : curve.fixed_angle();
-        std::erase_if(curve.points, [&](const CurvePoint& point) {
-            return !wanted(scattered ? point.theta_i : fixed);
-        });
+        std::erase_if(curve.points,
+                      [&](const CurvePoint& point) { return !wanted(scattered ? point.theta_i : fixed); });
     }
     std::erase_if(result.curves, [](const Curve& curve) { return curve.points.empty(); });
     return result;

@@ -171,8 +171,8 @@ std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector
                                 : place.role == Role::tied ? Outcome::tied
                                                            : Outcome::fitted;
         const bool own = !place.parameter.pointer.empty() && !place.parameter.channel;
-        result.push_back({place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest, outcome,
-                          own ? place.parameter.pointer.substr(1) : ""});
+        result.push_back({place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest,
+                          outcome, own ? place.parameter.pointer.substr(1) : ""});
     }
     return result;
 }

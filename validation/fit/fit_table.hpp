@@ -38,7 +38,8 @@ struct ComparisonRequest {
 [[nodiscard]] ModelChoice choice_of(const Fit& fit);
 
 /// How each of those fits predicts angles of incidence that it has not seen.
-[[nodiscard]] std::vector<CrossValidation> cross_validations(const std::vector<Fit>& fits, const CurveSet& set,
+[[nodiscard]] std::vector<CrossValidation> cross_validations(const std::vector<Fit>& fits,
+                                                             const CurveSet& set,
                                                              const FitSelection& selection);
 
 }  // namespace hts::validation

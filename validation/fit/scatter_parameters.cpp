@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 constexpr int views_a_side = 60;
 constexpr double nearest = 1e-3, farthest_theta = 85;  // of beta from the mirror's; [deg]
 
-constexpr double grazing = 0.5;                      // of cos theta_i, below which cos theta_r is no law's
+constexpr double grazing = 0.5;  // of cos theta_i, below which cos theta_r is no law's
 
 struct View {
     double x, cos_theta_r, log_brdf;
@@ -96,7 +96,8 @@ Found fitted(const Form& form, const std::vector<View>& views) {
             down[j] -= step;
             const auto above = residuals(up), below = residuals(down);
             auto& column = result.jacobian.emplace_back();
-            for (std::size_t i = 0; i < views.size(); ++i) column.push_back((above[i] - below[i]) / (2 * step));
+            for (std::size_t i = 0; i < views.size(); ++i)
+                column.push_back((above[i] - below[i]) / (2 * step));
         }
         return result;
     };
@@ -123,11 +124,15 @@ std::vector<ScatterParameter> parameters(const Form& form, const Found& found, d
     if (!form.smooth_law) return {{"b0", "1/sr", most}, {"l", "1", width}, {"s", "1", -found.power}};
     // `most` is what the law has at x = 0 but for cos theta_r
     const double a = most * std::pow(wavelength, 4) / (16 * pi * pi * cos_theta_i * reflectance);
-    const double b = wavelength / width, s = found.power, ends = std::log1p(b * b / (wavelength * wavelength));
+    const double b = wavelength / width, s = found.power,
+                 ends = std::log1p(b * b / (wavelength * wavelength));
     // integral of S2 2 pi f df up to 1/lambda; (1 - e^(-u t))/u is t at u = 0
     const double u = s / 2 - 1, part = std::abs(u) < 1e-9 ? ends : -std::expm1(-u * ends) / u;
-    return {{"rms_roughness", "um", std::sqrt(pi * a * part) / b}, {"B", "um", b}, {"s", "1", s},
-            {"A", "um^4", a}, {"Q", "1", reflectance}};
+    return {{"rms_roughness", "um", std::sqrt(pi * a * part) / b},
+            {"B", "um", b},
+            {"s", "1", s},
+            {"A", "um^4", a},
+            {"Q", "1", reflectance}};
 }
 
 }  // namespace
@@ -146,12 +151,13 @@ std::vector<ScatterFit> scatter_fits(const spectral::Reflectance& brdf, std::siz
     for (const Form& form : forms) {
         std::vector<View> used = seen;
         if (form.smooth_law)
-            std::erase_if(used, [&](const View& view) { return view.cos_theta_r < grazing * in.cos_theta(); });
+            std::erase_if(used,
+                          [&](const View& view) { return view.cos_theta_r < grazing * in.cos_theta(); });
         Found found = fitted(form, used);
         for (double& each : found.residuals) each = std::abs(each);
         result.push_back({form.name,
-                          parameters(form, found, brdf.wavelengths().micrometres()[wavelength], in.cos_theta(),
-                                     reflectance),
+                          parameters(form, found, brdf.wavelengths().micrometres()[wavelength],
+                                     in.cos_theta(), reflectance),
                           used.size(), spectral::median(found.residuals),
                           spectral::root_mean_square(found.residuals),
                           *std::ranges::max_element(found.residuals)});

@@ -4,11 +4,13 @@
 ///   x = |beta - beta_0|, beta = sin theta in the plane of incidence, beta_0 of the mirror direction
 ///   ABg             f = A/(B + x^g)
 ///   Harvey-Shack    f = b0 (1 + (x/l)^2)^(s/2)
-///   K-correlation   f = 16 pi^2 cos theta_i cos theta_r Q S2(x/lambda)/lambda^4, the law of smooth surfaces,
-///                   S2 = A/(1 + (B f)^2)^(s/2) over the frequency f: Zemax' and FRED's, whose s is the slope of
-///                   the two-dimensional spectrum and whose rms roughness holds for frequencies 0 ... 1/lambda
+///   K-correlation   f = 16 pi^2 cos theta_i cos theta_r Q S2(x/lambda)/lambda^4, the law of smooth
+///                   surfaces, S2 = A/(1 + (B f)^2)^(s/2) over the frequency f: Zemax' and FRED's, whose s is
+///                   the slope of the two-dimensional spectrum and whose rms roughness holds for frequencies
+///                   0 ... 1/lambda
 ///
-/// Each is fitted to ln f at 120 views in the plane of incidence, on both sides of the mirror direction, x from
+/// Each is fitted to ln f at 120 views in the plane of incidence, on both sides of the mirror direction, x
+/// from
 /// 0.001 on by equal factors, up to theta_r = 85 deg; K-correlation where cos theta_r is at least half of
 /// cos theta_i, since its law has no index and fails at grazing angles. The specular term is left out.
 #pragma once

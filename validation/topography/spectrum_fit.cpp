@@ -126,10 +126,12 @@ SeenSpectrum::SeenSpectrum(const HeightMap& map, const MapWindow& window, const 
     });
     const GaussLegendre rule = gauss_legendre(24);
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double u = rule.nodes[k], f = known_.first * u * u;  // closer where long scales have their power
+        const double u = rule.nodes[k],
+                     f = known_.first * u * u;  // closer where long scales have their power
         taken_.push_back(f);
         const double weight = rule.weights[k] * 2 * known_.first * u * 2 * std::numbers::pi * f;
-        for (const double r : distances_) taken_kernel_.push_back(weight * ::j0(2 * std::numbers::pi * f * r));
+        for (const double r : distances_)
+            taken_kernel_.push_back(weight * ::j0(2 * std::numbers::pi * f * r));
     }
 }
 
@@ -188,7 +190,8 @@ class SpectrumFitter {
             for (const double r : map.distances_) c.push_back(correlation(scales, r));
             for (std::size_t k = 0; k < map.taken_.size(); ++k) {
                 const double power = hts::validation::spectrum(scales, map.taken_[k]);
-                for (std::size_t i = 0; i < c.size(); ++i) c[i] -= power * map.taken_kernel_[k * c.size() + i];
+                for (std::size_t i = 0; i < c.size(); ++i)
+                    c[i] -= power * map.taken_kernel_[k * c.size() + i];
             }
             for (std::size_t b = 0; b < map.bins_.size(); ++b) {
                 if (fitted_only && !map.bins_[b].fitted) continue;

@@ -40,8 +40,8 @@ class SeenSpectrum {
     };
     std::vector<Bin> bins_;
     std::vector<double> distances_, kernel_;  // kernel: a row of all distances per bin
-    // Frequencies below known_, which levelling took off, and what each adds to the correlation at each distance
-    // per power: rows of frequencies.
+    // Frequencies below known_, which levelling took off, and what each adds to the correlation at each
+    // distance per power: rows of frequencies.
     std::vector<double> taken_, taken_kernel_;
     FrequencyBand known_;
     double corners_ = 0;  // variance at frequencies that are in no ring

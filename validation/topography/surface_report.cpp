@@ -171,7 +171,8 @@ void add_uncertainty(ordered_json& material, const SpectrumFit& fit, const Ellip
     for (const ErrorOf& error : errors_of(fit, ellipse)) {
         const double relative = std::sqrt(covariance(error, error));
         if (!(relative > 1e-9)) continue;
-        uncertainty[error.key] = relative * material.at(ordered_json::json_pointer{"/" + error.key}).get<double>();
+        uncertainty[error.key] =
+            relative * material.at(ordered_json::json_pointer{"/" + error.key}).get<double>();
         for (const ErrorOf& other : known) {
             const double r = covariance(error, other) / (relative * std::sqrt(covariance(other, other)));
             correlated.push_back({other.key, error.key, std::clamp(r, -1.0, 1.0)});

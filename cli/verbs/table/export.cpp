@@ -206,8 +206,9 @@ void add_table_export(CLI::App& table) {
                      "of the tree of radiance: halvings of each dimension, 1 ... 8, for\n"
                      "surfaces with a grain 6; more is finer (7, or 5)")
         ->check(whole_number(1, 8));
-    verb->add_option("--mirror-azimuth", options->mirror_azimuth,
-                     "of openmaterial: where azimuths have the mirror direction [deg], 0 or 180 (the default)")
+    verb->add_option(
+            "--mirror-azimuth", options->mirror_azimuth,
+            "of openmaterial: where azimuths have the mirror direction [deg], 0 or 180 (the default)")
         ->check(CLI::IsMember({0.0, 180.0}));
     verb->add_option(pairs_names, options->pairs, "pairs of directions to compare at, 1 ... 100000000")
         ->check(whole_number(1, 100'000'000))

@@ -184,10 +184,11 @@ Exported astm(const Reflectance& brdf, const std::string& path, const ExportDeta
 }
 
 Exported lighttools(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
-    return {{{path, tables::lighttools_text(brdf, tables::csv_grid())}},
-            sidecar("LightTools BSDF (.bsdf)",
-                    {"the light's azimuth is 90 deg; azimuths of views 90 to 270 deg, the other side is the same",
-                     "blocks of BRDF Front, TIS: reflectance of the diffuse terms"})};
+    return {
+        {{path, tables::lighttools_text(brdf, tables::csv_grid())}},
+        sidecar("LightTools BSDF (.bsdf)",
+                {"the light's azimuth is 90 deg; azimuths of views 90 to 270 deg, the other side is the same",
+                 "blocks of BRDF Front, TIS: reflectance of the diffuse terms"})};
 }
 
 Exported open_material(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
@@ -195,10 +196,12 @@ Exported open_material(const Reflectance& brdf, const std::string& path, const E
 }
 
 Exported bird(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
-    return {{{path, tables::bird_text(brdf, tables::csv_grid(brdf.properties().isotropic))}},
-            sidecar("BiRD, schema 1.0 (JSON)",
-                    {"mirror direction at phi_r = phi_i + 180 deg; of surfaces symmetric to the plane of incidence "
-                     "one side"})};
+    return {
+        {{path, tables::bird_text(brdf, tables::csv_grid(brdf.properties().isotropic))}},
+        sidecar(
+            "BiRD, schema 1.0 (JSON)",
+            {"mirror direction at phi_r = phi_i + 180 deg; of surfaces symmetric to the plane of incidence "
+             "one side"})};
 }
 
 Exported pbsdf(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {

@@ -25,10 +25,10 @@ enum class Colour { rgb, xyz };
 struct ExportDetails {
     /// Over which the specular term is spread in the reflectance or by the writer [sr]; 0 for none.
     double specular_solid_angle = 0;
-    double slope = 0;            ///< of the lobe without it (tables/formats/lobe.hpp)
-    bool colour = false;         ///< three channels where a format could hold others
-    std::string basis = "full";  ///< of Klems: full, half or quarter
-    int depth = 0;               ///< of a tensor tree, 0 for its default
+    double slope = 0;             ///< of the lobe without it (tables/formats/lobe.hpp)
+    bool colour = false;          ///< three channels where a format could hold others
+    std::string basis = "full";   ///< of Klems: full, half or quarter
+    int depth = 0;                ///< of a tensor tree, 0 for its default
     double mirror_azimuth = 180;  ///< of OpenMATERIAL: where azimuths have the mirror direction [deg]
 };
 

@@ -146,9 +146,10 @@ void add_table_import(CLI::App& table) {
     verb->add_option(wavelengths_names, options->wavelengths, "what the channels are called, a,b,c [um]");
     writes(verb->add_option("--output,-o", options->output, "material file to write (JSON)"));
     writes(verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV"));
-    verb->add_option("--mirror-azimuth", options->mirror_azimuth,
-                     "where azimuths have the mirror direction [deg], 0 or 180:\nif not given, 0 in FRED's tables, "
-                     "180 in OpenMATERIAL and BiRD")
+    verb->add_option(
+            "--mirror-azimuth", options->mirror_azimuth,
+            "where azimuths have the mirror direction [deg], 0 or 180:\nif not given, 0 in FRED's tables, "
+            "180 in OpenMATERIAL and BiRD")
         ->check(CLI::IsMember({0.0, 180.0}));
     options->outside.add_to(*verb);
     verb->add_flag("--json", options->json, "what it holds as JSON");

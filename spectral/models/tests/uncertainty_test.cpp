@@ -93,13 +93,15 @@ TEST_CASE("uncertainties of a Gaussian surface are those of 10000 draws") {
 TEST_CASE("uncertainties of spectra, of the unified model and of other models are those of draws") {
     check_draws("smooth K-correlation",
                 R"({"model": "he_unified", "rms_roughness_um": 0.01, "correlation": {"type": "k_correlation",
-        "B_um": 5, "C": 2.5, "psd": "2d"}, "index": {"n": 1.5, "k": 0}, "uncertainty": {"rms_roughness_um": 2e-4,
-        "correlation/B_um": 0.1, "correlation/C": 0.02}})",
+        "B_um": 5, "C": 2.5, "psd": "2d"}, "index": {"n": 1.5, "k": 0},
+        "uncertainty": {"rms_roughness_um": 2e-4, "correlation/B_um": 0.1, "correlation/C": 0.02}})",
                 off_mirror, 300, 0.15);
-    check_draws("GGX", R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0},
+    check_draws("GGX",
+                R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0},
         "uncertainty": {"alpha": 0.005, "n": 0.01}})",
                 off_mirror, 10'000, 0.03);
-    check_draws("a lobe of Kurt's", R"({"model": "kurt", "kd": 0.1, "lobes": [{"ks": 0.3, "f0": 0.5, "mx": 0.3,
+    check_draws("a lobe of Kurt's",
+                R"({"model": "kurt", "kd": 0.1, "lobes": [{"ks": 0.3, "f0": 0.5, "mx": 0.3,
         "my": 0.3, "alpha": 0.5}], "uncertainty": {"kd": 0.003, "lobes/0/ks": 0.01}})",
                 off_mirror, 10'000, 0.03);
 }
@@ -107,7 +109,8 @@ TEST_CASE("uncertainties of spectra, of the unified model and of other models ar
 TEST_CASE("exact derivatives and differences say the same") {
     // without an effect on the surface, "films" of no thickness leave exact derivatives out of the way
     std::string with_film = gaussian;
-    with_film.insert(with_film.find("\"index\""), R"("films": [{"index": {"n": 1.3, "k": 0}, "thickness_um": 1e-9}], )");
+    with_film.insert(with_film.find("\"index\""),
+                     R"("films": [{"index": {"n": 1.3, "k": 0}, "thickness_um": 1e-9}], )");
     std::vector<double> exact(2), difference(2);
     for (const auto& pair : {off_mirror, near_mirror}) {
         material(gaussian).at(green).brdf(pair, exact);
@@ -126,7 +129,8 @@ TEST_CASE("the index of a built-in name is uncertain, too, and a bound is not cr
     material(aluminium, {{"n", 0.01}}).at(green).brdf(off_mirror, by_n);
     material(aluminium, {{"k", 0.01}}).at(green).brdf(off_mirror, by_k);
     CHECK(by_n[0] > 5 * by_k[0]);
-    const std::string unified = R"({"model": "he_unified", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
+    const std::string unified =
+        R"({"model": "he_unified", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
         "index": {"n": 1.5, "k": 0}, "diffuse_albedo": 0})";
     material(unified, {{"k", 0.01}, {"diffuse_albedo", 0.01}}).at(green).brdf(off_mirror, by_k);
     CHECK(by_k[0] == Approx(0.01 / std::numbers::pi).epsilon(0.05));
@@ -139,15 +143,19 @@ TEST_CASE("what cannot be uncertain is refused by name") {
         CHECK_THROWS_WITH(material(text, given), Catch::Contains(message));
     };
     const auto with = [](const std::string& key) {
-        return R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al", "uncertainty": )" +
+        return R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77, "index": "Al",
+            "uncertainty": )" +
                key + "}";
     };
     refuses(with("{}"), R"(m.json: key "uncertainty": missing, or without a standard deviation)");
     refuses(with("3"), "must be an object");
-    refuses(with(R"({"rms_roughness": 0.01})"), R"("uncertainty.rms_roughness": must name a number of the material)");
-    refuses(with(R"({"rms_roughness_um": 0})"), R"("uncertainty.rms_roughness_um": 0: a standard deviation must be > 0)");
+    refuses(with(R"({"rms_roughness": 0.01})"),
+            R"("uncertainty.rms_roughness": must name a number of the material)");
+    refuses(with(R"({"rms_roughness_um": 0})"),
+            R"("uncertainty.rms_roughness_um": 0: a standard deviation must be > 0)");
     refuses(with(R"({"rms_roughness_um": "much"})"), "must be a number, not a string");
-    refuses(with(R"({"n": 0.1, "correlated": [["n", "k", 0.5]]})"), "must name two numbers that have a standard");
+    refuses(with(R"({"n": 0.1, "correlated": [["n", "k", 0.5]]})"),
+            "must name two numbers that have a standard");
     refuses(with(R"({"n": 0.1, "k": 0.1, "correlated": [["n", "k", 1.5]]})"), "1.5: must be from -1 to 1");
     refuses(with(R"({"n": 0.1, "k": 0.1, "rms_roughness_um": 0.1, "correlated": [["n", "k", 0.9],
         ["n", "rms_roughness_um", 0.9], ["k", "rms_roughness_um", -0.9]]})"),
@@ -155,5 +163,6 @@ TEST_CASE("what cannot be uncertain is refused by name") {
     refuses(gaussian, "tau: must name a number", {{"tau", 0.1}});
     refuses(gaussian, "n: standard deviation -1: must be > 0", {{"n", -1}});
     const std::string walter = R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": "Al"})";
-    CHECK_THROWS_WITH(material(walter, {{"n", 0.1}}).at(green), Catch::Contains("must be {\"n\": …, \"k\": …}"));
+    CHECK_THROWS_WITH(material(walter, {{"n", 0.1}}).at(green),
+                      Catch::Contains("must be {\"n\": …, \"k\": …}"));
 }

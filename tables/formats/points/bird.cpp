@@ -83,7 +83,8 @@ class Variables {
   private:
     [[nodiscard]] std::vector<double> as_long(const char* name, std::vector<double> list) const {
         if (list.size() == values_.size()) return list;
-        throw data_[name]["values"].error(std::to_string(list.size()) + " values: must be as many as BRDF has, " +
+        throw data_[name]["values"].error(std::to_string(list.size()) +
+                                          " values: must be as many as BRDF has, " +
                                           std::to_string(values_.size()));
     }
 
@@ -107,7 +108,8 @@ bool is_bird_file(std::string_view text) {
 }
 
 ScatterPoints points_of_bird(const std::string& text, const std::string& name,
-                             const std::optional<spectral::WavelengthGrid>& wavelengths, double mirror_azimuth) {
+                             const std::optional<spectral::WavelengthGrid>& wavelengths,
+                             double mirror_azimuth) {
     const JsonValue file = JsonValue::parse(text, name);
     const Variables data{file["data"]};
     const auto theta_i = data.angle("theta_i"), phi_i = data.angle("phi_i"), theta_r = data.angle("theta_r"),
@@ -135,7 +137,9 @@ ScatterPoints points_of_bird(const std::string& text, const std::string& name,
     }
     ScatterPoints points{
         spectral::located(name,
-                          [&] { return spectral::WavelengthGrid::from_micrometres({um.begin(), um.end()}); }),
+                          [&] {
+                              return spectral::WavelengthGrid::from_micrometres({um.begin(), um.end()});
+                          }),
         {},
         {}};
     for (const auto& [at, values] : found) {
@@ -146,11 +150,12 @@ ScatterPoints points_of_bird(const std::string& text, const std::string& name,
         points.angles.push_back({at[0], at[1], at[2], at[3]});
         for (const auto& [each, value] : values) points.values.push_back(value);
     }
-    points.notes.push_back("azimuths counted with the mirror direction at phi_i + " + shortest(mirror_azimuth) +
-                           " deg");
+    points.notes.push_back("azimuths counted with the mirror direction at phi_i + " +
+                           shortest(mirror_azimuth) + " deg");
     if (const std::string kind = data.polarisation(); !kind.empty())
         points.notes.push_back("polarisation " + spectral::in_quotes(kind) + ": taken for unpolarised light");
-    if (data.has_uncertainty()) points.notes.emplace_back("has uncertainties, which a reflectance does not hold");
+    if (data.has_uncertainty())
+        points.notes.emplace_back("has uncertainties, which a reflectance does not hold");
     if (negative.count > 0) {
         points.notes.push_back(std::to_string(negative.count) + " values are negative, the least " +
                                spectral::brief(negative.least) + " 1/sr: taken as 0");

@@ -1,5 +1,5 @@
-/// BiRD, the JSON of metrologists for bidirectional reflectance data, schema 1.0: an object of variables, each
-/// a list as long as there are points, and metadata.
+/// BiRD, the JSON of metrologists for bidirectional reflectance data, schema 1.0: an object of variables,
+/// each a list as long as there are points, and metadata.
 #pragma once
 
 #include <optional>

@@ -223,7 +223,8 @@ ScatterPoints points_of_lighttools(std::string_view text, const std::string& nam
 std::string lighttools_text(const spectral::Reflectance& brdf, AngularGrid grid) {
     grid.check();
     if (!brdf.properties().isotropic)
-        throw Error{brdf.name() + ": depends on the azimuth of the light: must be isotropic in a LightTools file"};
+        throw Error{brdf.name() +
+                    ": depends on the azimuth of the light: must be isotropic in a LightTools file"};
     const bool symmetric = is_plane_symmetric(brdf);
     if (!symmetric) grid = without_symmetry(std::move(grid));
     const auto um = brdf.wavelengths().micrometres();

@@ -20,8 +20,8 @@ namespace {
 using nlohmann::ordered_json;
 using spectral::JsonValue;
 
-constexpr double metre = 1e6;                            // [um]
-constexpr double room_temperature = 293.15;              // [K]
+constexpr double metre = 1e6;                // [um]
+constexpr double room_temperature = 293.15;  // [K]
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint64_t largest_table = std::uint64_t{1} << 30;  // [bytes]
 
@@ -199,7 +199,8 @@ std::string brdf_member(const spectral::Reflectance& brdf, double mirror_azimuth
             for (std::size_t r = 0; r < grid.polar.size(); ++r)
                 for (std::size_t a = 0; a < turns.size(); ++a) {
                     const double azimuth = asked[a < asked.size() ? a : 0];
-                    const auto place = static_cast<std::size_t>(std::ranges::find(order, azimuth) - order.begin());
+                    const auto place =
+                        static_cast<std::size_t>(std::ranges::find(order, azimuth) - order.begin());
                     const std::size_t node = (i * order.size() + place) * grid.polar.size() + r;
                     text += before;
                     append_rounded(text, um[w] / metre, 12);
@@ -238,18 +239,20 @@ OpenMaterial open_material(const std::string& text, const std::filesystem::path&
             result.notes.push_back(std::to_string(all.size()) + " tables of BRDFs: the first is read, " +
                                    all.front().text());
     }
-    const auto roughness = properties.find("surfaceRoughness"), optical = properties.find("opticalPropertiesUri");
+    const auto roughness = properties.find("surfaceRoughness"),
+               optical = properties.find("opticalPropertiesUri");
     if (!roughness || !optical) {
         if (result.brdf_table.empty())
-            throw properties.error("holds neither surfaceRoughness with opticalPropertiesUri nor brdfUris: must "
-                                   "hold one of them");
+            throw properties.error(
+                "holds neither surfaceRoughness with opticalPropertiesUri nor brdfUris: must "
+                "hold one of them");
         return result;
     }
     ordered_json material{{"name", file["metadata"]["name"].text()}, {"model", "he"}};
     material["rms_roughness_um"] =
         metre * number_within((*roughness)["surfaceHeightRms"], 0, 1, "a height in m, from 0 to 1");
-    material["correlation_length_um"] =
-        metre * number_within((*roughness)["surfaceCorrelationLength"], 1e-12, 1, "a length in m, from 1e-12 to 1");
+    material["correlation_length_um"] = metre * number_within((*roughness)["surfaceCorrelationLength"], 1e-12,
+                                                              1, "a length in m, from 1e-12 to 1");
     const auto rows = optical_rows(beside(*optical, path), result.notes);
     if (rows.size() == 1) {
         material["index"] = {{"n", rows[0].n}, {"k", rows[0].k}};
@@ -284,7 +287,8 @@ ScatterPoints points_of_open_material(const std::string& text, const std::string
         const auto [place, fresh] =
             found[{row.angles.theta_i, row.angles.theta_r, row.angles.phi_r}].emplace(row.um, value);
         if (!fresh && place->second != value)
-            throw items[i].error("the directions and wavelength of an earlier row again: must have one value");
+            throw items[i].error(
+                "the directions and wavelength of an earlier row again: must have one value");
         ++counts[row.um];
     }
     const bool unnamed = counts.contains(0);

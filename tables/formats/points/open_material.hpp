@@ -1,10 +1,10 @@
 /// ASAM OpenMATERIAL 3D: a material (.xomp) with its optical constants and BRDF as tables beside it
 /// (_optical.xompt, _brdf.xompt). Lengths are metres, angles radians.
 ///
-/// Its surfaceHeightRms and surfaceCorrelationLength, where the autocorrelation has dropped to 1/e, are sigma_0
-/// and tau of a Gaussian: with optical constants such a file is a material of model he. Azimuths of views are
-/// those from the incident direction; the schema does not say whether that is the light's side, which is taken
-/// here, so that the mirror direction is at pi.
+/// Its surfaceHeightRms and surfaceCorrelationLength, where the autocorrelation has dropped to 1/e, are
+/// sigma_0 and tau of a Gaussian: with optical constants such a file is a material of model he. Azimuths of
+/// views are those from the incident direction; the schema does not say whether that is the light's side,
+/// which is taken here, so that the mirror direction is at pi.
 #pragma once
 
 #include <filesystem>
@@ -37,9 +37,9 @@ struct OpenMaterial {
 ///   wavelengths      of one whose rows have null there
 ///   mirror_azimuth   where the file has the mirror direction [deg], 0 or 180
 /// hts::Error "path: key …".
-[[nodiscard]] ScatterPoints points_of_open_material(const std::string& text, const std::string& name,
-                                                    const std::optional<spectral::WavelengthGrid>& wavelengths,
-                                                    double mirror_azimuth = 180);
+[[nodiscard]] ScatterPoints points_of_open_material(
+    const std::string& text, const std::string& name,
+    const std::optional<spectral::WavelengthGrid>& wavelengths, double mirror_azimuth = 180);
 
 /// A material file, the table of its BRDF and, of surfaces that have them, its roughness and the table of its
 /// optical constants.

@@ -111,17 +111,22 @@ constexpr const char* metadata_text = R"("metadata": {"name": "a", "uuid": "b", 
   "openMaterial3dVersion": "1.0.0", "copyrights": [], "license": "MIT", "authors": ["c"]})";
 
 std::string brdf_table(const std::string& rows) {
-    return std::string{"{"} + metadata_text + R"(, "brdf": {"wavelengths": [5.5e-7], "receiverSolidAngles": [],
-  "lookupTable": [)" + rows + "]}}";
+    return std::string{"{"} + metadata_text +
+           R"(, "brdf": {"wavelengths": [5.5e-7], "receiverSolidAngles": [],
+  "lookupTable": [)" +
+           rows + "]}}";
 }
 
 std::string bird(const std::string& variables) {
     return R"({"metadata": {}, "data": {)" + variables + "}}";
 }
 const std::string bird_good =
-    R"("theta_i": {"unit": "deg", "values": [10, 10, 50, 50]}, "phi_i": {"unit": "deg", "values": [0, 0, 0, 0]},
-    "theta_r": {"unit": "deg", "values": [20, 60, 20, 60]}, "phi_r": {"unit": "deg", "values": [180, 180, 180, 180]},
-    "wavelength": {"unit": "nm", "values": [550, 550, 550, 550]}, "BRDF": {"unit": "sr-1", "values": [0.1, 0.2, 0.3, 0.4],
+    R"("theta_i": {"unit": "deg", "values": [10, 10, 50, 50]},
+    "phi_i": {"unit": "deg", "values": [0, 0, 0, 0]},
+    "theta_r": {"unit": "deg", "values": [20, 60, 20, 60]},
+    "phi_r": {"unit": "deg", "values": [180, 180, 180, 180]},
+    "wavelength": {"unit": "nm", "values": [550, 550, 550, 550]},
+    "BRDF": {"unit": "sr-1", "values": [0.1, 0.2, 0.3, 0.4],
     "uncertainty": {"value": [0, 0, 0, 0], "unit": "sr-1"}})";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -141,7 +146,8 @@ TEST_CASE("OpenMATERIAL files hold to the schema and come back as the material t
         check_material(json::parse(exported.files[0].text));
         check_optical(json::parse(exported.files[1].text));
         check_brdf(json::parse(exported.files[2].text));
-        for (const auto& file : exported.files) folder.write(std::filesystem::path{file.path}.filename(), file.text);
+        for (const auto& file : exported.files)
+            folder.write(std::filesystem::path{file.path}.filename(), file.text);
         // the table, by its points
         const auto table = read_brdf(folder.path() / "a_brdf.xompt", {.mirror_azimuth = mirror});
         const RoundTrip trip = round_trip(brdf, table.brdf, {2000, 3});
@@ -167,9 +173,11 @@ TEST_CASE("OpenMATERIAL files hold to the schema and come back as the material t
     CHECK(named.at(two_wavelengths).brdf(pair)[0] == Approx(brdf.brdf(pair)[0]).epsilon(1e-6));
 }
 
-TEST_CASE("OpenMATERIAL: the same material has the same bytes; what the format cannot say is left out or refused") {
+TEST_CASE(
+    "OpenMATERIAL: the same material has the same bytes; what the format cannot say is left out or refused") {
     const auto optic = brdf_of("polished-optic.json", two_wavelengths);
-    const Exported first = exported_open_material(optic, "a.xomp"), second = exported_open_material(optic, "a.xomp");
+    const Exported first = exported_open_material(optic, "a.xomp"),
+                   second = exported_open_material(optic, "a.xomp");
     for (std::size_t i = 0; i < first.files.size(); ++i) CHECK(first.files[i].text == second.files[i].text);
     CHECK_FALSE(json::parse(first.files[0].text)["materialProperties"].contains("surfaceRoughness"));
     const auto gold = brdf_of("rough-gold.json", two_wavelengths);
@@ -181,8 +189,9 @@ TEST_CASE("OpenMATERIAL: the same material has the same bytes; what the format c
 
 TEST_CASE("OpenMATERIAL: what is wrong is named with its key") {
     const TemporaryFolder folder;
-    folder.write("a_optical.xompt", std::string{"{"} + metadata_text +
-                                        R"(, "opticalProperties": [[5e-7, 293, 1.5, 0], [6e-7, 293, 1.4, 0]]})");
+    folder.write("a_optical.xompt",
+                 std::string{"{"} + metadata_text +
+                     R"(, "opticalProperties": [[5e-7, 293, 1.5, 0], [6e-7, 293, 1.4, 0]]})");
     const auto message = [&](const std::string& name, const std::string& text, const BrdfReading& how = {}) {
         const auto path = folder.write(name, text);
         return complaint(folder, [&] { static_cast<void>(read_brdf(path, how)); });
@@ -197,15 +206,19 @@ TEST_CASE("OpenMATERIAL: what is wrong is named with its key") {
     CHECK(material(roughness) ==
           "a.xomp: key \"materialProperties\": holds neither surfaceRoughness with opticalPropertiesUri nor "
           "brdfUris: must hold one of them");
-    CHECK(material(roughness + R"(, "opticalPropertiesUri": "none_optical.xompt")").find("none_optical.xompt") == 0);
+    CHECK(material(roughness + R"(, "opticalPropertiesUri": "none_optical.xompt")")
+              .find("none_optical.xompt") == 0);
     CHECK(material(roughness + R"(, "opticalPropertiesUri": "/etc/passwd")") ==
           "a.xomp: key \"materialProperties.opticalPropertiesUri\": must be a relative path");
     CHECK(material(replaced(roughness, "1e-7", "-1e-7") + R"(, "opticalPropertiesUri": "a_optical.xompt")") ==
-          "a.xomp: key \"materialProperties.surfaceRoughness.surfaceHeightRms\": -1e-07: must be a height in m, "
+          "a.xomp: key \"materialProperties.surfaceRoughness.surfaceHeightRms\": -1e-07: must be a height in "
+          "m, "
           "from 0 to 1");
-    CHECK(message("b.xomp", R"({"metadata": {"openMaterial3dVersion": "1.0.0"}, "materialProperties": {}})") ==
-          "b.xomp: key \"metadata.name\": missing");
-    folder.write("a_optical.xompt", std::string{"{"} + metadata_text + R"(, "opticalProperties": [[550, 293, 1.5, 0]]})");
+    CHECK(
+        message("b.xomp", R"({"metadata": {"openMaterial3dVersion": "1.0.0"}, "materialProperties": {}})") ==
+        "b.xomp: key \"metadata.name\": missing");
+    folder.write("a_optical.xompt",
+                 std::string{"{"} + metadata_text + R"(, "opticalProperties": [[550, 293, 1.5, 0]]})");
     CHECK(material(roughness + R"(, "opticalPropertiesUri": "a_optical.xompt")") ==
           "a_optical.xompt: key \"opticalProperties\": row 1: wavelength 550 m: must be from 1e-9 to 1");
 
@@ -215,13 +228,16 @@ TEST_CASE("OpenMATERIAL: what is wrong is named with its key") {
     const std::string good = "[5.5e-7, 0.1, 0.2, 3.14159, 0.5], [5.5e-7, 0.1, 0.9, 3.14159, 0.4]";
     CHECK(table(good).empty());
     CHECK(table("").find("key \"brdf.lookupTable\": must have a row at least") != std::string::npos);
-    CHECK(table("[5.5e-7, 0.1, 0.2]").find("brdf.lookupTable[0]\": must be [wavelength m") != std::string::npos);
+    CHECK(table("[5.5e-7, 0.1, 0.2]").find("brdf.lookupTable[0]\": must be [wavelength m") !=
+          std::string::npos);
     CHECK(table(replaced(good, "0.2", "20")).find("[2]\": 20: must be an angle from 0 to pi/2 rad") !=
           std::string::npos);
     CHECK(table(replaced(good, "5.5e-7", "550")).find("550: must be a wavelength in m") != std::string::npos);
     CHECK(table(replaced(good, "0.2", "null")).find("must be a number, not null") != std::string::npos);
-    CHECK(table(good + ", [5.5e-7, 0.1, 0.2, 3.14159, 0.6]").find("again: must have one value") != std::string::npos);
-    CHECK(table(replaced(good, "5.5e-7", "null")).find("must all be numbers, or all null") != std::string::npos);
+    CHECK(table(good + ", [5.5e-7, 0.1, 0.2, 3.14159, 0.6]").find("again: must have one value") !=
+          std::string::npos);
+    CHECK(table(replaced(good, "5.5e-7", "null")).find("must all be numbers, or all null") !=
+          std::string::npos);
     const std::string unnamed = "[null, 0.1, 0.2, 3.14159, 0.5], [null, 0.1, 0.9, 3.14159, 0.4]";
     CHECK(table(unnamed) == "a_brdf.xompt: does not say its wavelength, which must be given");
     CHECK(table(unnamed, {.wavelengths = spectral::WavelengthGrid::from_micrometres({0.5})}).empty());
@@ -253,7 +269,8 @@ TEST_CASE("BiRD: lists are equally long, units and pairs come back, what is wron
             CHECK(read.brdf.brdf(node)[i] == Approx(brdf.brdf(node)[i]).epsilon(isotropic ? 0.05 : 1e-5));
         if (!isotropic) continue;
         const RoundTrip trip = round_trip(brdf, read.brdf, {2000, 3});
-        std::cout << "BiRD, " << file << ": worst " << trip.worst.error << ", 99 % " << trip.percentile_99 << '\n';
+        std::cout << "BiRD, " << file << ": worst " << trip.worst.error << ", 99 % " << trip.percentile_99
+                  << '\n';
         CHECK(trip.percentile_99 < 0.03);
     }
     const TemporaryFolder folder;
@@ -265,12 +282,15 @@ TEST_CASE("BiRD: lists are equally long, units and pairs come back, what is wron
     CHECK(read_brdf(folder.path() / "b.json").format == "bird");
     CHECK(message(replaced(bird_good, "[20, 60, 20, 60]", "[20, 60]")) ==
           "b.json: key \"data.theta_r.values\": 2 values: must be as many as BRDF has, 4");
-    CHECK(message(replaced(bird_good, "\"deg\"", "\"degrees\"")).find("\"degrees\": must be one of deg, rad") !=
+    CHECK(
+        message(replaced(bird_good, "\"deg\"", "\"degrees\"")).find("\"degrees\": must be one of deg, rad") !=
+        std::string::npos);
+    CHECK(message(replaced(bird_good, "\"nm\"", "\"Angstrom\"")).find("data.wavelength.unit") !=
           std::string::npos);
-    CHECK(message(replaced(bird_good, "\"nm\"", "\"Angstrom\"")).find("data.wavelength.unit") != std::string::npos);
     CHECK(message(replaced(bird_good, "[10, 10,", "[100, 10,")) ==
           "b.json: theta_i, value 1: polar angle 100 deg: must be from 0 to 90");
-    CHECK(message(replaced(bird_good, "0.1,", "\"x\",")).find("must be a number, not a string") != std::string::npos);
+    CHECK(message(replaced(bird_good, "0.1,", "\"x\",")).find("must be a number, not a string") !=
+          std::string::npos);
     CHECK(message(replaced(bird_good, "\"phi_r\"", "\"phi_s\"")) == "b.json: key \"data.phi_r\": missing");
     CHECK(message(bird_good + R"(, "polarisation": {"values": ["s", "p", "s", "p"]})")
               .find("several kinds, p, s: must be one") != std::string::npos);
@@ -299,20 +319,39 @@ TEST_CASE("LightTools' blocks come back") {
 }
 
 TEST_CASE("damaged JSON of other programs gives a named error or something sound") {
-    const std::vector<std::string> nasty{"nan", "-1", "1e308", "1e999", "null", "[", "]", "{", "}", "\"", ",",
-                                         "\n", std::string(1, '\0'), "\xff", "[[[[[[[[", "\"deg\"", "true"};
-    const std::string rows = "[5.5e-7, 0.1, 0.2, 3.14, 0.5], [5.5e-7, 0.1, 0.9, 3.14, 0.4], [5.5e-7, 0.8, 0.2, 0, 0.1]";
+    const std::vector<std::string> nasty{"nan",
+                                         "-1",
+                                         "1e308",
+                                         "1e999",
+                                         "null",
+                                         "[",
+                                         "]",
+                                         "{",
+                                         "}",
+                                         "\"",
+                                         ",",
+                                         "\n",
+                                         std::string(1, '\0'),
+                                         "\xff",
+                                         "[[[[[[[[",
+                                         "\"deg\"",
+                                         "true"};
+    const std::string rows =
+        "[5.5e-7, 0.1, 0.2, 3.14, 0.5], [5.5e-7, 0.1, 0.9, 3.14, 0.4], [5.5e-7, 0.8, 0.2, 0, 0.1]";
     const auto sound = [](const spectral::Reflectance& brdf) {
         std::vector<double> values(brdf.size());
         for (const double theta : {0., 25., 60., 89.}) {
-            brdf.evaluator().brdf({Direction::from_degrees(theta, 0), Direction::from_degrees(40, 170)}, values);
-            for (const double value : values) tables::testing::require_sound(value >= 0 && std::isfinite(value));
+            brdf.evaluator().brdf({Direction::from_degrees(theta, 0), Direction::from_degrees(40, 170)},
+                                  values);
+            for (const double value : values)
+                tables::testing::require_sound(value >= 0 && std::isfinite(value));
         }
     };
-    tables::testing::check_damaged({"OpenMATERIAL", brdf_table(rows), 600, nasty, [&](const std::string& text) {
-                                sound(brdf_from("o", points_of_open_material(text, "o", std::nullopt)).brdf);
-                            }});
+    tables::testing::check_damaged(
+        {"OpenMATERIAL", brdf_table(rows), 600, nasty, [&](const std::string& text) {
+             sound(brdf_from("o", points_of_open_material(text, "o", std::nullopt)).brdf);
+         }});
     tables::testing::check_damaged({"BiRD", bird(bird_good), 600, nasty, [&](const std::string& text) {
-                                sound(brdf_from("b", points_of_bird(text, "b", std::nullopt)).brdf);
-                            }});
+                                        sound(brdf_from("b", points_of_bird(text, "b", std::nullopt)).brdf);
+                                    }});
 }

@@ -41,9 +41,10 @@ struct Energy {
 };
 
 Energy energy_of(const CaseResult& result, const CurveSet& hemispherical) {
-    Energy energy{result.asked.label, {}, {}, {}, {}, result.fit.parameter("scale").value, result.asked.judged};
-    energy.computed = Prediction{hemispherical, {4, 1}}.values(fitted_material(result.fit),
-                                                               spectral::OutsideRange::hold);
+    Energy energy{result.asked.label, {}, {}, {}, {}, result.fit.parameter("scale").value,
+                  result.asked.judged};
+    energy.computed =
+        Prediction{hemispherical, {4, 1}}.values(fitted_material(result.fit), spectral::OutsideRange::hold);
     for (const CurvePoint& point : hemispherical.curves.front().points) {
         energy.theta.push_back(point.theta_i);
         energy.measured.push_back(point.value);
@@ -53,12 +54,13 @@ Energy energy_of(const CaseResult& result, const CurveSet& hemispherical) {
 }
 
 ReportTable table_of(const std::vector<Energy>& energies) {
-    ReportTable table{"hemispherical-reflectance",
-                      "Light into all directions: 1 less the measured emissivity, 2 to 5.7 um (MT-MRT, CC0-1.0), "
-                      "beside the hemispherical reflectance of the fitted He-Torrance material, its factor "
-                      "\"scale\" left out. Standard deviations are the measurement's.",
-                      {"fit", "scale of the fit"},
-                      {}};
+    ReportTable table{
+        "hemispherical-reflectance",
+        "Light into all directions: 1 less the measured emissivity, 2 to 5.7 um (MT-MRT, CC0-1.0), "
+        "beside the hemispherical reflectance of the fitted He-Torrance material, its factor "
+        "\"scale\" left out. Standard deviations are the measurement's.",
+        {"fit", "scale of the fit"},
+        {}};
     for (const double theta : energies.front().theta) {
         const std::string at = spectral::brief(theta) + " deg";
         table.columns.push_back("measured at " + at);
@@ -74,7 +76,8 @@ ReportTable table_of(const std::vector<Energy>& energies) {
             row.push_back(spectral::brief(energy.computed[i], 3));
         }
         row.push_back(spectral::brief(energy.off(), 3));
-        row.push_back(std::to_string(energy.within(most_deviations)) + " of " + std::to_string(energy.theta.size()));
+        row.push_back(std::to_string(energy.within(most_deviations)) + " of " +
+                      std::to_string(energy.theta.size()));
     }
     return table;
 }
@@ -106,14 +109,13 @@ Section emissivity_section(const std::vector<CaseResult>& results) {
                                   spectral::brief(energy.off(), 3) + ", means " +
                                       spectral::brief(energy.mean(energy.computed), 3) + " and measured " +
                                       spectral::brief(energy.mean(energy.measured), 3),
-                                  energy.off() <= most_deviations,
-                                  "",
-                                  0.1});
+                                  energy.off() <= most_deviations, "", 0.1});
         if (section.checks.back().passed) ++met;
     }
-    section.learned = "Of " + std::to_string(section.checks.size()) +
-                      " surfaces whose curves were fitted in the plane of incidence, " + std::to_string(met) +
-                      " reflect as much in all as their measured emissivity says, to twice its standard deviation.";
+    section.learned =
+        "Of " + std::to_string(section.checks.size()) +
+        " surfaces whose curves were fitted in the plane of incidence, " + std::to_string(met) +
+        " reflect as much in all as their measured emissivity says, to twice its standard deviation.";
     return section;
 }
 

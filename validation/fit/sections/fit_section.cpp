@@ -7,9 +7,9 @@
 #include "spectral/text/text.hpp"
 #include "validation/curves/built_in_curves.hpp"
 #include "validation/curves/comparison_section.hpp"
-#include "validation/fit/sections/case_result.hpp"
 #include "validation/fit/fit_curves.hpp"
 #include "validation/fit/fit_findings.hpp"
+#include "validation/fit/sections/case_result.hpp"
 #include "validation/report/prose.hpp"
 
 namespace hts::validation {

@@ -28,10 +28,9 @@ struct Description {
     const char* name;   ///< of the file
     const char* title;  ///< in tables
 };
-constexpr std::array descriptions{Description{"gaussian", "Gaussian"},
-                                  Description{"exponential", "exponential"},
-                                  Description{"k_correlation", "K-correlation"},
-                                  Description{"measured", "measured spectrum"}};
+constexpr std::array descriptions{
+    Description{"gaussian", "Gaussian"}, Description{"exponential", "exponential"},
+    Description{"k_correlation", "K-correlation"}, Description{"measured", "measured spectrum"}};
 constexpr std::array indices{1.5, 1.75, 2.0};
 
 /// The material of a description.
@@ -71,13 +70,15 @@ struct Predicted {
 };
 
 /// The albedo that comes closest in the mean square of logarithms; predictions are affine in it.
-double best_albedo(const CurveSet& set, const std::vector<double>& without, const std::vector<double>& slope) {
+double best_albedo(const CurveSet& set, const std::vector<double>& without,
+                   const std::vector<double>& slope) {
     const auto squares = [&](double albedo) {
         double sum = 0;
         std::size_t i = 0;
         for (const Curve& curve : set.curves) {
             for (const CurvePoint& point : curve.points) {
-                const auto log = log_ratio(without[i] + albedo * slope[i], point.value, set.noise_floor.value_or(0));
+                const auto log =
+                    log_ratio(without[i] + albedo * slope[i], point.value, set.noise_floor.value_or(0));
                 if (log) sum += *log * *log;
                 ++i;
             }
@@ -115,7 +116,8 @@ std::vector<Predicted> predictions(const CurveSet& set) {
     std::vector<Predicted> result;
     for (const Description& description : descriptions)
         for (const char* model : {"he", "he_unified"}) {
-            for (const double n : indices) result.push_back(predicted(set, instrument, description, model, n));
+            for (const double n : indices)
+                result.push_back(predicted(set, instrument, description, model, n));
         }
     return result;
 }
@@ -149,25 +151,31 @@ double map_error(const CurveSet& set, const Description& description) {
 }
 
 std::vector<std::string> figures(const FiguresOfMerit& f) {
-    return {spectral::brief(f.median_abs_log, 3), spectral::brief(f.rms_log, 3), spectral::brief(f.mean_log, 3)};
+    return {spectral::brief(f.median_abs_log, 3), spectral::brief(f.rms_log, 3),
+            spectral::brief(f.mean_log, 3)};
 }
 
 ReportTable table_of(const CaseResult& fit, const std::vector<Predicted>& all) {
-    ReportTable table{fit.set.stem + "-predicted",
-                      fit.set.surface + ", measured by " + fit.set.by +
-                          ": predicted from height maps, one albedo fitted, and in the last row fitted in all.",
-                      {"roughness", "model", "n", "albedo", "median |ln(model/measured)|", "rms ln", "mean ln"},
-                      {}};
+    ReportTable table{
+        fit.set.stem + "-predicted",
+        fit.set.surface + ", measured by " + fit.set.by +
+            ": predicted from height maps, one albedo fitted, and in the last row fitted in all.",
+        {"roughness", "model", "n", "albedo", "median |ln(model/measured)|", "rms ln", "mean ln"},
+        {}};
     for (const Predicted& each : all) {
-        std::vector<std::string> row{each.roughness, each.model, spectral::brief(each.n), spectral::brief(each.albedo, 3)};
+        std::vector<std::string> row{each.roughness, each.model, spectral::brief(each.n),
+                                     spectral::brief(each.albedo, 3)};
         for (std::string& cell : figures(each.figures)) row.push_back(std::move(cell));
         table.rows.push_back(std::move(row));
     }
-    const auto& parameter = [&](const char* name) { return spectral::brief(fit.fit.parameter(name).value, 3); };
+    const auto& parameter = [&](const char* name) {
+        return spectral::brief(fit.fit.parameter(name).value, 3);
+    };
     const Comparison fitted = comparison(
         fit.set, Prediction{fit.set, nodes}.values(fitted_material(fit.fit), spectral::OutsideRange::hold));
-    std::vector<std::string> row{"fitted: Gaussian, σ₀ " + parameter("sigma0") + " µm, τ " + parameter("tau") + " µm",
-                                 "he", parameter("n"), parameter("a")};
+    std::vector<std::string> row{
+        "fitted: Gaussian, σ₀ " + parameter("sigma0") + " µm, τ " + parameter("tau") + " µm", "he",
+        parameter("n"), parameter("a")};
     for (std::string& cell : figures(fitted.figures)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
     return table;
@@ -200,12 +208,14 @@ Figure figure_of(const CaseResult& fit, const std::vector<Predicted>& all) {
         }
     }
     output::Script script;
-    script.set("surface", set.surface + ", measured by " + set.by + ", " + spectral::brief(set.curves[0].band.first) + " µm");
+    script.set("surface", set.surface + ", measured by " + set.by + ", " +
+                              spectral::brief(set.curves[0].band.first) + " µm");
     script.set("panel", titles).set("line", legend).data("points", points).data("lines", drawn);
     return {set.stem + "-predicted",
             {},
             script.with("predicted"),
-            set.surface + ": measured, fitted, and predicted from height maps by he with index 1.5 and one albedo."};
+            set.surface +
+                ": measured, fitted, and predicted from height maps by he with index 1.5 and one albedo."};
 }
 
 }  // namespace
@@ -229,18 +239,22 @@ Section predicted_section(const std::vector<CaseResult>& results) {
         const Predicted& shaped = row_of(all, descriptions[2], "he", indices[0]);
         const Predicted& other = row_of(all, descriptions[2], "he", indices[2]);
         const double shape = shaped.figures.median_abs_log, error = map_error(fit.set, descriptions[2]);
-        section.checks.push_back({fit.set.surface + ": the map's K-correlation predicts within a factor of 1.5 "
-                                                    "in the median, n = 1.5",
-                                  "median |ln(model / measured)| " + spectral::brief(shape, 3), shape <= std::log(1.5), "", 0.05});
-        section.text += "\n\n" + fit.set.surface + ": with n = 1.5 a Gaussian of the map's rms and length is " +
-                        spectral::brief(gaussian.figures.median_abs_log, 2) + " off in the median of |ln|, its K-correlation " +
-                        spectral::brief(shape, 2) + ", with n = 2 " + spectral::brief(other.figures.median_abs_log, 2) +
-                        "; the errors of the K-correlation's numbers account for " + spectral::brief(error, 2) +
-                        " of it (median relative standard deviation), the fit leaves " +
-                        spectral::brief(fit.fit.statistics.median_abs_log, 2) + ".";
-        section.learned += (section.learned.empty() ? "From height maps alone the scatter of two coatings is predicted to "
-                                                    : " and ") +
-                           spectral::brief(shape, 2);
+        section.checks.push_back(
+            {fit.set.surface + ": the map's K-correlation predicts within a factor of 1.5 "
+                               "in the median, n = 1.5",
+             "median |ln(model / measured)| " + spectral::brief(shape, 3), shape <= std::log(1.5), "", 0.05});
+        section.text +=
+            "\n\n" + fit.set.surface + ": with n = 1.5 a Gaussian of the map's rms and length is " +
+            spectral::brief(gaussian.figures.median_abs_log, 2) +
+            " off in the median of |ln|, its K-correlation " + spectral::brief(shape, 2) + ", with n = 2 " +
+            spectral::brief(other.figures.median_abs_log, 2) +
+            "; the errors of the K-correlation's numbers account for " + spectral::brief(error, 2) +
+            " of it (median relative standard deviation), the fit leaves " +
+            spectral::brief(fit.fit.statistics.median_abs_log, 2) + ".";
+        section.learned +=
+            (section.learned.empty() ? "From height maps alone the scatter of two coatings is predicted to "
+                                     : " and ") +
+            spectral::brief(shape, 2);
     }
     section.learned += " in the median of |ln(model / measured)|; fits reach the values of their tables.";
     return section;

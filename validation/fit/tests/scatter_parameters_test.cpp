@@ -17,7 +17,8 @@ class Formed final : public spectral::Evaluator {
   public:
     using Function = double (*)(double x, double cos_theta_r);
     explicit Formed(Function function)
-        : spectral::Evaluator{"formed", spectral::WavelengthGrid::from_micrometres({0.6328})}, function_{function} {}
+        : spectral::Evaluator{"formed", spectral::WavelengthGrid::from_micrometres({0.6328})},
+          function_{function} {}
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const Vector3 mirror = pair.in.mirror().vector(), out = pair.out.vector();
         values[0] = function_(std::hypot(out.x - mirror.x, out.y - mirror.y), out.z);
@@ -39,7 +40,8 @@ std::vector<ScatterFit> fits_of(Formed::Function function, double theta_i, doubl
 
 TEST_CASE("ABg, Harvey-Shack and K-correlation give back their own parameters") {
     for (const double theta_i : {0., 30., 70.}) {
-        const auto abg = fits_of([](double x, double) { return 2e-3 / (1e-4 + std::pow(x, 1.7)); }, theta_i, 1)[0];
+        const auto abg =
+            fits_of([](double x, double) { return 2e-3 / (1e-4 + std::pow(x, 1.7)); }, theta_i, 1)[0];
         CHECK(abg.value("A") == Approx(2e-3).epsilon(1e-5));
         CHECK(abg.value("B") == Approx(1e-4).epsilon(1e-5));
         CHECK(abg.value("g") == Approx(1.7).epsilon(1e-5));
@@ -57,7 +59,8 @@ TEST_CASE("ABg, Harvey-Shack and K-correlation give back their own parameters") 
     CHECK(1 / std::sqrt(1 + b * b / (lambda * lambda)) == Approx(0.12493084).epsilon(1e-7));
     const auto k = fits_of(
         [](double x, double c) {
-            return 16 * pi * pi * c * 0.9 / std::pow(lambda, 4) * a * std::pow(1 + std::pow(b * x / lambda, 2), -1.5);
+            return 16 * pi * pi * c * 0.9 / std::pow(lambda, 4) * a *
+                   std::pow(1 + std::pow(b * x / lambda, 2), -1.5);
         },
         0, 0.9)[2];
     CHECK(k.value("rms_roughness") == Approx(0.003).epsilon(1e-5));
