@@ -41,7 +41,9 @@ std::string reason(const json::exception& error) {
 
 // The line of a byte counted from 1; the last line with text if the byte is beyond it.
 std::string line_of(const std::string& text, std::size_t byte) {
-    const std::size_t end = std::min(byte, trimmed(text).size() + text.find(trimmed(text).front()));
+    const std::string_view content = trimmed(text);
+    if (content.empty()) return "1";
+    const std::size_t end = std::min(byte, content.size() + text.find(content.front()));
     return std::to_string(1 +
                           std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
 }

@@ -115,10 +115,10 @@ TEST_CASE("exact derivatives and differences say the same") {
     for (const auto& pair : {off_mirror, near_mirror}) {
         material(gaussian).at(green).brdf(pair, exact);
         material(with_film).at(green).brdf(pair, difference);
-        for (int i : {0, 1}) CHECK(difference[i] == Approx(exact[i]).epsilon(2e-3));
+        for (std::size_t i : {0U, 1U}) CHECK(difference[i] == Approx(exact[i]).epsilon(2e-3));
         material(gaussian).at(green).specular_reflectance(pair.in, exact);
         material(with_film).at(green).specular_reflectance(pair.in, difference);
-        for (int i : {0, 1}) CHECK(difference[i] == Approx(exact[i]).epsilon(2e-2));
+        for (std::size_t i : {0U, 1U}) CHECK(difference[i] == Approx(exact[i]).epsilon(2e-2));
     }
 }
 

@@ -30,7 +30,7 @@ do for [i=0:|panel|-1] {
     set ylabel (i % columns == 0 ? 'BRDF [1/sr]' : '') noenhanced font ',12' offset 1.6,0
     set title panel[i + 1] offset 0,-0.7 font ',13'
     plot for [k=1:|line|] $lines index i using 1:(column(k + 1)) with lines lw (k == 1 ? 3 : 2) \
-            dt (k == 1 ? 1 : k) lc rgb word(curve_colours, k == 1 ? 5 : k - 1) title line[k], \
+            dt k lc rgb word(curve_colours, k == 1 ? 5 : k - 1) title line[k], \
         $points index i using 1:2 with points pt 7 ps 0.45 lc rgb '#777777' title 'measured'
     set key off
     unset label
