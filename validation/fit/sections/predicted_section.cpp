@@ -30,7 +30,7 @@ struct Description {
 };
 constexpr std::array descriptions{
     Description{"gaussian", "Gaussian"}, Description{"exponential", "exponential"},
-    Description{"k_correlation", "K-correlation"}, Description{"measured", "measured spectrum"}};
+    Description{"k_correlation", "K-correlation"}, Description{"measured", "measured spectrum, none beyond"}};
 constexpr std::array indices{1.5, 1.75, 2.0};
 
 /// The material of a description.
@@ -53,7 +53,7 @@ spectral::Material material_of(const std::string& set, const Description& descri
         frequency.push_back(table.number(row, f));
         density.push_back(table.number(row, s));
     }
-    const auto made = Correlation::of_spectrum(frequency, density, true);
+    const auto made = Correlation::of_spectrum(frequency, density, false);
     const Surface surface = Surface{made.rms_roughness, made.length}.correlated(made.shape);
     const bool unified = std::string_view{model} == "he_unified";
     return spectral::he_torrance_material(
