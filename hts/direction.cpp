@@ -3,9 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
-
+#include "hts/angles/half_turns.hpp"
 #include "hts/error.hpp"
 
 namespace hts {
@@ -39,12 +37,13 @@ Direction Direction::from_angles(double theta, double phi) {
 Direction Direction::from_degrees(double theta, double phi) {
     if (!(theta >= 0 && theta <= 90)) throw out_of_range("polar angle", theta, "deg", "from 0 to 90 deg");
     require_finite_azimuth(phi, "deg");
-    using boost::math::cos_pi;
-    using boost::math::sin_pi;
-    const double turn = std::remainder(phi, 360.0) / 180;
+    const SineCosine azimuth = half_turns((std::fabs(phi) <= 180 ? phi : std::remainder(phi, 360.0)) / 180);
+    if (theta < 45) {
+        const SineCosine polar = half_turns(theta / 180);
+        return {polar.cosine, polar.sine, azimuth.cosine, azimuth.sine};
+    }
     // Near the horizon the cosine is the sine of the elevation, whose subtraction is exact.
-    const double cos_theta = theta < 45 ? cos_pi(theta / 180) : sin_pi((90 - theta) / 180);
-    return {cos_theta, sin_pi(theta / 180), cos_pi(turn), sin_pi(turn)};
+    return {sin_half_turns((90 - theta) / 180), sin_half_turns(theta / 180), azimuth.cosine, azimuth.sine};
 }
 
 Direction Direction::from_vector(Vector3 v) {

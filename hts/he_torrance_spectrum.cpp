@@ -1,12 +1,13 @@
 #include "hts/he_torrance_spectrum.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "hts/error.hpp"
-#include "hts/evaluation/evaluation_simd.hpp"
+#include "hts/evaluation/prepared.hpp"
+#include "hts/evaluation/single_simd.hpp"
+#include "hts/films/cosine_table.hpp"
 #include "hts/roughness.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
 
@@ -15,40 +16,21 @@ namespace {
 
 using evaluation_detail::Forms;
 using evaluation_detail::Prepared;
+using evaluation_detail::PreparedSingle;
 using evaluation_detail::require_size;
+using evaluation_detail::SingleForms;
 
-constexpr std::size_t padding = 8;  // the longest vector
-
-double square(double x) {
-    return x * x;
-}
-
-Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples) {
-    const double sigma_squared = square(surface.rms_roughness());
-    const double tau_squared = square(surface.correlation_length());
-    const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
-    Prepared p{{surface.slope_width(), sigma_squared, 1 / sigma_squared, tau_squared / 4,
-                tau_squared * std::numbers::inv_pi, evaluation_detail::axis_terms(surface)},
-               samples.size(),
-               padded,
-               std::vector<double>(Prepared::columns * padded)};
-    for (std::size_t i = 0; i < padded; ++i) {
-        const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
-        const double n = s.index.substrate().n();
-        const double k = s.index.substrate().k();
-        // N = i, which reflects everything at every angle, stands for what has films
-        const double d_real = s.index.coated() ? -2 : (n - 1) * (n + 1) - k * k;
-        const double d_imaginary_squared = s.index.coated() ? 0 : square(2 * n * k);
-        const double wave_squared = square(s.wavelength.wave_number());
-        const auto set = [&p, padded, i](Prepared::Column column, double value) {
-            p.data[column * padded + i] = value;
-        };
-        set(Prepared::wave_squared, wave_squared);
-        set(Prepared::inverse_wave_squared, 1 / wave_squared);
-        set(Prepared::d_real, d_real);
-        set(Prepared::d_imaginary_squared, d_imaginary_squared);
-        set(Prepared::weight, wave_squared * (square(d_real) + d_imaginary_squared));
-        set(Prepared::uniform, s.index.coated() ? 0 : s.uniform_diffuse);
+///   seen   by each wavelength; none where the correlation is Gaussian
+Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samples,
+                 const std::vector<Surface>& seen) {
+    Prepared p = evaluation_detail::prepared_as<double>(surface, samples);
+    if (seen.empty()) return p;
+    p.correlation = &surface.correlation()->table();
+    p.widths.resize(2 * p.padded);
+    for (std::size_t i = 0; i < p.padded; ++i) {
+        const auto& lengths = seen[std::min(i, seen.size() - 1)].correlation_lengths();
+        p.widths[i] = 2 * surface.rms_roughness() / lengths.along;
+        p.widths[p.padded + i] = 2 * surface.rms_roughness() / lengths.across;
     }
     return p;
 }
@@ -58,7 +40,49 @@ Prepared prepare(const Surface& surface, const std::vector<SpectralSample>& samp
 struct HeTorranceSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
-    bool lack_films;
+    std::vector<FilmTable> films;  // by sample, where one has films, which the lanes lack
+    bool all_coated;
+    SingleForms single_forms{};  // null unless single precision meets the tolerance
+    PreparedSingle single{};
+
+    Lanes(const Forms& of, Prepared samples_prepared, const std::vector<SpectralSample>& samples)
+        : forms{of}, prepared{std::move(samples_prepared)} {
+        const auto coated = [](const SpectralSample& sample) { return sample.index.coated(); };
+        all_coated = std::ranges::all_of(samples, coated);
+        if (std::ranges::none_of(samples, coated)) return;
+        for (const SpectralSample& sample : samples) films.emplace_back(sample.index);
+    }
+
+    [[nodiscard]] bool brdf(const DirectionPair& pair, double* result) const noexcept {
+        return single_forms.brdf_one != nullptr ? single_forms.brdf_one(single, pair, result)
+                                                : forms.brdf_one(prepared, pair, result);
+    }
+    [[nodiscard]] bool brdf(std::span<const DirectionPair> pairs, double* result) const noexcept {
+        return single_forms.brdf_many != nullptr ? single_forms.brdf_many(single, pairs, result)
+                                                 : forms.brdf_many(prepared, pairs, result);
+    }
+    /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take
+    /// the pair.
+    bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
+                          std::span<Mueller> result) const noexcept {
+        // the lobes stand in front in the room of the matrices, which are filled from the last on
+        const auto* const lobes = reinterpret_cast<const double*>(result.data());
+        if (!forms.brdf_one(prepared, pair, reinterpret_cast<double*>(result.data()))) return false;
+        const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
+        // a facet's matrix is a sum over what it reflects of s and of p
+        const JonesMatrix s = facet_jones(pair.in, pair.out, {1.0, 0.0}),
+                          p = facet_jones(pair.in, pair.out, {0.0, 1.0});
+        for (std::size_t i = result.size(); i-- > 0;) {
+            const double lobe = lobes[i];
+            const FresnelAmplitudes f = films[i].amplitudes(cos_theta_d);
+            const JonesMatrix jones{f.s * s.ss + f.p * p.ss, f.s * s.sp + f.p * p.sp, f.s * s.ps + f.p * p.ps,
+                                    f.s * s.pp + f.p * p.pp};
+            result[i] = lobe * Mueller::from_jones(jones);
+            if (samples[i].uniform_diffuse != 0)
+                result[i] = result[i] + Mueller::depolariser(samples[i].uniform_diffuse);
+        }
+        return true;
+    }
 };
 
 HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
@@ -72,11 +96,16 @@ HeTorranceSpectrum::HeTorranceSpectrum(const Surface& surface, std::vector<Spect
     if (tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    const Forms forms = evaluation_detail::forms(tolerance, lobe);
+    if (!seen_.empty() && lobe != DiffuseLobe::full) return;
+    const Forms forms = evaluation_detail::forms(tolerance, lobe, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
-    const bool coated =
-        std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
-    lanes_ = std::make_unique<const Lanes>(Lanes{forms, prepare(surface_, samples_), coated});
+    auto lanes = std::make_unique<Lanes>(forms, prepare(surface_, samples_, seen_), samples_);
+    if (tolerance.relative_error() >= accuracy::single_precision_brdf && seen_.empty() &&
+        evaluation_detail::fits_single(surface_, samples_)) {
+        lanes->single_forms = evaluation_detail::single_forms(lobe);
+        lanes->single = evaluation_detail::prepared_as<float>(surface_, samples_);
+    }
+    lanes_ = std::move(lanes);
 }
 
 HeTorranceSpectrum::~HeTorranceSpectrum() = default;
@@ -99,22 +128,26 @@ HeTorranceSpectrum& HeTorranceSpectrum::operator=(HeTorranceSpectrum other) noex
 }
 
 std::size_t HeTorranceSpectrum::bytes() const noexcept {
-    const std::size_t lanes = lanes_ ? sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) : 0;
-    return sizeof *this + samples_.size() * sizeof(SpectralSample) + seen_.size() * sizeof(Surface) + lanes;
+    std::size_t sum =
+        sizeof *this + samples_.size() * sizeof(SpectralSample) + seen_.size() * sizeof(Surface);
+    if (!lanes_) return sum;
+    for (const FilmTable& table : lanes_->films) sum += table.bytes();
+    return sum + sizeof(Lanes) +
+           (lanes_->prepared.data.size() + lanes_->prepared.widths.size()) * sizeof(double) +
+           lanes_->single.data.size() * sizeof(float);
 }
 
 void HeTorranceSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data()))
-        return add_films(pair, result);
+    if (lanes_ && lanes_->brdf(pair, result.data())) return add_films(pair, result);
     exact_brdf(pair, result);
 }
 
 void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     const std::size_t count = samples_.size();
     require_size("brdf", result.size(), count, pairs.size());
-    const bool lanes_take_all = lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data());
-    if (lanes_take_all && !lanes_->lack_films) return;
+    const bool lanes_take_all = lanes_ && lanes_->brdf(pairs, result.data());
+    if (lanes_take_all && lanes_->films.empty()) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto values = result.subspan(i * count, count);
         if (lanes_ && evaluation_detail::is_ordinary(pairs[i]))
@@ -126,16 +159,20 @@ void HeTorranceSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<do
 
 void HeTorranceSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     require_size("specular_reflectance", result.size(), samples_.size());
-    if (lanes_ && !lanes_->lack_films && lanes_->forms.specular_one(lanes_->prepared, in, result.data()))
-        return;
-    exact_specular_reflectance(in, result);
+    if (!lanes_ || !lanes_->forms.specular_one(lanes_->prepared, in, result.data()))
+        return exact_specular_reflectance(in, result);
+    for (std::size_t i = 0; i < lanes_->films.size(); ++i) {
+        if (samples_[i].index.coated())
+            result[i] *= lanes_->films[i].amplitudes(in.cos_theta()).unpolarised_reflectance();
+    }
 }
 
 void HeTorranceSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
     require_size("mueller", result.size(), samples_.size());
-    if (lanes_ && !lanes_->lack_films && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data()))
+    if (lanes_ && lanes_->films.empty() && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data()))
         return;
-    exact_mueller(pair, result);
+    if (!lanes_ || !lanes_->all_coated || !lanes_->mueller_of_films(pair, samples_, result))
+        exact_mueller(pair, result);
 }
 
 void HeTorranceSpectrum::specular_mueller(const Direction& in, std::span<Mueller> result) const {
@@ -174,13 +211,13 @@ ScatteringLobe HeTorranceSpectrum::scattering_lobe() const {
 
 /// What the lanes leave out, where they took the pair.
 void HeTorranceSpectrum::add_films(const DirectionPair& pair, std::span<double> result) const noexcept {
-    if (!lanes_->lack_films) return;
+    if (lanes_->films.empty()) return;
     const double cos_theta_d = wave_vector_change(pair.in, pair.out).cos_theta_d();
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const SpectralSample& sample = samples_[i];
         if (!sample.index.coated()) continue;
         result[i] = sample.uniform_diffuse +
-                    result[i] * sample.index.amplitudes(cos_theta_d).unpolarised_reflectance();
+                    result[i] * lanes_->films[i].amplitudes(cos_theta_d).unpolarised_reflectance();
     }
 }
 

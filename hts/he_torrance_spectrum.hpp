@@ -1,12 +1,13 @@
 /// The three terms of one surface at several wavelengths, prepared once for many fast evaluations.
 ///
-/// At a tolerance of 1e-6 or coarser everything (shadowing, effective roughness, Fresnel, Phi) runs in vector
-/// lanes, which are wavelengths for one pair of directions and pairs for many, chosen by the processor at run
-/// time. Finer tolerances, extreme lengths or indices, and directions within lowest_cosine of the horizon
-/// take the exact path of terms.hpp.
+/// At a tolerance of 1e-6 or coarser all runs in vector lanes, which are wavelengths for one pair of
+/// directions and pairs for many, chosen by the processor at run time; a BRDF at 1e-3 or coarser in single
+/// precision (evaluation/single_precision.hpp). Finer tolerances, extreme lengths or indices, grazing within
+/// lowest_cosine and the other limit of a correlation that is not Gaussian take the exact path of terms.hpp.
 ///
 /// Where there are films the lanes compute the lobe of facets that reflect everything, and the films'
-/// reflectance multiplies it.
+/// reflectance multiplies it, from a table over cos theta_d for each wavelength (amplitudes to 1e-10);
+/// one by one where no table of bounded size would do.
 #pragma once
 
 #include <cstddef>
@@ -70,7 +71,7 @@ class HeTorranceSpectrum {
 
     /// BRDF of the directional and uniform diffuse terms together [1/sr], one value per sample.
     ///   result   samples().size() values
-    ///   error    relative, at most the tolerance, above 1e-280; accuracy::brdf where that is more
+    ///   error    relative, the tolerance or accuracy::brdf, above 1e-280; in single precision above 1e-30
     void brdf(const DirectionPair& pair, std::span<double> result) const;
     /// The same for many pairs, all samples of a pair together, on the calling thread.
     ///   result   pairs.size() * samples().size() values

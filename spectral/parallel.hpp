@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <utility>
@@ -12,15 +13,17 @@ namespace hts::spectral {
 
 /// Calls f(0) … f(count - 1) in any order on all cores, `chunk` at a time. If calls throw, the exception of
 /// the lowest index is thrown again once all are through, so that the message is the same
-/// for any number of threads.
+/// for any number of threads. Throws Stopped where the process is asked to stop (jobs/progress.hpp).
 template <class Function>
 void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
     const Job job{"", count};
     std::exception_ptr failure;
     std::size_t failed = count;
+    std::atomic<bool> stopped{false};
 #pragma omp parallel for schedule(dynamic, chunk) if (count > 1)
     for (std::ptrdiff_t j = 0; j < static_cast<std::ptrdiff_t>(count); ++j) {
         const auto i = static_cast<std::size_t>(j);
+        if (stopped) continue;
         try {
             f(i);
             job.done();
@@ -31,7 +34,9 @@ void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
                 failure = std::current_exception();
             }
         }
+        if (job.asked_to_stop()) stopped = true;
     }
+    if (stopped) throw Stopped{};
     if (failure) std::rethrow_exception(failure);
 }
 

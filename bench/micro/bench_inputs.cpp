@@ -44,6 +44,15 @@ const std::vector<spectral::DirectionPair>& bench_pairs() {
     return pairs;
 }
 
+const std::vector<VectorPair>& bench_vectors() {
+    static const auto vectors = [] {
+        std::vector<VectorPair> converted;
+        for (const auto& [in, out] : bench_pairs()) converted.push_back({single(in), single(out)});
+        return converted;
+    }();
+    return vectors;
+}
+
 const std::vector<std::array<double, 3>>& bench_uniforms() {
     static const auto numbers = [] {
         Random random{20240603};
@@ -69,14 +78,18 @@ spectral::WavelengthGrid bench_wavelengths(int count) {
     return spectral::WavelengthGrid::linear(0.4, 0.7, count);
 }
 
-spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe) {
-    return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = bench_tolerance, .lobe = lobe});
+spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance, DiffuseLobe lobe) {
+    return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = tolerance, .lobe = lobe});
 }
 
 HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths) {
+    return {bench_surface(), bench_samples(wavelengths), bench_tolerance};
+}
+
+std::vector<SpectralSample> bench_samples(int wavelengths) {
     const auto reflectance = bench_he_torrance(wavelengths);
     const auto samples = reflectance.samples();
-    return {bench_surface(), {samples.begin(), samples.end()}, bench_tolerance};
+    return {samples.begin(), samples.end()};
 }
 
 MetalIndices bench_indices(int wavelengths) {
@@ -87,6 +100,11 @@ MetalIndices bench_indices(int wavelengths) {
         indices.k.push_back(sample.index.substrate().k());
     }
     return indices;
+}
+
+PbrtConductor bench_pbrt_conductor(int wavelengths, Compilation compilation) {
+    const auto [n, k] = bench_indices(wavelengths);
+    return {bench_surface().slope_width(), n, k, compilation};
 }
 
 }  // namespace hts::bench

@@ -7,7 +7,8 @@
 
 #include "bench/phi/accuracy_sweep.hpp"
 #include "bench/rivals/ggx.hpp"
-#include "hts/he_torrance_spectrum.hpp"
+#include "bench/rivals/pbrt_conductor.hpp"
+#include "hts/rendering/he_torrance_single.hpp"
 #include "spectral/models/material.hpp"
 
 namespace hts::bench {
@@ -27,6 +28,9 @@ inline constexpr std::size_t bench_block = 1024;
 /// Pairs of directions, each uniform in solid angle over the hemisphere.
 [[nodiscard]] const std::vector<spectral::DirectionPair>& bench_pairs();
 
+/// The same pairs as unit vectors in single precision.
+[[nodiscard]] const std::vector<VectorPair>& bench_vectors();
+
 /// Numbers to draw directions from, as many as there are pairs.
 [[nodiscard]] const std::vector<std::array<double, 3>>& bench_uniforms();
 
@@ -41,7 +45,8 @@ inline constexpr std::size_t bench_block = 1024;
 inline constexpr Tolerance bench_tolerance{1e-6};
 
 /// That material at those wavelengths, and the prepared spectrum beneath it.
-[[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full);
+[[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance = bench_tolerance,
+                                                      DiffuseLobe lobe = DiffuseLobe::full);
 [[nodiscard]] HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths);
 
 /// The metal's refractive indices at those wavelengths.
@@ -56,5 +61,10 @@ template <class Conductor = RoughConductor>
     const auto [n, k] = bench_indices(wavelengths);
     return {bench_surface().slope_width(), n, k};
 }
+
+[[nodiscard]] PbrtConductor bench_pbrt_conductor(int wavelengths, Compilation compilation);
+
+/// What the material is at those wavelengths.
+[[nodiscard]] std::vector<SpectralSample> bench_samples(int wavelengths);
 
 }  // namespace hts::bench

@@ -74,7 +74,7 @@ template <class Model>
 spectral::Reflectance reflectance_of(std::vector<Model> models) {
     const auto wavelengths = bench_wavelengths(static_cast<int>(models.size()));
     return spectral::Reflectance{std::make_shared<const spectral::ModelEvaluator<Model>>(
-        "", wavelengths, std::move(models), std::vector<double>(wavelengths.size()))};
+        "", wavelengths, std::move(models), std::vector<double>(wavelengths.size()), Tolerance{})};
 }
 
 /// make(k) for reflectivities k from 0.2 up.

@@ -12,12 +12,14 @@ namespace hts::bench {
 void register_phi();
 
 /// eval/he/<n>, eval/ggx/<n>, eval_batch/he/<n>, eval_batch/ggx/<n>, mueller/he/<n>, specular/he/<n> at n
-/// wavelengths; reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of
-/// HeTorranceSpectrum.
+/// wavelengths; eval/pbrt/<n> and eval/pbrt_without_errno/<n>, the conductor of pbrt-v4 in both compilations;
+/// eval/he_single/<n>, eval_batch/he_single/<n> and eval_pdf/he_single/4 of unit vectors in single precision;
+/// reflectance/he/<n> beside spectrum/he/<n>: what spectral::Reflectance costs on top of HeTorranceSpectrum.
 void register_spectral();
 
-/// sample/<model>/4, draw/<model>, pdf/<model> of models he and ggx: a direction with its density and the
-/// weights at 4 wavelengths, without weights, and the density of a given pair.
+/// sample/<model>/4, draw/<model>, pdf/<model> of models he, ggx, pbrt and pbrt_without_errno: a direction
+/// with its density and the weights at 4 wavelengths, without weights, and the density of a given pair;
+/// sample/he_single/4.
 void register_sampling();
 
 /// eval/<model>/4, eval/<model>/31, sample/<model>/4 of the models of hts/microfacet/ at 4 and 31

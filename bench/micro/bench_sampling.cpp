@@ -1,7 +1,9 @@
 // Benchmarks of drawing directions and of their density: this project's model and a GGX conductor of the same
 // metal.
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "bench/micro/bench_inputs.hpp"
@@ -39,6 +41,73 @@ void sample(benchmark::State& state, const Model& model, const Draw& draw) {
         }
         benchmark::DoNotOptimize(weights.data());
         benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// The same of what pbrt-v4 does.
+void sample_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    std::vector<float> weights(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        const auto drawn = model.sample(pairs[i].in, {uniforms[i][1], uniforms[i][2]}, weights);
+        if (drawn.pdf > 0) {
+            const float factor = drawn.out.z / drawn.pdf;
+            for (float& weight : weights) weight *= factor;
+        }
+        benchmark::DoNotOptimize(weights.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// The same in single precision, by the mixture of three wavelengths.
+void sample_single(benchmark::State& state) {
+    const HeTorranceRendering model{bench_surface(), bench_samples(4)};
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    std::vector<float> weights(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        const auto& u = uniforms[i];
+        const auto single = [](double x) { return std::min(static_cast<float>(x), 0x1.fffffep-1F); };
+        const auto drawn =
+            model.sample(pairs[i].in, {single(u[0]), single(u[1]), single(u[2]), single(u[0])}, weights);
+        if (drawn.pdf > 0) {
+            const float factor = drawn.out.z / drawn.pdf;
+            for (float& weight : weights) weight *= factor;
+        }
+        benchmark::DoNotOptimize(weights.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void draw_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    const auto& uniforms = bench_uniforms();
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const std::size_t i = cycle.next();
+        auto drawn = model.draw(pairs[i].in, {uniforms[i][1], uniforms[i][2]});
+        benchmark::DoNotOptimize(drawn);
+    }
+    report_items(state, 1);
+}
+
+void pdf_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    const auto& pairs = bench_vectors();
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& pair = pairs[cycle.next()];
+        benchmark::DoNotOptimize(model.pdf(pair.in, pair.out));
     }
     report_items(state, 1);
 }
@@ -84,6 +153,16 @@ void register_sampling() {
     };
     add("sample/he/4", [](benchmark::State& s) { sample(s, bench_he_torrance(4), he); });
     add("sample/ggx/4", [](benchmark::State& s) { sample(s, bench_conductor(4), ggx); });
+    const auto both = [](const std::string& name, const char* after,
+                         void (*run)(benchmark::State&, Compilation)) {
+        benchmark::RegisterBenchmark((name + "/pbrt" + after).c_str(), run, Compilation::as_pbrt_is_built);
+        benchmark::RegisterBenchmark((name + "/pbrt_without_errno" + after).c_str(), run,
+                                     Compilation::without_errno);
+    };
+    add("sample/he_single/4", sample_single);
+    both("sample", "/4", sample_pbrt);
+    both("draw", "", draw_pbrt);
+    both("pdf", "", pdf_pbrt);
     add("draw/he", [](benchmark::State& s) { draw_only(s, he); });
     add("draw/ggx", [](benchmark::State& s) { draw_only(s, ggx); });
     add("pdf/he", [](benchmark::State& s) { pdf(s, he_sampler()); });

@@ -34,6 +34,49 @@ void evaluate(benchmark::State& state, const Model& model) {
     report_items(state, 1);
 }
 
+/// The same of unit vectors in single precision, by a model or by pbrt-v4's.
+template <class Model>
+void evaluate_vectors(benchmark::State& state, const Model& model) {
+    const auto& pairs = bench_vectors();
+    std::vector<float> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& [in, out] = pairs[cycle.next()];
+        model.brdf(in, out, std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+/// BRDF and density together, as for multiple importance sampling.
+void evaluate_with_density(benchmark::State& state) {
+    const HeTorranceRendering model{bench_surface(), bench_samples(4)};
+    const auto& pairs = bench_vectors();
+    std::vector<float> result(model.size());
+    Cycle cycle{pairs.size()};
+    for (auto _ : state) {
+        const auto& [in, out] = pairs[cycle.next()];
+        float density = model.brdf_and_pdf(in, out, result);
+        benchmark::DoNotOptimize(density);
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, 1);
+}
+
+void evaluate_many_vectors(benchmark::State& state, const HeTorranceSingle& model) {
+    const std::span pairs{bench_vectors()};
+    std::vector<float> result(bench_block * model.size());
+    Cycle cycle{pairs.size(), bench_block};
+    for (auto _ : state) {
+        model.brdf(pairs.subspan(cycle.next(), bench_block), std::span{result});
+        benchmark::DoNotOptimize(result.data());
+        benchmark::ClobberMemory();
+    }
+    report_items(state, bench_block);
+}
+
 /// A block of pairs per iteration.
 template <class Model>
 void evaluate_batch(benchmark::State& state, const Model& model) {
@@ -46,6 +89,10 @@ void evaluate_batch(benchmark::State& state, const Model& model) {
         benchmark::ClobberMemory();
     }
     report_items(state, bench_block);
+}
+
+HeTorranceSingle bench_single(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full) {
+    return {bench_surface(), bench_samples(wavelengths), lobe};
 }
 
 void specular(benchmark::State& state, const spectral::Reflectance& model) {
@@ -82,6 +129,15 @@ void register_spectral() {
     for (const int n : {1, 4, 8, 16, 31}) {
         add("eval/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
         add("eval/ggx", n, [](benchmark::State& s, int w) { evaluate(s, bench_conductor(w)); });
+        add("eval/pbrt", n, [](benchmark::State& s, int w) {
+            evaluate_vectors(s, bench_pbrt_conductor(w, Compilation::as_pbrt_is_built));
+        });
+        add("eval/pbrt_without_errno", n, [](benchmark::State& s, int w) {
+            evaluate_vectors(s, bench_pbrt_conductor(w, Compilation::without_errno));
+        });
+        add("eval/he_single", n, [](benchmark::State& s, int w) { evaluate_vectors(s, bench_single(w)); });
+        add("eval_batch/he_single", n,
+            [](benchmark::State& s, int w) { evaluate_many_vectors(s, bench_single(w)); });
         add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
         add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
         add("eval/ggx_lanes", n,
@@ -95,10 +151,22 @@ void register_spectral() {
         add("reflectance/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
         add("spectrum/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance_spectrum(w)); });
     }
-    add("eval/he_first_order", 4,
-        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::first_order)); });
-    add("eval/he_rough_limit", 4,
-        [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, DiffuseLobe::rough_limit)); });
+    for (const int n : {4, 31}) {
+        add("eval/he_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, Tolerance{1e-3})); });
+        add("eval_batch/he_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w, Tolerance{1e-3})); });
+        add("eval_batch/he_single_rough_limit", n, [](benchmark::State& s, int w) {
+            evaluate_many_vectors(s, bench_single(w, DiffuseLobe::rough_limit));
+        });
+    }
+    benchmark::RegisterBenchmark("eval_pdf/he_single/4", evaluate_with_density);
+    add("eval/he_first_order", 4, [](benchmark::State& s, int w) {
+        evaluate(s, bench_he_torrance(w, bench_tolerance, DiffuseLobe::first_order));
+    });
+    add("eval/he_rough_limit", 4, [](benchmark::State& s, int w) {
+        evaluate(s, bench_he_torrance(w, bench_tolerance, DiffuseLobe::rough_limit));
+    });
 }
 
 }  // namespace hts::bench

@@ -15,8 +15,10 @@ namespace hts::cli {
 namespace {
 
 using spectral::BothTheories;
+using spectral::Severity;
 using spectral::TrueDecibels;
 using Json = nlohmann::ordered_json;
+using Point = spectral::MaterialValidity::Point;
 
 TrueDecibels greater(const TrueDecibels& a, const TrueDecibels& b) {
     return {std::fmax(a.te, b.te), std::fmax(a.tm, b.tm), std::fmax(a.unpolarised, b.unpolarised)};
@@ -61,16 +63,51 @@ Json json_of(const TrueDecibels& of) {
 
 }  // namespace
 
+bool judged_by_distance(const MaterialInfo& info) {
+    return info.surface.unified().has_value();
+}
+
+Severity severity_at(const MaterialInfo& info, const Point& point) {
+    if (!judged_by_distance(info)) return point.validity.severity();
+    const auto expected = distance_at(info, point);
+    const double distance = expected.distance.unified.unpolarised;
+    if (!expected.studied || distance > greatest_distance) return Severity::outside;
+    return distance > fine_distance ? Severity::caution : Severity::fine;
+}
+
+std::optional<spectral::Decibels> unified_distances(const MaterialInfo& info, std::span<const Point> points) {
+    spectral::Decibels range{std::numeric_limits<double>::infinity(), 0};
+    for (const Point& point : points) {
+        const auto expected = distance_at(info, point);
+        if (!expected.studied) return std::nullopt;
+        range.least = std::fmin(range.least, expected.distance.unified.unpolarised);
+        range.most = std::fmax(range.most, expected.distance.unified.unpolarised);
+    }
+    return range;
+}
+
+std::string distance_verdict(const MaterialInfo& info) {
+    const auto points = info.validity.points();
+    auto worst = Severity::fine;
+    for (const Point& point : points) worst = std::max(worst, severity_at(info, point));
+    const auto as_bad = std::count_if(points.begin(), points.end(),
+                                      [&](const Point& point) { return severity_at(info, point) == worst; });
+    const std::string of = " from exact scattering in unpolarised light";
+    const std::string at = " at " + std::to_string(as_bad) + " of " + std::to_string(points.size()) +
+                           " points (wavelengths x angles)";
+    const std::string fine = shortest(fine_distance), most = shortest(greatest_distance);
+    if (worst == Severity::fine)
+        return "Inside the model's validity: at most " + fine + " dB" + of + " is expected" + at + "\n";
+    if (worst == Severity::caution)
+        return "To be taken with caution" + at + ": " + fine + " to " + most + " dB" + of + " is expected\n";
+    return "OUTSIDE the model's validity" + at + ": more than " + most + " dB" + of +
+           " is expected,\nor nothing like it was solved exactly\n";
+}
+
 spectral::ExpectedDistance distance_at(const MaterialInfo& info,
                                        const spectral::MaterialValidity::Point& point) {
-    const double lambda = point.sample.wavelength.micrometres();
-    spectral::ExpectedDistance expected = spectral::expected_distance(
-        {info.surface.rms_roughness() / lambda, info.surface.shortest_correlation_length() / lambda,
-         std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi},
-        point.sample.index.substrate());
-    // neither films nor heights of another correlation were
-    if (point.sample.index.coated() || info.surface.correlation()) expected.studied = false;
-    return expected;
+    return spectral::expected_distance(
+        info.surface, point.sample, std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi);
 }
 
 void add_distance(TableWriter::Row& row, const MaterialInfo& info,
@@ -102,10 +139,10 @@ std::string distance_text(const MaterialInfo& info) {
          << study.substance << ".\nA case that is left out is met within a factor of "
          << three(study.left_out.he) << " (he), " << three(study.left_out.unified) << " (he_unified), rms.\n";
     if (outside) text << "Studied are " << study.range << ";\nof what is outside nothing is known.\n";
-    if (info.material.model_name() != judged_model)
-        text << "The limits above are those of the assumptions of " << judged_model << ". "
-             << info.material.model_name()
-             << " makes fewer: its mirror is not shadowed, light that is\nreflected again returns, and where "
+    if (judged_by_distance(info))
+        text << "The validity above is by this distance. The assumptions of " << judged_model
+             << " are not those of " << info.material.model_name()
+             << ": its mirror is not shadowed, light that is\nreflected again returns, and where "
                 "the surface curves within a wavelength it is perturbation theory.\n";
     return text.str();
 }

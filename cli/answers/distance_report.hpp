@@ -1,6 +1,8 @@
 /// What `hts info` says of the distance of both theories from exact scattering.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +15,21 @@ namespace hts::cli {
 
 /// The model whose assumptions the criteria of validity judge.
 inline constexpr std::string_view judged_model = "he";
+
+/// Whether the limits are those of the distance itself: of he_unified, which makes fewer assumptions than the
+/// criteria judge.
+[[nodiscard]] bool judged_by_distance(const MaterialInfo& info);
+/// Of he_unified, in unpolarised light: fine up to the first, outside above the second and where nothing
+/// like it was solved exactly [dB].
+inline constexpr double fine_distance = 0.5, greatest_distance = 1;
+/// By the criteria of he, or by the distance.
+[[nodiscard]] spectral::Severity severity_at(const MaterialInfo& info,
+                                             const spectral::MaterialValidity::Point& point);
+/// What stands in place of the criteria: at how many points it is how bad.
+[[nodiscard]] std::string distance_verdict(const MaterialInfo& info);
+/// Least and greatest of he_unified in unpolarised light over points, none where one is not studied.
+[[nodiscard]] std::optional<spectral::Decibels> unified_distances(
+    const MaterialInfo& info, std::span<const spectral::MaterialValidity::Point> points);
 
 /// At a point of the material.
 [[nodiscard]] spectral::ExpectedDistance distance_at(const MaterialInfo& info,

@@ -8,6 +8,7 @@
 
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
+#include "hts/tolerance.hpp"
 #include "spectral/parallel.hpp"
 
 namespace hts::cli {
@@ -53,7 +54,8 @@ bool is_grey(const spectral::Reflectance& reflectance) {
 EnergyInfo::EnergyInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
                        const std::vector<double>& theta_deg, spectral::OutsideRange policy)
     : material{std::move(of)}, points(wavelengths.size() * theta_deg.size()) {
-    const auto reflectance = material.at(wavelengths, {.outside = policy});
+    constexpr Tolerance shown{1e-5};  // four digits
+    const auto reflectance = material.at(wavelengths, {.tolerance = shown, .outside = policy});
     const std::size_t angles = theta_deg.size(), computed = is_grey(reflectance) ? angles : points.size();
     spectral::parallel_for(
         computed,

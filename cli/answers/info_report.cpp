@@ -42,10 +42,6 @@ std::vector<Direction> directions(const Surface& surface, const std::vector<doub
     return result;
 }
 
-double azimuth_in_degrees(const Surface& surface) {
-    return surface.azimuth() * 180 / std::numbers::pi;
-}
-
 struct Range {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
@@ -107,12 +103,15 @@ double degrees_of(const MaterialInfo& info, const Point& point) {
     return info.theta[place % info.theta.size()];
 }
 
-std::string error_text(spectral::ModelError error) {
-    const auto known = decibels(error);
+std::string error_text(const std::optional<spectral::Decibels>& known) {
     if (!known) return "unknown";
     if (known->most == 0) return "none (a mirror)";
     if (known->most == known->least) return brief(known->least) + " dB";
     return brief(known->least) + " to " + brief(known->most) + " dB";
+}
+
+std::string error_text(spectral::ModelError error) {
+    return error_text(decibels(error));
 }
 
 std::string verdict_text(const MaterialValidity& validity) {
@@ -151,10 +150,6 @@ std::string finding_text(const MaterialInfo& info, Criterion criterion) {
     return text.str();
 }
 
-std::string slope_text(double slope) {
-    return brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) + " deg)";
-}
-
 /// What the shortest wavelength sees: the steepest slopes.
 Surface steepest_of(const MaterialInfo& info) {
     return info.surface.seen_by(info.validity.points().front().sample.wavelength);
@@ -165,32 +160,6 @@ std::vector<double> wavelengths_of(const MaterialInfo& info) {
     for (std::size_t i = 0; i < info.validity.points().size(); i += info.theta.size())
         all.push_back(micrometres(info.validity.points()[i]));
     return all;
-}
-
-std::string correlated_surface_text(const Surface& surface) {
-    const auto& [along, across] = surface.correlation_lengths();
-    const std::string lengths = surface.isotropic() ? brief(along) + " um"
-                                                    : brief(along) + " um along the azimuth " +
-                                                          brief(azimuth_in_degrees(surface)) + " deg and " +
-                                                          brief(across) + " um across";
-    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation not gaussian, its length " +
-           lengths;
-}
-
-std::string surface_text(const Surface& surface) {
-    if (surface.correlation()) return correlated_surface_text(surface);
-    const std::string curvature =
-        ", radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
-    const std::string height = "sigma0 " + brief(surface.rms_roughness()) + " um, tau ";
-    if (surface.isotropic()) {
-        return height + brief(surface.correlation_length()) + " um; rms slope " +
-               slope_text(spectral::rms_slope(surface)) + curvature;
-    }
-    const auto& [along, across] = surface.correlation_lengths();
-    const auto slopes = spectral::rms_slopes(surface);
-    return height + brief(along) + " um along the azimuth " + brief(azimuth_in_degrees(surface)) +
-           " deg and " + brief(across) + " um across;\n               rms slopes " +
-           slope_text(slopes.along) + " along and " + slope_text(slopes.across) + " across" + curvature;
 }
 
 std::string length_note(const Surface& surface) {
@@ -225,15 +194,33 @@ std::string angles_text(const MaterialInfo& info) {
         auto error = spectral::ModelError::none;
         for (std::size_t j = i; j < info.validity.points().size(); j += info.theta.size()) {
             points.push_back(info.validity.points()[j]);
-            severity = std::max(severity, points.back().validity.severity());
+            severity = std::max(severity, severity_at(info, points.back()));
             error = std::max(error, points.back().validity.error);
         }
         text << "  " << std::setw(9) << shortest(info.theta[i]) + " deg" << std::setw(22)
              << range_of(points, phase_variance).text() << std::setw(24)
-             << range_of(points, mirror_share).text() << std::setw(10) << name(severity) << error_text(error)
+             << range_of(points, mirror_share).text() << std::setw(10) << name(severity)
+             << (judged_by_distance(info) ? error_text(unified_distances(info, points)) : error_text(error))
              << '\n';
     }
     return text.str();
+}
+
+std::vector<Criterion> criteria() {
+    std::vector<Criterion> all;
+    for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
+    return all;
+}
+
+/// What the assumptions of he say.
+std::string criteria_text(const MaterialInfo& info) {
+    std::string text = verdict_text(info.validity) + "\n";
+    for (const Criterion criterion : criteria()) text += finding_text(info, criterion);
+    if (info.validity.perturbation_advised())
+        text += "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
+    return text + "Expected error of he against exact scattering: " + error_text(info.validity.error()) +
+           "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
+           "surfaces up to 70 deg, unpolarised)\n";
 }
 
 Json finding_json(const MaterialInfo& info, Criterion criterion) {
@@ -251,15 +238,8 @@ Json finding_json(const MaterialInfo& info, Criterion criterion) {
             {"reason", finding.severity() == Severity::fine ? "" : reason(criterion)}};
 }
 
-Json error_json(spectral::ModelError error) {
-    const auto known = decibels(error);
+Json error_json(const std::optional<spectral::Decibels>& known) {
     return known ? Json{known->least, known->most} : Json{};
-}
-
-std::vector<Criterion> criteria() {
-    std::vector<Criterion> all;
-    for (std::size_t i = 0; i < spectral::criterion_count; ++i) all.push_back(static_cast<Criterion>(i));
-    return all;
 }
 
 }  // namespace
@@ -295,15 +275,8 @@ std::string info_text(const MaterialInfo& info) {
          << brief(prepared_tolerance.relative_error()) << ", and " << info.phi_table_bytes
          << " bytes of Phi that all materials share\n"
          << angles_text(info) << '\n'
-         << verdict_text(info.validity) << '\n';
-    for (const Criterion criterion : criteria()) text << finding_text(info, criterion);
-    if (info.validity.perturbation_advised())
-        text << "First-order perturbation theory would do better: tau < lambda/2 and sigma0 < lambda/10.\n";
-    text << "Expected error of he against exact scattering: " << error_text(info.validity.error())
-         << "\n(where known: the map of hts truth moments, exact scattering by 1-D perfectly conducting "
-            "surfaces up to "
-            "70 deg, unpolarised)\n";
-    text << length_note(info.surface);
+         << (judged_by_distance(info) ? distance_verdict(info) : criteria_text(info))
+         << length_note(info.surface);
     text << distance_text(info);
     return text.str();
 }
@@ -314,11 +287,15 @@ std::string info_json(const MaterialInfo& info) {
     const Surface steepest = steepest_of(info);
     const Range g = range_of(points, phase_variance);
     Json findings = Json::array();
-    for (const Criterion criterion : criteria()) findings.push_back(finding_json(info, criterion));
+    const bool by_distance = judged_by_distance(info);
+    for (const Criterion criterion : criteria())
+        if (!by_distance) findings.push_back(finding_json(info, criterion));
+    auto severity = Severity::fine;
+    for (const Point& point : points) severity = std::max(severity, severity_at(info, point));
     const Json wavelengths = wavelengths_of(info);
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
-                {"limits_of_model", judged_model},
+                {"limits_of_model", by_distance ? info.material.model_name() : std::string{judged_model}},
                 {"rms_roughness_um", surface.rms_roughness()},
                 {"correlation_length_um", length_json(surface)},
                 {"rms_slope", spectral::rms_slope(steepest)},
@@ -333,10 +310,11 @@ std::string info_json(const MaterialInfo& info) {
                 {"phase_variance", g.json()},
                 {"regimes", regimes(g)},
                 {"mirror_share", range_of(points, mirror_share).json()},
-                {"validity", name(info.validity.severity())},
+                {"validity", name(severity)},
                 {"findings", findings},
-                {"perturbation_advised", info.validity.perturbation_advised()},
-                {"expected_error_db", error_json(info.validity.error())},
+                {"perturbation_advised", !by_distance && info.validity.perturbation_advised()},
+                {"expected_error_db",
+                 error_json(by_distance ? unified_distances(info, points) : decibels(info.validity.error()))},
                 {"expected_distance_db", distance_json(info)},
                 {"prepared_bytes", info.prepared_bytes},
                 {"phi_table_bytes", info.phi_table_bytes}};
@@ -380,13 +358,15 @@ void write_info_table(Output& output, const MaterialInfo& info) {
     std::string text;
     for (const Point& point : info.validity.points()) {
         const double g = phase_variance(point);
-        const auto error = decibels(point.validity.error).value_or(spectral::Decibels{nan, nan});
+        const auto known =
+            judged_by_distance(info) ? unified_distances(info, {&point, 1}) : decibels(point.validity.error);
+        const auto error = known.value_or(spectral::Decibels{nan, nan});
         TableWriter::Row row{table, text};
         row.field(shortest(micrometres(point))).field(shortest(degrees_of(info, point)));
         row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));
         row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
         for (const Finding& finding : point.validity.findings) row.number(finding.measured);
-        row.word(name(point.validity.severity())).number(error.least).number(error.most);
+        row.word(name(severity_at(info, point))).number(error.least).number(error.most);
         add_distance(row, info, point);
         row.end();
     }

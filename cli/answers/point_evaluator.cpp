@@ -42,16 +42,14 @@ std::optional<std::size_t> wavelength_column(const CsvReader& points, bool neede
 }
 
 double cell(const CsvRow& row, std::size_t column, const char* name) {
-    return spectral::number_in(row.fields[column], name);
+    return row.number(column, name);
 }
 
-Direction direction(const CsvRow& row, std::size_t theta, std::size_t phi, const std::string& name) {
-    const double polar = cell(row, theta, ("theta_" + name + "_deg").c_str());
-    const double azimuth = cell(row, phi, ("phi_" + name + "_deg").c_str());
+Direction direction(double theta, double phi, const char* whose) {
     try {
-        return Direction::from_degrees(polar, azimuth);
+        return Direction::from_degrees(theta, phi);
     } catch (const Error& error) {
-        throw Error{(name == "i" ? "light: " : "view: ") + std::string{error.what()}};
+        throw Error{whose + std::string{error.what()}};
     }
 }
 
@@ -75,8 +73,9 @@ PairColumns::PairColumns(const CsvReader& points)
       phi_r_{points.column("phi_r_deg")} {}
 
 DirectionPair PairColumns::pair(const CsvRow& row) const {
-    const Direction in = direction(row, theta_i_, phi_i_, "i");
-    return {in, direction(row, theta_r_, phi_r_, "r")};
+    const Direction in =
+        direction(cell(row, theta_i_, "theta_i_deg"), cell(row, phi_i_, "phi_i_deg"), "light: ");
+    return {in, direction(cell(row, theta_r_, "theta_r_deg"), cell(row, phi_r_, "phi_r_deg"), "view: ")};
 }
 
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
@@ -186,8 +185,10 @@ std::vector<std::string> PointEvaluator::unused_columns(const CsvReader& points)
 void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Evaluation> result,
                               ValidityWarning& warning) const {
     const DirectionPair pair = columns_.directions.pair(row);
-    const spectral::Reflectance of = reflectance(row);
-    const auto terms = reflected_terms(of, pair);
+    std::optional<spectral::Reflectance> own;
+    const spectral::Reflectance& of = reflectance(row, own);
+    thread_local spectral::ReflectedTerms terms;
+    spectral::reflected_terms(of, pair, terms);
     for (std::size_t i = 0; i < result.size(); ++i) {
         result[i] = {.wavelength = of.wavelengths().micrometres()[i],
                      .cos_theta_i = pair.in.cos_theta(),
@@ -211,7 +212,7 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
 
 void PointEvaluator::add_uncertainty(const DirectionPair& pair, const spectral::WavelengthGrid& grid,
                                      std::span<Evaluation> result) const {
-    const auto of =
+    const auto& of =
         uncertainty_->at(grid.micrometres()[0], [&](double) { return uncertain_->at(grid, how_); });
     std::vector<double> brdf(result.size()), specular(result.size());
     of.brdf(pair, brdf);
@@ -224,7 +225,8 @@ void PointEvaluator::add_uncertainty(const DirectionPair& pair, const spectral::
 
 void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const {
     const DirectionPair pair = columns_.directions.pair(row);
-    const spectral::Reflectance of = reflectance(row);
+    std::optional<spectral::Reflectance> own;
+    const spectral::Reflectance& of = reflectance(row, own);
     const auto micrometres = of.wavelengths().micrometres();
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (of.transmits(i)) continue;
@@ -236,20 +238,24 @@ void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluati
         result[i] = {.wavelength = micrometres[i], .btdf = btdf[i]};
 }
 
-spectral::Reflectance PointEvaluator::reflectance(const CsvRow& row) const {
+const spectral::Reflectance& PointEvaluator::reflectance(const CsvRow& row,
+                                                         std::optional<spectral::Reflectance>& own) const {
     if (same_for_all_) return *same_for_all_;
-    const spectral::WavelengthGrid grid = wavelengths(row);
-    const auto compensated = [&](const spectral::Reflectance& of) {
+    const auto compensated = [&](const spectral::Reflectance& of, const spectral::WavelengthGrid& grid) {
         if (!compensation_) return of;
         return spectral::compensated(of, compensation_->at(*of.properties().surface, grid));
     };
     if (!columns_.any_of_material()) {
-        return by_wavelength_->at(grid.micrometres()[0],
-                                  [&](double) { return compensated(material_.at(grid, how_)); });
+        return by_wavelength_->at(wavelength(row), [&](double micrometres) {
+            const auto grid = spectral::WavelengthGrid::from_micrometres({micrometres});
+            return compensated(material_.at(grid, how_), grid);
+        });
     }
+    const auto grid =
+        wavelengths_ ? *wavelengths_ : spectral::WavelengthGrid::from_micrometres({wavelength(row)});
     spectral::EvaluationOptions how = how_;
     how.instead = own_values(row);
-    return compensated(material_.at(grid, how));
+    return own.emplace(compensated(material_.at(grid, how), grid));
 }
 
 spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const {
@@ -268,12 +274,10 @@ spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const
             .diffuse_albedo = value(columns_.albedo, "albedo")};
 }
 
-spectral::WavelengthGrid PointEvaluator::wavelengths(const CsvRow& row) const {
-    if (wavelengths_) return *wavelengths_;
+double PointEvaluator::wavelength(const CsvRow& row) const {
     const double number =
         cell(row, *columns_.wavelength, columns_.wavelength_unit == 1 ? "wavelength_um" : "wavelength_nm");
-    const auto own = Wavelength::from_micrometres(columns_.wavelength_unit * number);
-    return spectral::WavelengthGrid::from_micrometres({own.micrometres()});
+    return Wavelength::from_micrometres(columns_.wavelength_unit * number).micrometres();
 }
 
 }  // namespace hts::cli

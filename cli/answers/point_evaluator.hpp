@@ -100,9 +100,12 @@ class PointEvaluator {
     void require_no_material_columns(const CsvReader& points) const;
     void require_whole_surfaces(const CsvReader& points) const;
     [[nodiscard]] spectral::RoughSurfaceValues own_values(const CsvRow& row) const;
-    [[nodiscard]] spectral::WavelengthGrid wavelengths(const CsvRow& row) const;
+    /// The row's own [um].
+    [[nodiscard]] double wavelength(const CsvRow& row) const;
     /// What the row is of.
-    [[nodiscard]] spectral::Reflectance reflectance(const CsvRow& row) const;
+    ///   own   keeps it where no other row shares it
+    [[nodiscard]] const spectral::Reflectance& reflectance(const CsvRow& row,
+                                                           std::optional<spectral::Reflectance>& own) const;
     void add_uncertainty(const DirectionPair& pair, const spectral::WavelengthGrid& grid,
                          std::span<Evaluation> result) const;
 

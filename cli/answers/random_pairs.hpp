@@ -8,7 +8,7 @@
 
 namespace hts::cli {
 
-/// What the batch call took, and the mean of its values, by which runs can be compared.
+/// What it took in all, drawing too, and the mean of its values, by which runs can be compared.
 struct RandomPairsResult {
     Summary summary;
     double mean_brdf;  ///< [1/sr]

@@ -8,34 +8,30 @@
 #include <optional>
 #include <vector>
 
+#include "cli/io/per_thread.hpp"
 #include "spectral/energy/compensation.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
 
-/// What is made of one material for each wavelength.
+/// What is made of one material for each wavelength, once by each thread.
 template <class Value>
 class WavelengthCache {
   public:
-    /// The one at a wavelength, made where it is not there yet.
+    /// The one at a wavelength, made where it is not there yet; it stays until the thread asks again.
     ///   make   (double micrometres) -> Value
     template <class Make>
-    [[nodiscard]] Value at(double micrometres, const Make& make) {
-        {
-            const std::lock_guard lock{mutex_};
-            if (const auto found = made_.find(micrometres); found != made_.end()) return found->second;
-        }
-        const Value made = make(micrometres);
-        const std::lock_guard lock{mutex_};
-        if (made_.size() >= most) made_.clear();
-        return made_.emplace(micrometres, made).first->second;
+    [[nodiscard]] const Value& at(double micrometres, const Make& make) {
+        auto& made = made_.mine();
+        if (const auto found = made.find(micrometres); found != made.end()) return found->second;
+        if (made.size() >= most) made.clear();
+        return made.emplace(micrometres, make(micrometres)).first->second;
     }
 
   private:
     static constexpr std::size_t most =
         4096;  ///< before it starts anew: a file may have a wavelength of its own in each row
-    std::mutex mutex_;
-    std::map<double, Value> made_;
+    PerThread<std::map<double, Value>> made_;
 };
 
 /// The energy compensation of surfaces of one material and wavelengths, each solved once.

@@ -34,7 +34,41 @@ std::string seen_text(const SeenRoughness& seen) {
            brief(seen.scattered);
 }
 
+std::string slope_text(double slope) {
+    return brief(slope, 3) + " (" + brief(std::atan(slope) * 180 / std::numbers::pi, 3) + " deg)";
+}
+
+std::string correlated_surface_text(const Surface& surface) {
+    const auto& [along, across] = surface.correlation_lengths();
+    const std::string lengths = surface.isotropic() ? brief(along) + " um"
+                                                    : brief(along) + " um along the azimuth " +
+                                                          brief(azimuth_in_degrees(surface)) + " deg and " +
+                                                          brief(across) + " um across";
+    return "sigma0 " + brief(surface.rms_roughness()) + " um, correlation " + surface.correlation()->name() +
+           ", its length " + lengths;
+}
+
 }  // namespace
+
+std::string surface_text(const Surface& surface) {
+    if (surface.correlation()) return correlated_surface_text(surface);
+    const std::string curvature =
+        ", radius of curvature " + brief(spectral::curvature_radius(surface), 3) + " um";
+    const std::string height = "sigma0 " + brief(surface.rms_roughness()) + " um, tau ";
+    if (surface.isotropic()) {
+        return height + brief(surface.correlation_length()) + " um; rms slope " +
+               slope_text(spectral::rms_slope(surface)) + curvature;
+    }
+    const auto& [along, across] = surface.correlation_lengths();
+    const auto slopes = spectral::rms_slopes(surface);
+    return height + brief(along) + " um along the azimuth " + brief(azimuth_in_degrees(surface)) +
+           " deg and " + brief(across) + " um across;\n               rms slopes " +
+           slope_text(slopes.along) + " along and " + slope_text(slopes.across) + " across" + curvature;
+}
+
+double azimuth_in_degrees(const Surface& surface) {
+    return surface.azimuth() * 180 / std::numbers::pi;
+}
 
 SeenRoughness seen_roughness(const Surface& surface, double wavelength_um) {
     const double rms = surface.rms_roughness() * std::sqrt(surface.variance_share(0, 1 / wavelength_um));
@@ -58,6 +92,7 @@ std::string roughness_text(const RoughSurface& surface, const std::vector<double
 
 void add_roughness(Json& to, const RoughSurface& surface, const std::vector<double>& wavelengths) {
     if (!says_more(surface)) return;
+    if (const auto& shape = surface.correlation()) to["correlation"] = shape->name();
     if (const auto& band = surface.band()) {
         to["rms_band_um"] = {1 / band->to, band->from > 0 ? Json(1 / band->from) : Json("infinity")};
         to["rms_roughness_of_band_um"] = rms_of_band(surface, *band);

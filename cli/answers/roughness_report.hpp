@@ -19,11 +19,15 @@ struct SeenRoughness {
 };
 [[nodiscard]] SeenRoughness seen_roughness(const Surface& surface, double wavelength_um);
 
+/// Of the first axis.
+[[nodiscard]] double azimuth_in_degrees(const Surface& surface);
+/// "sigma0 0.28 um, tau 1.77 um; rms slope 0.224 (12.6 deg), …".
+[[nodiscard]] std::string surface_text(const Surface& surface);
 /// Lines of `hts info`, none of a Gaussian correlation that is stated for all frequencies.
 ///   wavelengths   [um], increasing, of which the ends are shown
 [[nodiscard]] std::string roughness_text(const spectral::RoughSurface& surface,
                                          const std::vector<double>& wavelengths);
-/// Adds the keys "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over
+/// Adds the keys "correlation", "rms_band_um", "rms_roughness_of_band_um" and "seen", a list over
 /// wavelengths, where there is text.
 void add_roughness(nlohmann::ordered_json& to, const spectral::RoughSurface& surface,
                    const std::vector<double>& wavelengths);

@@ -11,6 +11,7 @@
 #include "validation/scattering/exact_scattering.hpp"
 #include "validation/scattering/fourier_integral.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
+#include "validation/scattering/vector/vector_report.hpp"
 
 namespace hts::cli {
 namespace {
@@ -39,6 +40,7 @@ const std::vector<ValidationPart>& validation_parts() {
         {"measurements", measurements},
         {"models", alone<validation::models_section>},
         {"moments", alone<validation::exact_scattering_section>},
+        {"vector", alone<validation::vector_section>},
         {"dielectric", alone<validation::dielectric_scattering_section>},
         {"fourier", alone<validation::fourier_section>},
         {"rays", alone<validation::rays_section>},

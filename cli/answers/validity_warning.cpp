@@ -8,6 +8,7 @@
 #include "cli/io/options.hpp"
 #include "hts/error.hpp"
 #include "hts/sampling/random.hpp"
+#include "spectral/energy/surely_valid.hpp"
 
 namespace hts::cli {
 
@@ -46,36 +47,45 @@ std::optional<double> least_reflectance(const spectral::Reflectance& reflectance
 
 }  // namespace
 
-void GainWarning::note(const spectral::Reflectance& reflectance, const Direction& in) {
-    if (in.cos_theta() < least_cosine) return;
-    const std::scoped_lock lock{mutex_};
+void GainWarning::Places::note(const spectral::Reflectance& reflectance, const Direction& in) {
     const auto order = [](const spectral::Reflectance& of, const Direction& from, double sign) {
         return std::tuple{sign * from.cos_theta(), of.wavelengths().micrometres()[0], from.cos_phi(),
                           from.sin_phi()};
     };
     const auto keep = [&](std::optional<Place>& place, double sign) {
+        if (place && sign * in.cos_theta() > sign * place->in.cos_theta()) return;
         if (!place || order(reflectance, in, sign) < order(place->reflectance, place->in, sign))
             place.emplace(Place{reflectance, in});
     };
-    keep(oblique_, 1);
-    keep(upright_, -1);
+    keep(oblique, 1);
+    keep(upright, -1);
+}
+
+void GainWarning::note(const spectral::Reflectance& reflectance, const Direction& in) {
+    if (in.cos_theta() >= least_cosine) places_.mine().note(reflectance, in);
 }
 
 void GainWarning::print(const std::string& source) const {
+    Places all;
+    places_.for_each([&all](const Places& places) {
+        for (const std::optional<Place>& place : {places.oblique, places.upright})
+            if (place) all.note(place->reflectance, place->in);
+    });
     double most = 0;
-    for (const std::optional<Place>& place : {oblique_, upright_}) {
+    for (const std::optional<Place>& place : {all.oblique, all.upright}) {
         if (place) most = std::max(most, least_reflectance(place->reflectance, place->in, 0).value_or(0));
     }
     warn_of_gain(source, most);
 }
 
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
-    ++count_;
+    Verdicts& mine = verdicts_.mine();
+    ++mine.count;
     if (verdict.severity() != Severity::outside) return;
-    ++outside_;
+    ++mine.outside;
     for (const spectral::Finding& finding : verdict.findings) {
         if (finding.severity() == Severity::outside)
-            broken_[static_cast<std::size_t>(finding.criterion)] = true;
+            mine.broken[static_cast<std::size_t>(finding.criterion)] = true;
     }
 }
 
@@ -83,24 +93,37 @@ void ValidityWarning::note(const spectral::Reflectance& reflectance, const Direc
     gain_.note(reflectance, pair.in);
     const auto& surface = reflectance.properties().surface;
     if (!surface) return;
-    for (const SpectralSample& sample : reflectance.samples())
-        note(spectral::validity(*surface, pair, sample));
+    for (const SpectralSample& sample : reflectance.samples()) {
+        if (spectral::surely_valid(*surface, pair, sample.wavelength)) {
+            ++verdicts_.mine().count;
+        } else {
+            note(spectral::validity(*surface, pair, sample));
+        }
+    }
+}
+
+ValidityWarning::Verdicts ValidityWarning::all() const {
+    Verdicts sum;
+    verdicts_.for_each([&sum](const Verdicts& each) {
+        sum.count += each.count;
+        sum.outside += each.outside;
+        for (std::size_t i = 0; i < sum.broken.size(); ++i) sum.broken[i] = sum.broken[i] || each.broken[i];
+    });
+    return sum;
 }
 
 void ValidityWarning::print(const std::string& source) const {
     gain_.print(source);
-    if (outside_ == 0) return;
-    std::cerr << "hts: " << outside_ << " of " << count_ << " values " << (count_ == 1 ? "is" : "are")
-              << " outside the model's validity (" << criteria() << "): see hts info\n";
-}
-
-std::string ValidityWarning::criteria() const {
-    std::string names;
-    for (std::size_t i = 0; i < broken_.size(); ++i) {
-        if (!broken_[i]) continue;
-        names.append(names.empty() ? "" : ", ").append(name(static_cast<spectral::Criterion>(i)));
+    const Verdicts sum = all();
+    if (sum.outside == 0) return;
+    std::string criteria;
+    for (std::size_t i = 0; i < sum.broken.size(); ++i) {
+        if (!sum.broken[i]) continue;
+        criteria.append(criteria.empty() ? "" : ", ").append(name(static_cast<spectral::Criterion>(i)));
     }
-    return names;
+    std::cerr << "hts: " << sum.outside << " of " << sum.count << " values "
+              << (sum.count == 1 ? "is" : "are") << " outside the model's validity (" << criteria
+              << "): see hts info\n";
 }
 
 }  // namespace hts::cli

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <mutex>
 #include <optional>
 #include <string>
 
+#include "cli/io/per_thread.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/models/reflectance.hpp"
 
@@ -27,8 +26,11 @@ class GainWarning {
         spectral::Reflectance reflectance;
         Direction in;
     };
-    std::mutex mutex_;
-    std::optional<Place> oblique_, upright_;
+    struct Places {
+        std::optional<Place> oblique, upright;
+        void note(const spectral::Reflectance& reflectance, const Direction& in);
+    };
+    PerThread<Places> places_;
 };
 
 /// Counts verdicts, from any thread; what it says does not depend on their order.
@@ -43,10 +45,13 @@ class ValidityWarning {
     void print(const std::string& source) const;
 
   private:
-    [[nodiscard]] std::string criteria() const;
+    struct Verdicts {
+        std::size_t count = 0, outside = 0;
+        std::array<bool, spectral::criterion_count> broken{};
+    };
+    [[nodiscard]] Verdicts all() const;
 
-    std::atomic<std::size_t> count_{0}, outside_{0};
-    std::array<std::atomic<bool>, spectral::criterion_count> broken_{};
+    PerThread<Verdicts> verdicts_;
     GainWarning gain_;
 };
 

@@ -264,15 +264,6 @@ void warn_of_gain(const std::string& source, double reflectance) {
                   << " times the light that falls in\n";
 }
 
-void require_spectrum(const spectral::Material& material) {
-    const auto& channels = material.properties().channels;
-    if (channels.empty()) return;
-    throw Error{
-        material.name() + ": holds the channel" + (channels.size() == 1 ? " " : "s ") +
-        spectral::joined(channels) +
-        ", which are no spectrum: must hold wavelengths (wavelengths_um in the material file if they are)"};
-}
-
 void require_rough_surface(const spectral::Material& material, const std::string& option) {
     if (!material.properties().surface) refuse_model(material, option);
 }

@@ -66,10 +66,6 @@ struct MaterialOptions {
 /// Says on standard error that a material reflects more than falls in, where it does by more than 0.5 %.
 void warn_of_gain(const std::string& source, double reflectance);
 
-/// hts::Error of materials that hold the channels of a colour in place of a spectrum;
-/// luminance alone passes for grey.
-void require_spectrum(const spectral::Material& material);
-
 /// UsageError that names `option` where it asks for what only rough surfaces, or only polarised models, can.
 void require_rough_surface(const spectral::Material& material, const std::string& option);
 void require_polarised(const spectral::Material& material, const std::string& option);

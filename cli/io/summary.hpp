@@ -23,7 +23,7 @@ class Stopwatch {
 
 struct Summary {
     std::size_t pairs, wavelengths;
-    double seconds;  ///< evaluation only, without reading and writing
+    double seconds;  ///< with reading, drawing and writing
 
     /// "1000000 pairs x 31 wavelengths: 21.3 s, 1.46e+06 evaluations/s, 2 threads".
     [[nodiscard]] std::string text() const;

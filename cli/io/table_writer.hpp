@@ -1,4 +1,5 @@
-/// Writes tables as CSV with a header or as a JSON array with an object per row.
+/// Writes tables as CSV with a header, as a JSON array with an object per row, or as a structured array of
+/// NumPy.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +12,9 @@
 
 namespace hts::cli {
 
-enum class Format { csv, json };
+enum class Format { csv, json, npy };
 
-/// JSON if asked for or if the path ends in .json.
+/// JSON if asked for or if the path ends in .json, a structured array if it ends in .npy.
 [[nodiscard]] Format format_of(std::string_view path, bool json);
 
 /// 17 significant digits, enough to read back the same double.
@@ -38,10 +39,13 @@ class TableWriter {
         Row& word(std::string_view word);
         /// JSON knows neither infinity nor NaN: null.
         Row& number(double value);
+        /// The same by the fewest digits that read back the same.
+        Row& short_number(double value);
         void end();
 
       private:
         void begin_cell();
+        void append_bytes(double value);
         const TableWriter& table_;
         std::string& text_;
         std::size_t cell_ = 0;
@@ -54,7 +58,9 @@ class TableWriter {
   private:
     Output& output_;
     Format format_;
+    std::vector<std::string> columns_;
     std::vector<std::string> keys_;  // what stands before each cell
+    std::size_t npy_bytes_ = 0;      // behind its header
     bool empty_ = true;
 };
 

@@ -19,6 +19,7 @@
 
 namespace hts::cli {
 
+using spectral::CsvLines;
 using spectral::CsvReader;
 using spectral::CsvRow;
 
@@ -38,58 +39,69 @@ class Transform {
     Summary run(const Evaluate& evaluate, const Append& append) {
         if (const std::string dialect = input_.dialect_in_words(); !dialect.empty())
             std::cerr << "hts: " << input_.where_header() << dialect << '\n';
+        watch_.start();
         const std::size_t rows = std::max<std::size_t>(1, values_per_chunk / each_);
         std::size_t count = 0;
         std::error_code unknown;  // of standard input and the like
         const auto size = std::filesystem::file_size(input_.name(), unknown);
         const spectral::Job job{"", unknown ? 0 : size};
-        for (auto chunk = input_.read(rows); !chunk.empty(); chunk = input_.read(rows)) {
+        CsvLines chunk;
+        for (input_.take(rows, chunk); !chunk.empty(); input_.take(rows, chunk)) {
             count += chunk.size();
-            write(chunk, values(chunk, evaluate), append);
+            const std::size_t parts = answer(chunk, evaluate, append);
+            for (std::size_t i = 0; i < parts; ++i) output_.add(texts_[i]);
             job.set_done(input_.bytes_read());
         }
         output_.finish();
+        watch_.stop();
         return {count, each_, watch_.seconds()};
     }
 
   private:
-    static constexpr std::size_t values_per_chunk = 1 << 15;  // some 30 MB
-    static constexpr int rows_at_once = 16;                   // by one thread
+    static constexpr std::size_t values_per_chunk = 1 << 14, values_at_once = 1 << 8;
 
-    template <class Evaluate>
-    std::vector<Value> values(const std::vector<CsvRow>& rows, const Evaluate& evaluate) {
-        std::vector<Value> values(rows.size() * each_);
-        watch_.start();
-        const auto evaluate_row = [&](std::size_t i) {
-            try {
-                evaluate(rows[i], std::span{values}.subspan(i * each_, each_));
-            } catch (const Error& error) {
-                throw Error{input_.where(rows[i].line) + error.what()};
+    /// Renders what is written for some lines in as many texts as it says.
+    template <class Evaluate, class Append>
+    std::size_t answer(const CsvLines& lines, const Evaluate& evaluate, const Append& append) {
+        // by one thread at once; few where they are few, since each may take long
+        const std::size_t block =
+            std::clamp<std::size_t>(values_at_once / each_, 1, std::max<std::size_t>(1, lines.size() / 64));
+        const std::size_t parts = (lines.size() + block - 1) / block;
+        texts_.resize(std::max(texts_.size(), parts));
+        spectral::parallel_blocks(lines.size(), block, [&](std::size_t first, std::size_t number) {
+            CsvRow row;
+            std::vector<Value> values(each_);
+            std::string& text = texts_[first / block];
+            text.clear();
+            for (std::size_t i = first; i < first + number; ++i) {
+                input_.parse(lines, i, row);
+                try {
+                    evaluate(row, std::span{values});
+                } catch (const Error& error) {
+                    throw Error{input_.where(row.line) + error.what()};
+                }
+                write(text, row, values, append);
             }
-        };
-        spectral::parallel_for(rows.size(), evaluate_row, rows_at_once);
-        watch_.stop();
-        return values;
+        });
+        return parts;
     }
 
     template <class Append>
-    void write(const std::vector<CsvRow>& rows, const std::vector<Value>& values, const Append& append) {
-        std::vector<std::string> lines(rows.size());
-        const auto write_row = [&](std::size_t i) {
-            for (std::size_t j = i * each_; j < (i + 1) * each_; ++j) {
-                TableWriter::Row row{output_, lines[i]};
-                for (const std::string& field : rows[i].fields) row.field(field);
-                append(row, values[j]);
-                row.end();
-            }
-        };
-        spectral::parallel_for(rows.size(), write_row, rows_at_once);
-        for (const std::string& line : lines) output_.add(line);
+    void write(std::string& text, const CsvRow& input, const std::vector<Value>& values,
+               const Append& append) const {
+        for (const Value& value : values) {
+            TableWriter::Row row{output_, text};
+            for (const std::string& field : input.fields) row.field(field);
+            for (const double number : input.numbers) row.short_number(number);
+            append(row, value);
+            row.end();
+        }
     }
 
     CsvReader& input_;
     TableWriter& output_;
     std::size_t each_;
+    std::vector<std::string> texts_;  // their memory is used again
     Stopwatch watch_;
 };
 

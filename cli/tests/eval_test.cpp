@@ -9,6 +9,7 @@
 #include "hts/terms.hpp"
 
 using hts::cli::testing::cells;
+using hts::cli::testing::check_complaint;
 using hts::cli::testing::Workplace;
 using hts::testing::ReferenceTable;
 using hts::testing::relative_error;
@@ -129,6 +130,41 @@ TEST_CASE("hts eval gives the same bytes for any number of threads") {
     CHECK(one.exit_code == 0);
     CHECK(one.output == two.output);
     CHECK(one.output == five.output);
+}
+
+TEST_CASE("random pairs have the same mean for any number of threads and of chunks") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    const std::string command = "eval --material al.json --wavelengths 0.5 --tolerance 1e-3 --random-pairs ";
+    for (const std::string count : {"1", "8191", "8193", "1048577"}) {
+        INFO(count);
+        const auto one = place.hts(command + count, "OMP_NUM_THREADS=1");
+        REQUIRE(one.exit_code == 0);
+        CHECK(place.hts(command + count, "OMP_NUM_THREADS=3").output == one.output);
+    }
+}
+
+TEST_CASE("hts eval reads and writes structured arrays of NumPy") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    place.file("points.csv", header + "\n0.5,30,0,30,180\n0.6,10.1,20,70.3,3e2\n");
+    const auto csv = cells(place.hts("eval --material al.json --points points.csv").output);
+    REQUIRE(place.hts("eval --material al.json --points points.csv --output a.npy").exit_code == 0);
+    const auto again = place.hts("eval --material al.json --points a.npy");
+    CHECK(again.errors.find("columns repeated but not used: directional_diffuse") != std::string::npos);
+    const auto npy = cells(again.output);
+    REQUIRE(npy.size() == csv.size());
+    for (std::size_t row = 1; row < csv.size(); ++row) {
+        for (std::size_t i = 0; i < csv[0].size(); ++i)
+            CHECK(std::stod(npy[row][i]) == std::stod(csv[row][i]));  // what the array holds
+        for (std::size_t i = 5; i < csv[0].size(); ++i) CHECK(npy[row][i + 4] == csv[row][i]);
+    }
+    const auto words = place.hts("eval --material al.json --points points.csv --detail --output b.npy");
+    check_complaint(words, 1, {"column method: ", "must be written to a .csv or .json file"});
+    place.file("c.npy", "theta_i_deg\n3\n");
+    check_complaint(place.hts("eval --material al.json --points c.npy"), 1,
+                    {"c.npy: not a .npy file of NumPy"});
+    CHECK(place.names() == std::vector<std::string>{"a.npy", "al.json", "c.npy", "points.csv"});
 }
 
 TEST_CASE("hts eval writes JSON when asked or by the file's ending") {

@@ -27,11 +27,12 @@ struct Folder {
 };
 const std::vector<Folder> folders{
     {"hts",
-     {"correlation", "phi/tables", "lanes", "phi", "films", "evaluation", "microfacet", "sampling",
-      "unified"}},
+     {"phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
+      "rendering", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},
-    {"validation", {"report", "curves", "fit", "topography", "scattering", "papers", "pictures"}},
+    {"validation",
+     {"report", "curves", "fit", "topography", "scattering", "scattering/vector", "papers", "pictures"}},
     {"bench", {"", "rivals", "phi", "stability", "charts", "micro"}},
     {"cli", {"io", "answers", "verbs", ""}},
 };

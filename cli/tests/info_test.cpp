@@ -122,16 +122,27 @@ TEST_CASE("hts info says how far he and he_unified are to be expected from exact
         R"({"model": "he_unified", "rms_roughness_um": 0.14, "correlation_length_um": 1.1, "index": "Al"})");
     const auto text = place.hts("info m.json --wavelengths 0.55 --theta 30,85");
     CHECK(text.exit_code == 0);
-    for (const std::string part : {"Expected distance from exact scattering [dB]", "1 of 1", "unknown",
-                                   "0 of 1", "A case that is left out is met within a factor of",
-                                   "of what is outside nothing is known", "its mirror is not shadowed"}) {
+    for (const std::string part :
+         {"Expected distance from exact scattering [dB]", "1 of 1", "unknown", "0 of 1",
+          "A case that is left out is met within a factor of", "of what is outside nothing is known",
+          "its mirror is not shadowed", "OUTSIDE the model's validity at 1 of 2 points",
+          "nothing like it was solved"}) {
         INFO(part);
         CHECK(text.output.find(part) != std::string::npos);
     }
     CHECK(text.output.find("not measured yet") == std::string::npos);
+    CHECK(text.output.find("curvature: k R") == std::string::npos);  // the criteria are those of he
+    const auto inside = place.hts("info m.json --wavelengths 0.55 --theta 30");
+    CHECK(inside.output.find("Inside the model's validity: at most 0.5 dB from exact scattering") !=
+          std::string::npos);
+    CHECK(inside.output.find("fine      0.") != std::string::npos);
     const auto json =
         nlohmann::json::parse(place.hts("info m.json --wavelengths 0.55 --theta 30,85 --json").output);
     const auto& near = json["expected_distance_db"]["by_angle"][0];
+    CHECK(json["limits_of_model"] == "he_unified");
+    CHECK(json["validity"] == "outside");
+    CHECK(json["findings"].empty());
+    CHECK(json["expected_error_db"].is_null());  // one angle is not studied
     CHECK(near["he_unified"]["tm"].get<double>() < near["he"]["tm"].get<double>());
     CHECK(json["expected_distance_db"]["by_angle"][1]["he"].is_null());
     CHECK(json["expected_distance_db"]["cases"].get<int>() > 100);
@@ -141,4 +152,15 @@ TEST_CASE("hts info says how far he and he_unified are to be expected from exact
     CHECK(rows[1][rows[1].size() - 7] == "yes");
     CHECK(rows[2][rows[2].size() - 7] == "no");
     CHECK(rows[2].back() == "nan");
+}
+
+TEST_CASE("hts info names the correlation of a surface") {
+    const Workplace place;
+    place.file("m.json", R"({"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 1,
+                             "correlation": {"type": "matern", "nu": 1.5}, "index": "Al"})");
+    const auto text = place.hts("info m.json --wavelengths 0.55");
+    CHECK(text.output.find("sigma0 0.1 um, correlation matern, nu 1.5, its length 1 um") !=
+          std::string::npos);
+    const auto json = nlohmann::json::parse(place.hts("info m.json --wavelengths 0.55 --json").output);
+    CHECK(json["correlation"] == "matern, nu 1.5");
 }

@@ -219,7 +219,7 @@ TEST_CASE("scenes and plans that do not fit are refused, and leave nothing behin
     check_refusal(place.hts("plan small.json --output new.json" + quick), 1,
                   {"small.json", "memory_budget_bytes", "1000", "must be >= "});
     check_refusal(place.hts("plan empty.json"), 1,
-                  {"empty.json", "tolerance", "relative_brdf_error or delta_e_2000"});
+                  {"empty.json", "tolerance", "relative_brdf_error, delta_e_2000 or true_db"});
     check_refusal(place.hts("plan"), 2, {"scene file or --check"});
     check_refusal(place.hts("plan " + spectral + " --check plan.json"), 2, {"one of them"});
     check_refusal(place.hts("plan --check plan.json --tolerance 1"), 2, {"--tolerance"});

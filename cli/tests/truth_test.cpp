@@ -60,3 +60,16 @@ TEST_CASE("hts validate --record puts results into a file, and keeps the others 
     CHECK(refused.errors.find("r.json: key \"results\"") != std::string::npos);
     CHECK(place.read("r.json") == R"({"results": 3})");
 }
+
+TEST_CASE("hts truth vector is shared out and collected, and says what does not go together") {
+    const Workplace place;
+    CHECK(place.hts("truth fourier --collect --output f").exit_code == 2);
+    CHECK(place.hts("truth vector --quick --shard 1/2 --output f").exit_code == 2);
+    CHECK(place.hts("truth vector --shard 3/2 --output f").exit_code == 2);
+    CHECK(place.hts("truth vector --shard 1/2 --collect --output f").exit_code == 2);
+    CHECK(place.hts("truth vector --realisations 3 --output f").exit_code == 2);
+    CHECK(place.names().empty());
+    const auto nothing = place.hts("truth vector --collect --output f");
+    CHECK(nothing.exit_code == 1);
+    CHECK(nothing.errors.find("0 realisations of the surface sigma0 0.05") != std::string::npos);
+}

@@ -31,6 +31,16 @@ TEST_CASE("every verb explains itself with an example") {
     CHECK(place.hts("--version").output.starts_with("hts 0."));
 }
 
+TEST_CASE("the command starts without the libraries of fits, and without timing the processor's clock") {
+    const Workplace place;
+    const auto loaded = place.hts("--version", "LD_TRACE_LOADED_OBJECTS=1");
+    REQUIRE(loaded.exit_code == 0);
+    for (const char* library : {"ceres", "glog", "cholmod", "lapack", "gfortran", "hwy"}) {
+        INFO(library);
+        CHECK(loaded.output.find(library) == std::string::npos);
+    }
+}
+
 TEST_CASE("hts phi keeps the logarithm where phi underflows") {
     const Workplace place;
     place.file("gt.csv", "g,t\n50,120\n1e-3,1e5\n1e10,0\n0,1\n");

@@ -25,6 +25,8 @@ correlation_length_x_um and correlation_length_y_um, with azimuth_deg of the fir
 and albedo, which go before the material's (models he and he_unified). Without
 wavelength_um every row is evaluated at --wavelength or --wavelengths. Other columns are
 repeated and not used.
+A file whose name ends in .npy is a structured array of NumPy, whose fields are the
+columns; so is the answer, which then can hold numbers alone.
 The answer repeats the columns and adds directional_diffuse, uniform_diffuse, brdf [1/sr]
 and specular_reflectance [1]. All directions point away from the surface; the mirror
 direction is theta_r = theta_i, phi_r = phi_i + 180. The columns of --detail and of

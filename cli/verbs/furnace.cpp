@@ -15,6 +15,7 @@
 #include "spectral/energy/compensation.hpp"
 #include "spectral/output/gnuplot.hpp"
 #include "spectral/parallel.hpp"
+#include "tables/formats/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -29,15 +30,15 @@ sigma_0/tau, sigma_0/lambda and the angle of incidence alone. Into the folder go
                                  directional_diffuse, total [, compensated_total]
   furnace.svg, furnace.gnuplot   the total as a map, a panel per sigma_0/tau
 With --compensate-energy also the total with the library's optional compensation, and its
-map as furnace-compensated.svg.
-Seconds with --quick, a minute or two without.
+map as furnace-compensated.svg. Of the correlation of a --material tau is the length.
+Seconds with --quick, a minute or two without; some times longer with other correlations.
 
 Examples:
   hts furnace --output out/furnace --quick
   hts furnace --output out/furnace --compensate-energy)";
 
 struct FurnaceOptions {
-    std::string folder;
+    std::string folder, material;
     bool quick = false, compensate = false;
 };
 
@@ -59,9 +60,12 @@ FurnaceGrid furnace_grid(bool quick) {
 }
 
 /// All angles of one surface, at a wavelength of 1 um.
-std::vector<FurnacePoint> furnace_curve(const FurnaceGrid& grid, double slope, double roughness,
-                                        bool compensate) {
-    const Surface surface{roughness, roughness / slope};
+///   like   whose theory and correlation it has
+std::vector<FurnacePoint> furnace_curve(const FurnaceGrid& grid, const spectral::RoughSurface& like,
+                                        double slope, double roughness, bool compensate) {
+    const Surface gaussian{roughness, roughness / slope};
+    const spectral::RoughSurface surface =
+        like.with(like.correlation() ? gaussian.correlated(*like.correlation()) : gaussian);
     const auto wavelength = Wavelength::from_micrometres(1);
     std::optional<spectral::EnergyCompensation> compensation;
     if (compensate) compensation.emplace(surface, wavelength);
@@ -81,14 +85,15 @@ std::vector<FurnacePoint> furnace_curve(const FurnaceGrid& grid, double slope, d
     return points;
 }
 
-std::vector<FurnacePoint> furnace_map(const FurnaceGrid& grid, bool compensate) {
+std::vector<FurnacePoint> furnace_map(const FurnaceGrid& grid, const spectral::RoughSurface& like,
+                                      bool compensate) {
     const std::size_t across = grid.roughnesses.size();
     std::vector<std::vector<FurnacePoint>> curves(grid.slopes.size() * across);
     spectral::parallel_for(
         curves.size(),
         [&](std::size_t i) {
             curves[i] =
-                furnace_curve(grid, grid.slopes[i / across], grid.roughnesses[i % across], compensate);
+                furnace_curve(grid, like, grid.slopes[i / across], grid.roughnesses[i % across], compensate);
         },
         1);
     std::vector<FurnacePoint> points;
@@ -133,11 +138,19 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
     std::cout << path.string() << '\n';
 }
 
+/// The published model's of a Gaussian correlation, or what a material file says.
+spectral::RoughSurface surface_like(const std::string& material) {
+    if (material.empty()) return {1, 1};
+    const auto read = spectral::read_material(material, tables::models_with_files());
+    if (const auto& surface = read.properties().surface) return *surface;
+    throw Error{material + ": model " + read.model_name() + ": must be he or he_unified"};
+}
+
 void run(const FurnaceOptions& options) {
     const fs::path folder{options.folder};
     output::require_gnuplot((folder / "furnace.svg").string());
     const FurnaceGrid grid = furnace_grid(options.quick);
-    const auto points = furnace_map(grid, options.compensate);
+    const auto points = furnace_map(grid, surface_like(options.material), options.compensate);
     for (const char* name : {"furnace.csv", "furnace.json"}) {
         write_table(folder / name, grid, points, options.compensate);
     }
@@ -157,6 +170,8 @@ void add_furnace(CLI::App& program) {
     fills(verb->add_option("-o,--output", options->folder, "folder for the map and its table"),
           {"furnace.csv", "furnace.json", "furnace.svg", "furnace.gnuplot"})
         ->required();
+    verb->add_option("-m,--material", options->material,
+                     "material file whose theory and correlation take the place of he and a Gaussian");
     verb->add_flag("--quick", options->quick, "a coarser map");
     verb->add_flag("--compensate-energy", options->compensate, "map the optional energy compensation, too");
     verb->footer(furnace_help);

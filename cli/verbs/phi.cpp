@@ -52,8 +52,8 @@ void run(const PhiOptions& options) {
     const std::size_t g = points.column("g");
     const std::size_t t = points.column("t");
     const auto evaluate = [g, t](const CsvRow& row, std::span<Phi> result) {
-        const double g_value = spectral::number_in(row.fields[g], "g");
-        const double t_value = spectral::number_in(row.fields[t], "t");
+        const double g_value = row.number(g, "g");
+        const double t_value = row.number(t, "t");
         require_in_domain(g_value, t_value);
         result[0] = phi(g_value, t_value);
     };

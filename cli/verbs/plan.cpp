@@ -32,10 +32,11 @@ using spectral::Rung;
 constexpr auto plan_help = R"(
 A scene file (JSON) lists material files of any model, wavelengths, the largest polar
 angles of lights and views, what is wanted (spectral or rgb, polarised or not), a tolerance
-(relative_brdf_error or delta_e_2000) and a memory budget; spectral/plans/scene.hpp has every
-key. For each material the plan leaves out what the tolerance allows: wavelengths, the
-lobe, and of model he its full series and the specular term. Errors are measured on random
-directions of the scene against the full model; spectral/plans/plan.hpp defines them.
+(relative_brdf_error, delta_e_2000, or true_db: the distance from exact scattering of model
+and arithmetic together) and a memory budget; docs/plans.md has every key. For each
+material the plan leaves out what the tolerance allows: wavelengths, the lobe, and of model
+he its full series and the specular term. Errors are measured on random directions of the
+scene against the full model; spectral/plans/plan.hpp defines them.
 --output writes the plan for hts eval --plan and for the library; --check measures a plan
 again, with another --seed, and exits with 1 if an error exceeds the tolerance.
 
@@ -161,6 +162,11 @@ std::string report(const Plan& plan, const TableVerdicts& tables) {
     std::string text = formatted("tolerance %g (%s), measured on %zu pairs of directions, seed %llu\n",
                                  plan.tolerance, name(plan.scene.measure), plan.sampling.pairs,
                                  static_cast<unsigned long long>(plan.sampling.seed));
+    if (plan.scene.true_db)
+        text += formatted(
+            "which is what true_db %g leaves beside the models' expected distance from exact "
+            "scattering\n",
+            *plan.scene.true_db);
     for (std::size_t i = 0; i < cost.size(); ++i) text += report(plan, i, cost[i], tables);
     return text + "all together " + std::to_string(plan.bytes()) +
            " bytes, with the tables of Phi they share\n";

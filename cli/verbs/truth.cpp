@@ -8,6 +8,7 @@
 #include "cli/answers/validation_parts.hpp"
 #include "cli/io/figure_files.hpp"
 #include "cli/io/options.hpp"
+#include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/text/output.hpp"
@@ -18,6 +19,7 @@
 #include "validation/scattering/further_studies.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 #include "validation/scattering/twins/model_distances.hpp"
+#include "validation/scattering/vector/vector_report.hpp"
 
 namespace hts::cli {
 namespace {
@@ -32,11 +34,17 @@ moments     Exact scattering by random profiles: perfect conductors, TE and TM, 
 dielectric  The same for glass, refractive index 1.5, on four surfaces.
 unseen      Conductors that no constant of a model was chosen by: 14 surfaces drawn by a
             seed, at three angles each, 150 profiles.
+k-correlation  8 K-correlated conductors drawn by a seed, nu 1/2 (exponential) and 3/2,
+            spectra cut beyond 2.5 per wavelength, at three angles each, 100 profiles.
 metal       A metal, refractive index 0.16 + 3.6i, on three surfaces, 160 profiles.
 grazing     Smooth conductors at 60 and 70 degrees on profiles of 120 wavelengths.
 refinement  The same rough profiles by twice the points per wavelength.
+vector      Exact scattering by surfaces that are rough in both directions, perfect
+            conductors, polarised: s and p into s and p, in the plane of incidence and out
+            of it, on six surfaces at 20, 40 and 60 degrees. Takes hours.
 models      What is kept of the studies above, in seconds: he beside he_unified, in TE, TM
-            and unpolarised light; where he_unified is further off; the mirrors.
+            and unpolarised light; where he_unified is further off; the mirrors; then all
+            models against the surfaces of vector.
 fourier     Kirchhoff's integral summed over explicit surfaces and averaged, against the
             directional-diffuse term before shadowing.
 rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of the rough
@@ -46,13 +54,21 @@ Into the folder go the tables (.csv, with the command that writes them) and the 
 (.svg, .gnuplot). On one core moments takes some 8 minutes, dielectric 4, the others one or
 two; with --quick fewer cases and realisations, and each some seconds. The numbers are the
 same for any number of threads. A study by moments that is stopped goes on where it ended:
-what is solved stands in STUDY.unfinished until the tables do. A check that the model misses
+what is solved stands in STUDY.unfinished until the tables do.
+
+vector keeps every realisation in a file of the folder vector.parts, so that it goes on where
+it was stopped. --shard k/N solves every N-th of them, on as many machines as one likes; the
+files of all go into one folder. --collect makes the tables of what is there, and solves
+nothing.
+
+A check that the model misses
 is a finding; exit code 1 if a result contradicts the one recorded with the program (see
 hts validate --help).
 
 Examples:
   hts truth rays --quick --output out/truth
-  hts truth models --output out/truth)";
+  hts truth models --output out/truth
+  hts truth vector --quick --output out/truth)";
 
 using validation::Effort;
 
@@ -66,8 +82,10 @@ constexpr std::array studies{
     Truth{"moments", validation::exact_scattering_study},
     Truth{"dielectric", validation::dielectric_scattering_study},
     Truth{"unseen", validation::unseen_study},
+    Truth{"k-correlation", validation::k_correlation_study},
     Truth{"metal", validation::metal_study},
     Truth{"grazing", validation::grazing_study},
+    Truth{"vector", [](Effort, const std::string&) { return validation::quick_vector_study(); }},
     Truth{"models",
           [](Effort effort, const std::string&) { return validation::model_distance_study(effort); }},
     Truth{"refinement",
@@ -78,6 +96,9 @@ constexpr std::array studies{
 struct TruthOptions {
     std::string study, folder;
     bool quick = false;
+    std::string shard;
+    std::size_t realisations = 100;
+    bool collect = false;
 };
 
 /// The caption, then columns of equal width.
@@ -107,15 +128,41 @@ void report(const std::vector<validation::Check>& checks) {
     }
 }
 
+/// What of the vector study is solved here.
+tables::TableShard shard_of(const TruthOptions& options) {
+    const bool vector = options.study == "vector" && !options.quick;
+    if (!vector && (options.collect || !options.shard.empty()))
+        throw UsageError{"--shard and --collect are of hts truth vector without --quick"};
+    if (options.shard.empty()) return {};
+    if (options.collect)
+        throw UsageError{"--collect takes what all shards have solved, so it goes without --shard"};
+    return from_option("--shard", [&] { return tables::TableShard::from_text(options.shard); });
+}
+
 void run(const TruthOptions& options) {
+    const tables::TableShard shard = shard_of(options);
     const fs::path folder{options.folder};
     const auto effort = options.quick ? validation::Effort::quick : validation::Effort::full;
     validation::GroundTruth truth;
     const std::string unfinished =
         options.quick ? std::string{} : (folder / (options.study + ".unfinished")).string();
     if (!unfinished.empty()) fs::create_directories(folder);
-    for (const Truth& each : studies) {
-        if (options.study == each.name) truth = each.study(effort, unfinished);
+    if (options.study == "vector" && !options.quick) {
+        const fs::path parts = folder / "vector.parts";
+        if (!options.collect) validation::solve_vector_realisations(parts, shard, options.realisations);
+        if (shard.count > 1) {
+            std::cout << parts.string() << '\n';
+            return;
+        }
+        truth = validation::vector_study(parts);
+    } else {
+        for (const Truth& each : studies) {
+            if (options.study == each.name) truth = each.study(effort, unfinished);
+        }
+    }
+    if (options.study == "models") {
+        for (auto& table : validation::kept_vector_distances())
+            truth.section.tables.push_back(std::move(table));
     }
     if (options.quick) mark_as_quick(truth.section.checks);
     for (const validation::FigureTable& table : truth.tables) {
@@ -144,6 +191,11 @@ void add_truth(CLI::App& program) {
     one_of(verb->add_option("study", options->study, "which"), names)->required();
     fills(verb->add_option("-o,--output", options->folder, "folder for tables and pictures"))->required();
     verb->add_flag("--quick", options->quick, "few cases and realisations");
+    verb->add_option("--shard", options->shard, "of vector: the k-th of N shares, k/N");
+    verb->add_option("--realisations", options->realisations, "of vector: of each surface")
+        ->check(CLI::Range(std::size_t{validation::fewest_vector_realisations}, std::size_t{10000}))
+        ->capture_default_str();
+    verb->add_flag("--collect", options->collect, "of vector: tables of what is solved so far");
     verb->footer(truth_help);
     verb->callback([options] { run(*options); });
 }

@@ -119,12 +119,21 @@ def missing_files(page):
     ]
 
 
+def missing_programs(page, hts):
+    """What a page names in the build folder and is not there; the benchmarks are not built unless they are asked for."""
+    named = set(re.findall(r"build/release/([\w/]+)", (checkout / page).read_text()))
+    return sorted(each for each in named - {"bin/hts_bench"} if not (pathlib.Path(hts).resolve().parents[1] / each).exists())
+
+
 def run_page(page, options):
     """How many blocks and links of a page failed, each reported."""
     failures = ran = 0
     for name in missing_files(page):
         failures += 1
         print(f"{page}: {name} is not there", file=sys.stderr)
+    for name in missing_programs(page, options.hts):
+        failures += 1
+        print(f"{page}: build/release/{name} is not there", file=sys.stderr)
     with Copy(options.hts) as copy:
         for block in blocks.of_page(checkout / page, checkout):
             if block.nightly and not options.nightly:

@@ -191,6 +191,10 @@ Correlation::Scaled Correlation::of_autocorrelation(std::span<const double> dist
     return {Correlation{std::make_shared<Shared>(made.shape)}, made.length, 1};
 }
 
+std::string Correlation::name() const {
+    return shared_->shape->name();
+}
+
 double Correlation::log_spectrum(double q) const {
     return shared_->shape->log_spectrum(q);
 }
@@ -211,6 +215,10 @@ ScatteringIntegral Correlation::lobe(double g, double q) const noexcept {
     if (!(g > 0)) return {0, -std::numeric_limits<double>::infinity(), 1};
     const auto [log, log_inverse_mean] = shared_->made()(g, q);
     return {std::exp(log), log, std::exp(log_inverse_mean)};
+}
+
+const correlation_detail::LobeTable& Correlation::table() const {
+    return shared_->made();
 }
 
 std::size_t Correlation::table_bytes() const noexcept {

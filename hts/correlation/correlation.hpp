@@ -17,9 +17,14 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace hts {
+
+namespace correlation_detail {
+class LobeTable;
+}
 
 // Of `Correlation::lobe`, for g <= 1e8 and Gaussian and Matern shapes (nu from 1/2 to 10); the tests hold
 // them against series, quadrature, and the transform on another grid.
@@ -74,6 +79,9 @@ class Correlation {
     [[nodiscard]] static Scaled of_autocorrelation(std::span<const double> distance,
                                                    std::span<const double> correlation);
 
+    /// For people: "exponential", "matern, nu 1.5", "sum of 0.9 of gaussian + 0.1 of exponential",
+    /// "tabulated".
+    [[nodiscard]] std::string name() const;
     /// ln W(q); -infinity where there is no power.
     [[nodiscard]] double log_spectrum(double q) const;
     /// Share of the variance of heights that frequencies below q carry, integral of W q dq.
@@ -90,6 +98,8 @@ class Correlation {
     ///   error   accuracy::correlation_lobe, accuracy::correlation_tail
     [[nodiscard]] ScatteringIntegral lobe(double g, double q) const noexcept;
     static constexpr double most_phase_variance = 1e8;
+    /// The table, for vector lanes; made where there is none yet.
+    [[nodiscard]] const correlation_detail::LobeTable& table() const;
     /// Of the table, which shapes of the same numbers share; 0 before it is made.
     [[nodiscard]] std::size_t table_bytes() const noexcept;
 

@@ -9,6 +9,8 @@
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
+#include "hts/error.hpp"
+
 namespace hts::correlation_detail {
 namespace {
 
@@ -28,6 +30,7 @@ class Gaussian final : public HeightShape {
         }
         return result;
     }
+    [[nodiscard]] std::string name() const override { return "gaussian"; }
     [[nodiscard]] std::vector<double> identity() const override { return {1}; }
 };
 
@@ -66,6 +69,9 @@ class Matern final : public HeightShape {
             result.correlation[i] = near ? 1 - sum : whole;
         }
         return result;
+    }
+    [[nodiscard]] std::string name() const override {
+        return nu_ == 0.5 ? "exponential" : "matern, nu " + shortest(nu_);
     }
     [[nodiscard]] std::vector<double> identity() const override { return {2, nu_}; }
 
@@ -115,6 +121,13 @@ class Sum final : public HeightShape {
             }
         }
         return result;
+    }
+    [[nodiscard]] std::string name() const override {
+        std::string text = "sum of ";
+        for (const auto& [weight, shape, length] : parts_)
+            text +=
+                (&shape == &parts_.front().shape ? "" : " + ") + shortest(weight) + " of " + shape->name();
+        return text;
     }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{3, static_cast<double>(parts_.size())};

@@ -33,6 +33,8 @@ class HeightShape {
     /// ln W(q).
     [[nodiscard]] virtual double log_spectrum(double q) const = 0;
     [[nodiscard]] virtual Heights heights(const LogGrid& grid) const = 0;
+    /// For people: "exponential", "matern, nu 1.5".
+    [[nodiscard]] virtual std::string name() const = 0;
     /// Numbers that determine the shape, no other shape having the same.
     [[nodiscard]] virtual std::vector<double> identity() const = 0;
 };

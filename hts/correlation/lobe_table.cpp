@@ -69,13 +69,10 @@ double logarithm(double value) {
 
 // --- splines ---------------------------------------------------------------------------------------------
 
-constexpr double row_step = 0.11, u_step = 0.025;
-constexpr std::size_t columns = 521;  // u from 0 to 13
+constexpr double row_step = LobeTable::row_step;
 
-/// Rows stand at equal steps of ln g + 16 g/(g + 15): closest about g = 15, where the lobe of single kicks,
-/// which dies with e^-g, gives way to that of many.
 double row_coordinate(double g) {
-    return std::log(g) + 16 * g / (g + 15);
+    return std::log(g) + LobeTable::crowding * g / (g + LobeTable::crowded);
 }
 const double first_row = row_coordinate(LobeTable::least_g);
 const std::size_t row_count =
@@ -87,7 +84,9 @@ double g_of_row(std::size_t row) {
     double log_g = std::min(wanted, 1.0);
     for (int i = 0; i < 60; ++i) {
         const double g = std::exp(log_g);
-        log_g -= (row_coordinate(g) - wanted) / (1 + 240 * g / ((g + 15) * (g + 15)));
+        const double beside = g + LobeTable::crowded;
+        log_g -= (row_coordinate(g) - wanted) /
+                 (1 + LobeTable::crowding * LobeTable::crowded * g / (beside * beside));
     }
     return std::exp(log_g);
 }
@@ -219,44 +218,50 @@ LobeRow LobeIntegral::row(double g) const {
 
 LobeTable::LobeTable(const ShapePointer& shape) {
     const LobeIntegral integral{shape};
-    const std::size_t rows = row_count, row_length = 2 * (columns + 2);
-    std::vector<std::vector<double>> by_row(rows);
+    const std::size_t rows = row_count;
+    std::array<std::vector<double>, 2> by_row{std::vector<double>(rows * row_length),
+                                              std::vector<double>(rows * row_length)};
     std::vector<double> log_width(rows), line(columns);
     for (std::size_t i = 0; i < rows; ++i) {
         const LobeRow row = integral.row(g_of_row(i));
         log_width[i] = std::log(row.width());
-        by_row[i].resize(row_length);
         std::vector<LobeRow::Value> values;
         for (std::size_t j = 0; j < columns; ++j)
-            values.push_back(row(row.width() * std::sinh(static_cast<double>(j) * u_step)));
+            values.push_back(row(row.width() * std::sinh(static_cast<double>(j) * column_step)));
         for (std::size_t which = 0; which < 2; ++which) {
             for (std::size_t j = 0; j < columns; ++j)
                 line[j] = which == 0 ? values[j].log_lobe : values[j].log_inverse_mean;
-            spline(line, 0, last_slope_of(line), std::span{by_row[i]}.subspan(which), 2);
+            spline(line, 0, last_slope_of(line), std::span{by_row[which]}.subspan(i * row_length), 1);
         }
     }
     std::vector<double> widths(rows + 2);
     spline(log_width, first_slope_of(log_width), last_slope_of(log_width), widths, 1);
     log_width_ = std::move(widths);
-    lobe_.resize((rows + 2) * row_length);
     std::vector<double> column(rows);
-    for (std::size_t j = 0; j < row_length; ++j) {
-        for (std::size_t i = 0; i < rows; ++i) column[i] = by_row[i][j];
-        spline(column, first_slope_of(column), last_slope_of(column), std::span{lobe_}.subspan(j),
-               row_length);
+    for (std::size_t which = 0; which < 2; ++which) {
+        std::vector<double>& all = which == 0 ? lobe_ : mean_;
+        all.resize((rows + 2) * row_length);
+        for (std::size_t j = 0; j < columns + 2; ++j) {
+            for (std::size_t i = 0; i < rows; ++i) column[i] = by_row[which][i * row_length + j];
+            spline(column, first_slope_of(column), last_slope_of(column), std::span{all}.subspan(j),
+                   row_length);
+        }
     }
+}
+
+LobeTable::Coefficients LobeTable::coefficients() const noexcept {
+    return {first_row, row_count, log_width_.data(), lobe_.data(), mean_.data()};
 }
 
 LobeRow::Value LobeTable::at(std::size_t row, const Weights& by_g, double column) const noexcept {
     const Cell by_u = cell(column, columns);
-    constexpr std::size_t row_length = 2 * (columns + 2);
     LobeRow::Value sum{0, 0};
     for (std::size_t k = 0; k < 4; ++k) {
-        const double* const values = lobe_.data() + (row + k) * row_length + 2 * by_u.first;
+        const std::size_t first = (row + k) * row_length + by_u.first;
         double lobe = 0, mean = 0;
         for (std::size_t j = 0; j < 4; ++j) {
-            lobe += by_u.of[j] * values[2 * j];
-            mean += by_u.of[j] * values[2 * j + 1];
+            lobe += by_u.of[j] * lobe_[first + j];
+            mean += by_u.of[j] * mean_[first + j];
         }
         sum.log_lobe += by_g[k] * lobe;
         sum.log_inverse_mean += by_g[k] * mean;
@@ -265,12 +270,12 @@ LobeRow::Value LobeTable::at(std::size_t row, const Weights& by_g, double column
 }
 
 LobeRow::Value LobeTable::operator()(double g, double q) const noexcept {
-    constexpr double last = static_cast<double>(columns - 1);
+    constexpr double last = last_column;
     const Cell by_g =
         cell((row_coordinate(std::clamp(g, least_g, greatest_g)) - first_row) / row_step, row_count);
     double log_width = 0;
     for (std::size_t k = 0; k < 4; ++k) log_width += by_g.of[k] * log_width_[by_g.first + k];
-    const double column = std::asinh(q * std::exp(-log_width)) / u_step;
+    const double column = std::asinh(q * std::exp(-log_width)) / column_step;
     LobeRow::Value value = at(by_g.first, by_g.of, std::min(column, last));
     if (column > last)  // a power of q
         value.log_lobe += (column - last) * (value.log_lobe - at(by_g.first, by_g.of, last - 1).log_lobe);
@@ -284,7 +289,7 @@ LobeRow::Value LobeTable::operator()(double g, double q) const noexcept {
 }
 
 std::size_t LobeTable::bytes() const noexcept {
-    return sizeof *this + (log_width_.size() + lobe_.size()) * sizeof(double);
+    return sizeof *this + (log_width_.size() + lobe_.size() + mean_.size()) * sizeof(double);
 }
 
 }  // namespace hts::correlation_detail

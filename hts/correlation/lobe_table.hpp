@@ -55,6 +55,14 @@ class LobeIntegral {
 class LobeTable {
   public:
     static constexpr double least_g = 1e-5, greatest_g = 1e8;
+    /// Rows stand at equal steps of ln g + crowding g/(g + crowded): closest about g = 15, where the lobe of
+    /// single kicks, which dies with e^-g, gives way to that of many. Columns stand at equal steps of
+    /// u = asinh(q/width).
+    static constexpr double crowded = 15, crowding = 16, row_step = 0.11, column_step = 0.025;
+    static constexpr std::size_t columns = 521;  // u from 0 to 13
+    /// At least columns + 2; the sum of two powers of 2 is quick to multiply by.
+    static constexpr std::size_t row_length = 512 + 16;
+    static constexpr double last_column = static_cast<double>(columns - 1);
 
     explicit LobeTable(const ShapePointer& shape);
 
@@ -62,12 +70,21 @@ class LobeTable {
     [[nodiscard]] LobeRow::Value operator()(double g, double q) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
+    /// What vector lanes need: coefficients of B-splines, those of cell i in four from i on.
+    struct Coefficients {
+        double first_row;         ///< the coordinate of row 0
+        std::size_t rows;         ///< cells and one
+        const double* log_width;  ///< of the width of the lobe, by row
+        const double* lobe;       ///< ln 2 D, by row, row_length apart, then by column
+        const double* mean;       ///< ln D2/D, the same
+    };
+    [[nodiscard]] Coefficients coefficients() const noexcept;
+
   private:
     [[nodiscard]] LobeRow::Value at(std::size_t row, const std::array<double, 4>& by_g,
                                     double column) const noexcept;
 
-    std::vector<double> log_width_;  // spline coefficients over ln g
-    std::vector<double> lobe_;       // of both quantities, side by side, by g then by u
+    std::vector<double> log_width_, lobe_, mean_;  // see Coefficients
 };
 
 }  // namespace hts::correlation_detail

@@ -64,6 +64,7 @@ class TabulatedSpectrum final : public HeightShape {
         }
         return on(grid, centre, correlation, log_complement);
     }
+    [[nodiscard]] std::string name() const override { return "tabulated"; }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{4, continued_ ? 1.0 : 0.0, log_scale_ + curve_.first_log_x(),
                                     log_scale_ + curve_.last_log_x()};

@@ -2,10 +2,7 @@
 #include "hts/evaluation/evaluation_simd.hpp"
 
 #include <algorithm>
-#include <string>
 #include <type_traits>
-
-#include "hts/error.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hts/evaluation/evaluation_simd.cpp"
@@ -14,6 +11,7 @@
 #include "hts/evaluation/kernel-inl.hpp"
 #include "hts/evaluation/limits-inl.hpp"
 #include "hts/evaluation/pairs-inl.hpp"
+#include "hts/evaluation/seen-inl.hpp"
 #include "hts/evaluation/turns-inl.hpp"
 #include "hts/phi/phi_block-inl.hpp"
 #include "hwy/highway.h"
@@ -36,7 +34,7 @@ FormTable form_table() {
 template <class Lanes>
 HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const SurfaceTerms& surface,
                                                         const DirectionPair& pair) {
-    constexpr auto two = phi::two;
+    constexpr auto two = hl::two;
     constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both;
     const auto& [in, out] = pair;
     const auto in_and_out = [two](double a, double b)
@@ -54,16 +52,28 @@ HWY_INLINE PairTerms<typename Lanes::Real> terms_of_one(const Lanes& o, const Su
     return pair_terms(o, surface, angles, o.real(one_plus_lambert(v)), o.real(shadowing));
 }
 
+/// The same at every wavelength.
+template <class Lanes>
+struct SharedTerms {
+    PairTerms<typename Lanes::Real> all;
+
+    HWY_INLINE SharedTerms(const Prepared& p, const DirectionPair& pair)
+        : all{terms_of_one(Lanes{}, p.surface, pair)} {}
+    HWY_INLINE void prepare(std::size_t, std::size_t) const {}
+    HWY_INLINE const PairTerms<typename Lanes::Real>& operator[](std::size_t) const { return all; }
+};
+
 /// Items of one pair from a wavelength on: a lane is a wavelength.
-template <std::size_t most_lanes>
+template <std::size_t most_lanes, class Lobe>
 struct Spectrum {
     static constexpr hn::CappedTag<double, most_lanes> d{};
     using Lanes = hl::WideLanes<hn::CappedTag<double, most_lanes> >;
     using V = hn::Vec<decltype(d)>;
     static constexpr std::size_t lanes = hn::MaxLanes(d);
+    using Terms = typename Lobe::template Terms<Lanes>;
 
     const Prepared& p;
-    const PairTerms<V>& terms;
+    const Terms& terms;
     std::size_t first;
 
     HWY_INLINE V load(Prepared::Column column, std::size_t i) const {
@@ -71,26 +81,26 @@ struct Spectrum {
     }
     HWY_INLINE FresnelTerms<V> fresnel(std::size_t i) const {
         return fresnel_terms(
-            Lanes{}, terms.cos_squared,
+            Lanes{}, terms[i].cos_squared,
             IndexTerms<V>{load(Prepared::d_real, i), load(Prepared::d_imaginary_squared, i)});
     }
-    HWY_INLINE V g(std::size_t i) const { return terms.variance * load(Prepared::wave_squared, i); }
-    HWY_INLINE V t(std::size_t i) const { return terms.argument * load(Prepared::wave_squared, i); }
+    HWY_INLINE V g(std::size_t i) const { return terms[i].variance * load(Prepared::wave_squared, i); }
+    HWY_INLINE V t(std::size_t i) const { return terms[i].argument * load(Prepared::wave_squared, i); }
     HWY_INLINE V inverse_g(std::size_t i) const {
-        return terms.inverse_variance * load(Prepared::inverse_wave_squared, i);
+        return terms[i].inverse_variance * load(Prepared::inverse_wave_squared, i);
     }
     HWY_INLINE V scale(std::size_t i) const {
-        return unpolarised(terms.lobe * load(Prepared::weight, i), fresnel(i));
+        return unpolarised(terms[i].lobe * load(Prepared::weight, i), fresnel(i));
     }
 };
 
 /// The same with the Fresnel terms that a Mueller matrix multiplies left out.
-template <std::size_t most_lanes>
-struct PolarisedSpectrum : Spectrum<most_lanes> {
-    using V = typename Spectrum<most_lanes>::V;
+template <std::size_t most_lanes, class Lobe>
+struct PolarisedSpectrum : Spectrum<most_lanes, Lobe> {
+    using V = typename Spectrum<most_lanes, Lobe>::V;
     HWY_INLINE V scale(std::size_t i) const {
         const auto f = this->fresnel(i);
-        return this->terms.lobe * this->load(Prepared::weight, i) / (f.s_below * f.s_below * f.p_below);
+        return this->terms[i].lobe * this->load(Prepared::weight, i) / (f.s_below * f.s_below * f.p_below);
     }
 };
 
@@ -106,13 +116,16 @@ HWY_INLINE void store_some(hn::Vec<D> value, D d, std::size_t count, double* to)
     }
 }
 
+// A function each for few wavelengths and for many, so that neither holds the other's constants.
+
 template <class Lobe>
-HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Items = Spectrum<8>;
+HWY_ATTR HWY_NOINLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
+    using Items = Spectrum<8, Lobe>;
     using Block = typename Lobe::template Block<8, Items>;
-    const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
+    typename Items::Terms terms{p, pair};
     for (std::size_t first = 0; first < p.count; first += Block::size) {
         const std::size_t count = std::min(Block::size, p.count - first);
+        terms.prepare(first, count);
         const Items items{p, terms, first};
         Block block{items};
         block.prepare((count + Items::lanes - 1) / Items::lanes * Items::lanes);
@@ -124,9 +137,10 @@ HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double
 
 /// The same where the wavelengths fit one vector.
 template <class Lobe>
-HWY_INLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
-    using Items = Spectrum<4>;
-    const auto terms = terms_of_one(Items::Lanes{}, p.surface, pair);
+HWY_ATTR HWY_NOINLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair, double* result) {
+    using Items = Spectrum<4, Lobe>;
+    typename Items::Terms terms{p, pair};
+    terms.prepare(0, p.count);
     const Items items{p, terms, 0};
     typename Lobe::template Block<4, Items> block{items};
     store_some(block.one_vector() + items.load(Prepared::uniform, 0), Items::d, p.count, result);
@@ -135,7 +149,7 @@ HWY_INLINE void brdf_of_one_vector(const Prepared& p, const DirectionPair& pair,
 template <class Lobe>
 HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
-    if (p.count <= Spectrum<4>::lanes)
+    if (p.count <= Spectrum<4, Lobe>::lanes)
         brdf_of_one_vector<Lobe>(p, pair, result);
     else
         brdf_of_one<Lobe>(p, pair, result);
@@ -144,13 +158,14 @@ HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* res
 
 template <class Lobe, std::size_t most_lanes>
 HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
-    using Items = PolarisedSpectrum<most_lanes>;
+    using Items = PolarisedSpectrum<most_lanes, Lobe>;
     using Block = typename Lobe::template Block<most_lanes, Items>;
     constexpr auto d = Items::d;
-    const auto terms = terms_of_one(typename Items::Lanes{}, p.surface, pair);
+    typename Items::Terms terms{p, pair};
     const TurnedMueller turned{turns(pair)};
     for (std::size_t first = 0; first < p.count; first += Block::size) {
         const std::size_t count = std::min(Block::size, p.count - first);
+        terms.prepare(first, count);
         const Items items{{p, terms, first}};
         Block block{items};
         block.prepare((count + Items::lanes - 1) / Items::lanes * Items::lanes);
@@ -182,14 +197,15 @@ HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller*
 }
 
 /// |F|^2 exp(-g) S of a direction and its mirror direction: a pair's terms without the lobe.
-template <std::size_t most_lanes>
+template <class Lobe, std::size_t most_lanes>
 HWY_INLINE void specular_of_one(const Prepared& p, const Direction& in, double* result) {
-    using Items = Spectrum<most_lanes>;
+    using Items = Spectrum<most_lanes, Lobe>;
     constexpr typename Items::Lanes o{};
-    const auto terms = terms_of_one(o, p.surface, {in, in.mirror()});
-    // at theta_r = theta_i the lobe's factor is tau^2/(4 pi) S
-    const auto shadowing = terms.lobe * o.real(4 / p.surface.tau_squared_over_pi);
+    typename Items::Terms terms{p, {in, in.mirror()}};
     for (std::size_t i = 0; i < p.count; i += Items::lanes) {
+        terms.prepare(i, Items::lanes);
+        // at theta_r = theta_i the lobe's factor is tau^2/(4 pi) S
+        const auto shadowing = terms[0].lobe * o.real(4 / p.surface.tau_squared_over_pi);
         const Items items{p, terms, i};
         const auto scale =
             shadowing * items.load(Prepared::weight, 0) * items.load(Prepared::inverse_wave_squared, 0);
@@ -198,12 +214,13 @@ HWY_INLINE void specular_of_one(const Prepared& p, const Direction& in, double* 
     }
 }
 
+template <class Lobe>
 HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(in))) return false;
-    if (p.count <= Spectrum<4>::lanes)
-        specular_of_one<4>(p, in, result);
+    if (p.count <= Spectrum<4, Lobe>::lanes)
+        specular_of_one<Lobe, 4>(p, in, result);
     else
-        specular_of_one<8>(p, in, result);
+        specular_of_one<Lobe, 8>(p, in, result);
     return true;
 }
 
@@ -213,11 +230,13 @@ struct Pairs {
     using V = PairBlock::V;
 
     const PairBlock& block;
+    const Prepared& p;
     V wave_squared, inverse_wave_squared, weight;
     IndexTerms<V> index;
 
-    HWY_INLINE Pairs(const PairBlock& of, const Prepared& p, std::size_t j)
+    HWY_INLINE Pairs(const PairBlock& of, const Prepared& prepared, std::size_t j)
         : block{of},
+          p{prepared},
           wave_squared{hn::Set(d, p[Prepared::wave_squared][j])},
           inverse_wave_squared{hn::Set(d, p[Prepared::inverse_wave_squared][j])},
           weight{hn::Set(d, p[Prepared::weight][j])},
@@ -242,8 +261,9 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
     PairBlock block;
     const bool ordinary = block.load(pairs, next);
     const std::size_t count = (pairs.size() + lanes - 1) / lanes * lanes;
-    block.evaluate(p.surface, count);
+    typename Lobe::Pairs seen{block, p.surface, count};
     for (std::size_t j = 0; j < p.count; ++j) {
+        seen.see(p, j, count);
         const Pairs items{block, p, j};
         typename Lobe::template Block<8, Pairs> lobes{items};
         lobes.prepare(count);
@@ -258,6 +278,13 @@ HWY_INLINE bool brdf_of_block(const Prepared& p, std::span<const DirectionPair> 
 template <class Lobe>
 HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs, double* result) {
     bool ordinary = true;
+    if (pairs.size() < fewest_pairs(p.count, PairBlock::lanes)) {
+        for (const DirectionPair& pair : pairs) {
+            ordinary &= brdf_one<Lobe>(p, pair, result);
+            result += p.count;
+        }
+        return ordinary;
+    }
     constexpr std::size_t size = PairBlock::size;
     for (std::size_t first = 0; first < pairs.size(); first += size) {
         const auto block = [pairs, size](std::size_t at) {
@@ -269,28 +296,42 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
     return ordinary;
 }
 
+/// Lobes of the Gaussian correlation: what a pair contributes is the same at every wavelength.
+struct OfSurface {
+    using Pairs = SharedPairs;
+    template <class Lanes>
+    using Terms = SharedTerms<Lanes>;
+};
 /// Phi in full, as a Spec's table has it.
 template <class Spec>
-struct Full {
+struct Full : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = phi::PhiBlock<Spec, most_lanes, Items>;
+    using Block = phi::PhiBlock<Spec, Items>;
 };
-struct FirstOrder {
+struct FirstOrder : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = FirstOrderBlock<most_lanes, Items>;
+    using Block = FirstOrderBlock<Items>;
 };
-struct RoughLimit {
+struct RoughLimit : OfSurface {
     template <std::size_t most_lanes, class Items>
-    using Block = RoughLimitBlock<most_lanes, Items>;
+    using Block = RoughLimitBlock<Items>;
+};
+/// 2 D of another correlation.
+struct Correlated {
+    using Pairs = SeenPairs;
+    template <class Lanes>
+    using Terms = SeenTerms<Lanes>;
+    template <std::size_t most_lanes, class Items>
+    using Block = CorrelatedBlock<most_lanes, Items>;
 };
 
 template <class Lobe>
 Forms forms_of() {
-    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, specular_one};
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, specular_one<Lobe>};
 }
 FormTable form_table() {
     return {forms_of<Full<phi_detail::Low> >(), forms_of<Full<phi_detail::Medium> >(), forms_of<FirstOrder>(),
-            forms_of<RoughLimit>()};
+            forms_of<RoughLimit>(), forms_of<Correlated>()};
 }
 
 #endif
@@ -301,56 +342,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hts::evaluation_detail {
 
-AxisTerms axis_terms(const Surface& surface) noexcept {
-    const auto& [along, across] = surface.correlation_lengths();
-    const double height = 2 * surface.rms_roughness(), mean = surface.correlation_length();
-    return {surface.isotropic(), surface.axis().cos_phi(), surface.axis().sin_phi(),
-            height / along,      height / across,          along / mean,
-            across / mean};
-}
-
-bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept {
-    const auto length = [](double x) { return x >= 1e-6 && x <= 1e6; };
-    const auto& [along, across] = surface.correlation_lengths();
-    return !surface.correlation() && length(surface.rms_roughness()) && length(along) && length(across) &&
-           std::all_of(samples.begin(), samples.end(), [&](const SpectralSample& s) {
-               return length(s.wavelength.micrometres()) && s.index.substrate().n() >= 1e-3 &&
-                      s.index.substrate().n() <= 1e6 && s.index.substrate().k() <= 1e6;
-           });
-}
-
-std::vector<Surface> seen_surfaces(const Surface& surface, std::span<const SpectralSample> samples,
-                                   DiffuseLobe lobe) {
-    if (!surface.correlation()) return {};
-    if (lobe == DiffuseLobe::rough_limit) {
-        throw Error{
-            "lobe rough_limit of a correlation that is not gaussian: must be full, first_order or none"};
-    }
-    std::vector<Surface> seen;
-    seen.reserve(samples.size());
-    for (const SpectralSample& sample : samples) {
-        const double k_sigma = sample.wavelength.wave_number() * surface.rms_roughness();
-        if (4 * k_sigma * k_sigma > Correlation::most_phase_variance) {
-            throw Error{"rms roughness " + shortest(surface.rms_roughness()) + " um at the wavelength " +
-                        shortest(sample.wavelength.micrometres()) +
-                        " um: must be at most 795 wavelengths where the correlation is not gaussian"};
-        }
-        seen.push_back(surface.seen_by(sample.wavelength));
-    }
-    if (lobe == DiffuseLobe::full && surface.rms_roughness() > 0) surface.correlation()->prepare();
-    return seen;
-}
-
-void require_size(const char* call, std::size_t size, std::size_t samples, std::size_t pairs) {
-    if (size == pairs * samples) return;
-    throw Error{std::string{call} + ": result has " + std::to_string(size) + " values: must be " +
-                (pairs == 1 ? "" : "pairs x ") + "samples = " + std::to_string(pairs * samples)};
-}
-
 HWY_EXPORT(form_table);
 
-Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept {
+Forms forms(Tolerance tolerance, DiffuseLobe lobe, bool correlated) noexcept {
     const FormTable table = HWY_DYNAMIC_DISPATCH(form_table)();
+    if (correlated) return table.correlated;
     switch (lobe) {
         case DiffuseLobe::first_order:
             return table.first_order;

@@ -20,36 +20,45 @@ struct AxisTerms {
 [[nodiscard]] AxisTerms axis_terms(const Surface& surface) noexcept;
 
 /// What the lanes need of a surface.
-struct SurfaceTerms {
-    double slope_width;  // 2 sigma_0 / tau
-    double variance;     // sigma_0^2 [um^2]
-    double inverse_variance;
-    double quarter_tau_squared;
-    double tau_squared_over_pi;
+template <class Number>
+struct SurfaceTermsAs {
+    Number slope_width;  // 2 sigma_0 / tau
+    Number variance;     // sigma_0^2 [um^2]
+    Number inverse_variance;
+    Number quarter_tau_squared;
+    Number tau_squared_over_pi;
     AxisTerms axes;
 };
 
 /// A surface and its optical constants, one column per quantity, each padded to whole
 /// vectors with its last value.
-struct Prepared {
+template <class Number>
+struct PreparedAs {
     enum Column : std::size_t {
         wave_squared,  // k^2 [1/um^2]
         inverse_wave_squared,
         d_real,  // of d = N^2 - 1
         d_imaginary_squared,
-        weight,   // k^2 |d|^2
+        weight,   // k^2 |d|^2, in single precision |d|^2
         uniform,  // uniform-diffuse BRDF
         columns
     };
 
-    SurfaceTerms surface;
+    SurfaceTermsAs<Number> surface;
     std::size_t count, padded;
-    std::vector<double> data;
+    std::vector<Number> data;
+    // of a correlation that is not Gaussian: its table, and the slope widths along both axes that each
+    // wavelength sees, first all along
+    const correlation_detail::LobeTable* correlation = nullptr;
+    std::vector<double> widths{};
 
-    [[nodiscard]] const double* operator[](Column column) const noexcept {
+    [[nodiscard]] const Number* operator[](Column column) const noexcept {
         return data.data() + column * padded;
     }
 };
+using SurfaceTerms = SurfaceTermsAs<double>;
+using Prepared = PreparedAs<double>;
+using PreparedSingle = PreparedAs<float>;
 
 /// Below it a direction grazes so much that the exact path takes the pair: K = 2 / lowest_cosine still lies
 /// within lambert_octaves.
@@ -62,7 +71,14 @@ inline constexpr double lowest_cosine = 1.1e-5;
     return is_ordinary(pair.in) && is_ordinary(pair.out);
 }
 
-/// A Gaussian correlation, lengths and indices whose products stay far from the ends of a
+/// Fewer pairs than these go one by one, with the same bits: a block's vectors would be nearly empty, while
+/// the wavelengths fill those of single pairs.
+///   lanes   of the block's vectors
+[[nodiscard]] constexpr std::size_t fewest_pairs(std::size_t wavelengths, std::size_t lanes) noexcept {
+    return wavelengths <= 4 ? lanes / 2 + 3 : 2 * lanes;
+}
+
+/// Lengths and indices whose products stay far from the ends of a
 /// double's range, in any order.
 [[nodiscard]] bool is_ordinary(const Surface& surface, std::span<const SpectralSample> samples) noexcept;
 
@@ -88,12 +104,13 @@ struct Forms {
     SpecularOne specular_one;
 };
 
-/// What one instruction set has: Phi at 1e-3 and at 1e-6, and its limits.
+/// What one instruction set has: Phi at 1e-3 and at 1e-6, its limits, and 2 D of other correlations.
 struct FormTable {
-    Forms low, medium, first_order, rough_limit;
+    Forms low, medium, first_order, rough_limit, correlated;
 };
 
 /// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
-[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe) noexcept;
+///   correlated   whether the correlation is not Gaussian: then of the full lobe alone
+[[nodiscard]] Forms forms(Tolerance tolerance, DiffuseLobe lobe, bool correlated) noexcept;
 
 }  // namespace hts::evaluation_detail

@@ -25,4 +25,14 @@ inline constexpr int lambert_log2_pieces = 2;  // per octave
 inline constexpr std::size_t lambert_coefficients_per_piece = 8;
 extern const std::array<double, lambert_octaves * 4 * 8> lambert_coefficients;
 
+// The same for lanes of single precision.
+
+/// error   relative, at most 4e-7
+extern const std::array<float, 8> single_erfcx_coefficients;
+/// 1 + W_0 and its reciprocal, interleaved, in pieces as above, twice as many.
+///   error   relative, at most 5e-7
+inline constexpr int single_lambert_log2_pieces = 3;
+inline constexpr std::size_t single_lambert_row = 8;  // four powers of each
+extern const std::array<float, lambert_octaves * 8 * 8> single_lambert_coefficients;
+
 }  // namespace hts::evaluation_detail

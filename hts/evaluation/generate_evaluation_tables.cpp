@@ -1,12 +1,15 @@
-// Writes evaluation_table.cpp, the coefficients of the lanes, to standard output: Chebyshev interpolants in
-// long double. cmake --build build/release --target hts_evaluation_tables runs it.
+// Writes evaluation_table.cpp and single_table.cpp, the coefficients of the lanes, into a folder: Chebyshev
+// interpolants in long double. cmake --build build/release --target hts_evaluation_tables runs it;
+// clang-format comes after.
 #include "hts/evaluation/evaluation_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <boost/math/special_functions/lambert_w.hpp>
@@ -49,10 +52,12 @@ void print(const Polynomial& p) {
     for (const Real c : p) std::printf("%a, ", static_cast<double>(c));
 }
 
+template <class Number = double>
 void print_array(const char* name, const Function& f, Real low, Real high, std::size_t size) {
-    const Polynomial p = through_nodes(f, low, high, size);
-    std::printf("// worst relative error %.1Le\nconst std::array<double, %zu> %s{", worst(p, f, low, high),
-                size, name);
+    Polynomial p = through_nodes(f, low, high, size);
+    for (Real& coefficient : p) coefficient = static_cast<Number>(coefficient);
+    std::printf("// worst relative error %.1Le\nconst std::array<%s, %zu> %s{", worst(p, f, low, high),
+                sizeof(Number) == sizeof(float) ? "float" : "double", size, name);
     print(p);
     std::puts("};\n");
 }
@@ -84,17 +89,58 @@ void print_lambert() {
     std::printf("};  // worst relative error %.1Le\n", error);
 }
 
-}  // namespace
+/// Rows of two interleaved functions, 1 + W_0 and its reciprocal, seven numbers to a line.
+void print_single_lambert() {
+    constexpr int pieces = 1 << single_lambert_log2_pieces;
+    const Function reciprocal = [](Real v) { return 1 / one_plus_lambert(v); };
+    Real error = 0;
+    std::size_t count = 0;
+    std::printf("alignas(64) const std::array<float, %zu> single_lambert_coefficients{\n",
+                single_lambert_coefficients.size());
+    for (int i = 0; i < lambert_octaves * pieces; ++i) {
+        const Real step = 1 / Real(pieces);
+        const Real low = std::ldexp(1 + step * (i % pieces), i / pieces);
+        const Real high = low + std::ldexp(step, i / pieces);
+        const auto rounded = [&](const Function& f) {
+            Polynomial p = through_nodes(f, low, high, single_lambert_row / 2);
+            for (Real& coefficient : p) coefficient = static_cast<float>(coefficient);
+            error = std::max(error, worst(p, f, low, high));
+            return p;
+        };
+        const Polynomial w = rounded(one_plus_lambert), over_w = rounded(reciprocal);
+        for (std::size_t j = 0; j < w.size(); ++j) {
+            for (const Real c : {w[j], over_w[j]})
+                std::printf("%a,%s", static_cast<double>(c), ++count % 7 == 0 ? "\n" : "");
+        }
+    }
+    std::printf("};  // worst relative error %.1Le\n", error);
+}
 
-int main() {
+void begin(const std::string& folder, const char* file) {
+    if (std::freopen((folder + '/' + file).c_str(), "w", stdout) == nullptr) std::exit(1);
     std::puts(
         "// Written by generate_evaluation_tables; do not edit.\n#include "
         "\"hts/evaluation/evaluation_table.hpp\"\n");
     std::puts("namespace hts::evaluation_detail {\n");
+}
+void end() {
+    std::puts("\n}  // namespace hts::evaluation_detail");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    begin(argv[1], "evaluation_table.cpp");
     print_array(
         "exp2_coefficients", [](Real f) { return std::exp2(f); }, -0.5L, 0.5L, exp2_coefficients.size());
-    print_array("erfcx_coefficients", erfcx_over_y, erfcx_centre / Real{erfcx_centre + erfcx_far}, 1,
-                erfcx_coefficients.size());
+    constexpr Real first = erfcx_centre / Real{erfcx_centre + erfcx_far};
+    print_array("erfcx_coefficients", erfcx_over_y, first, 1, erfcx_coefficients.size());
     print_lambert();
-    std::puts("\n}  // namespace hts::evaluation_detail");
+    end();
+    begin(argv[1], "single_table.cpp");
+    print_array<float>("single_erfcx_coefficients", erfcx_over_y, first, 1, single_erfcx_coefficients.size());
+    std::puts("// clang-format off");
+    print_single_lambert();
+    end();
 }

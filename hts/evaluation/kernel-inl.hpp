@@ -1,7 +1,8 @@
 // The directional-diffuse term in lanes, formula by formula; included once per instruction set.
 //
 // A lane is a direction in `seen`, a pair in `pair_terms`, and a pair at a wavelength in `fresnel_terms`. V
-// is a Highway vector or, for one item, double; o is its Lanes of lanes-inl.hpp.
+// is a Highway vector of double or float or, for one item, double; o is its Lanes of lanes-inl.hpp. Errors
+// are those in double; in float all are below 1e-6.
 #if defined(HTS_EVALUATION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_EVALUATION_KERNEL_INL
 #undef HTS_EVALUATION_KERNEL_INL
@@ -9,6 +10,8 @@
 #define HTS_EVALUATION_KERNEL_INL
 #endif
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -22,11 +25,15 @@ namespace hts::evaluation_detail::HWY_NAMESPACE {
 
 using lanes::HWY_NAMESPACE::polynomial;
 
+template <class Lanes>
+constexpr bool is_single = sizeof(typename Lanes::Number) == sizeof(float);
+
 /// exp(-s) for 0 <= s <= 60.
 ///   error   relative, at most 6e-11
 template <class Lanes, class V>
 HWY_INLINE V exp_of_minus(const Lanes& o, V s) {
     const V e = s * o.real(-std::numbers::log2e);
+    if constexpr (is_single<Lanes>) return lanes::HWY_NAMESPACE::exp2<5>(o, e);
     const V shifted = e + o.real(0x1.8p52 + 1023);  // the rounded exponent, biased, in the last bits
     const V f = e - (shifted - o.real(0x1.8p52 + 1023));
     const V power = o.from_bits(o.template shift_left<52>(o.bits(shifted)));
@@ -42,25 +49,45 @@ struct Seen {
     V masked;       // cos theta Lambda, (sigma_0/tau) sin theta ierfc(c)
 };
 
-/// hts::visibility in lanes.
-///   cosine   >= lowest_cosine      slope_width   > 0
-///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+/// exp(c^2) erfc(c) / y at a position in y.
 template <class Lanes, class V>
-HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
-    constexpr double first = erfcx_centre / (erfcx_centre + erfcx_far);
-    constexpr double length = 1 - first;
-    const V width_sine = o.max(slope_width * sine, o.real(1e-300));
-    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
-    const V centred = o.real(erfcx_centre) * width_sine;
-    const V y = o.max(centred / (centred + cosine), o.real(first));
-    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + first) / (2 * length)));
-    const V erfcx = y * polynomial(o, erfcx_coefficients, position);
+HWY_INLINE V erfcx_over_y(const Lanes& o, V position) {
+    if constexpr (is_single<Lanes>)
+        return polynomial(o, single_erfcx_coefficients, position);
+    else
+        return polynomial(o, erfcx_coefficients, position);
+}
+
+inline constexpr double erfcx_first = erfcx_centre / (erfcx_centre + erfcx_far);
+
+/// The same from c = cosine/width_sine, at most erfcx_far, and y = erfcx_centre/(erfcx_centre + c).
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen_at(const Lanes& o, V cosine, V tangent, V width_sine, V c, V y) {
+    constexpr double length = 1 - erfcx_first;
+    const V position = o.mul_add(y, o.real(1 / length), o.real(-(1 + erfcx_first) / (2 * length)));
+    const V erfcx = y * erfcx_over_y(o, position);
     const V gaussian = exp_of_minus(o, c * c);
     const V complement = gaussian * erfcx;
     const V ierfc = gaussian * o.neg_mul_add(c, erfcx, o.real(std::numbers::inv_sqrtpi));
     const V half = o.real(0.5);
-    return {sine / cosine * complement, o.neg_mul_add(half, complement, o.real(1)),
+    return {tangent * complement, o.neg_mul_add(half, complement, o.real(1)),
             o.mul_add(half * width_sine, ierfc, cosine), half * width_sine * ierfc};
+}
+
+/// hts::visibility in lanes.
+///   cosine   >= lowest_cosine      width_sine   the width of the slopes times sine, >= 0
+///   error    of K and of the quotient 1e-10, relative or beside 1e-12
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen_across(const Lanes& o, V cosine, V sine, V width_times_sine) {
+    const V width_sine = o.max(width_times_sine, o.real(is_single<Lanes> ? 1e-30 : 1e-300));
+    const V c = o.min(cosine / width_sine, o.real(erfcx_far));
+    const V centred = o.real(erfcx_centre) * width_sine;
+    const V y = o.max(centred / (centred + cosine), o.real(erfcx_first));
+    return seen_at(o, cosine, sine / cosine, width_sine, c, y);
+}
+template <class Lanes, class V>
+HWY_INLINE Seen<V> seen(const Lanes& o, V cosine, V sine, V slope_width) {
+    return seen_across(o, cosine, sine, slope_width * sine);
 }
 
 /// The coordinate v of `lambert_coefficients` for the obstruction of a pair: x = K^2 / 8 pi.
@@ -90,6 +117,24 @@ HWY_INLINE double one_plus_lambert(double v) {
     sum = hn::MulAdd(sum, x2, hn::Load(two, c));
     return hn::GetLane(hn::MulAdd(hn::Reverse2(two, sum), hn::Set(two, x), sum));
 }
+
+#if HWY_TARGET != HWY_SCALAR
+/// The same in single precision: 1 + W_0, its reciprocal, and both again.
+///   error   relative, at most 5e-7
+HWY_INLINE hwy::HWY_NAMESPACE::Vec<hwy::HWY_NAMESPACE::FixedTag<float, 4> > one_plus_lambert(float v) {
+    namespace hn = hwy::HWY_NAMESPACE;
+    constexpr hn::FixedTag<float, 4> four;
+    constexpr std::uint32_t last = lambert_octaves * (1U << single_lambert_log2_pieces) - 1;
+    constexpr std::uint32_t bias = std::uint32_t{127} << single_lambert_log2_pieces;
+    const auto bits = std::bit_cast<std::uint32_t>(v);
+    const std::uint32_t piece = std::min((bits >> (23 - single_lambert_log2_pieces)) - bias, last);
+    const std::uint32_t fraction = (bits << single_lambert_log2_pieces) & ((std::uint32_t{1} << 23) - 1);
+    const float x = std::bit_cast<float>(fraction | std::uint32_t{127} << 23) - 1.5F;
+    const float* const c = single_lambert_coefficients.data() + piece * single_lambert_row;
+    const auto sum = hn::MulAdd(hn::Load(four, c + 4), hn::Set(four, x * x), hn::Load(four, c));
+    return hn::MulAdd(hn::Shuffle1032(sum), hn::Set(four, x), sum);  // right in the lower half
+}
+#endif
 
 /// Cosines and sines of a pair's angles.
 template <class V>
@@ -147,6 +192,17 @@ HWY_INLINE V stretched_squared(const Lanes& o, const AxisTerms& axes, const Pair
     return squared_along_axes(o, axes, x, y, axes.stretch_along, axes.stretch_across);
 }
 
+/// v of a pair: v_z, |v_xy|^2 and the same stretched along the axes of the surface.
+template <class V>
+struct PairShape {
+    V vertical, horizontal, stretched;
+};
+template <class Lanes, class V>
+HWY_INLINE PairShape<V> pair_shape(const Lanes& o, const AxisTerms& axes, const PairAngles<V>& a) {
+    const V horizontal = horizontal_squared(o, a);
+    return {a.cos_in + a.cos_out, horizontal, stretched_squared(o, axes, a, horizontal)};
+}
+
 /// What a pair contributes, whatever the wavelength. With k the wave number: g = k^2 variance,
 /// 1/g = inverse_variance / k^2, t = k^2 argument, f_dd = k^2 lobe Phi |F|^2.
 template <class V>
@@ -155,20 +211,26 @@ struct PairTerms {
     V cos_squared;  // of theta_d
 };
 
-template <class Lanes, class V>
-HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const SurfaceTerms& surface, const PairAngles<V>& a,
-                                   V one_plus_w, V shadowing_over_cosines) {
-    const V vertical = a.cos_in + a.cos_out;
-    const V vertical_squared = vertical * vertical;
+///   one_plus_w         1 + W_0
+///   visible_variance   sigma_0^2 over it, that of the heights that are lit and seen
+template <class Lanes, class V, class Surface>
+HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const Surface& surface, const PairShape<V>& shape,
+                                   V one_plus_w, V visible_variance, V shadowing_over_cosines) {
+    const V vertical_squared = shape.vertical * shape.vertical;
     const V inverse_vertical_squared = o.real(1) / vertical_squared;
-    const V horizontal = horizontal_squared(o, a);
-    const V cos_squared = o.min((horizontal + vertical_squared) * o.real(0.25), o.real(1));
-    return {o.real(surface.variance) * vertical_squared / one_plus_w,
+    const V cos_squared = o.min((shape.horizontal + vertical_squared) * o.real(0.25), o.real(1));
+    return {visible_variance * vertical_squared,
             o.real(surface.inverse_variance) * inverse_vertical_squared * one_plus_w,
-            o.real(surface.quarter_tau_squared) * stretched_squared(o, surface.axes, a, horizontal),
+            o.real(surface.quarter_tau_squared) * shape.stretched,
             o.real(surface.tau_squared_over_pi) * (cos_squared * cos_squared) * inverse_vertical_squared *
                 shadowing_over_cosines,
             cos_squared};
+}
+template <class Lanes, class V>
+HWY_INLINE PairTerms<V> pair_terms(const Lanes& o, const SurfaceTerms& surface, const PairAngles<V>& a,
+                                   V one_plus_w, V shadowing_over_cosines) {
+    return pair_terms(o, surface, pair_shape(o, surface.axes, a), one_plus_w,
+                      o.real(surface.variance) / one_plus_w, shadowing_over_cosines);
 }
 
 /// Optical constants at a wavelength: d = N^2 - 1.

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <type_traits>
 
 #include "hts/lanes/polynomials-inl.hpp"
 
@@ -19,10 +20,10 @@ namespace hl = lanes::HWY_NAMESPACE;
 #if HWY_TARGET != HWY_SCALAR
 
 /// What needs no preparation: `Limit::value` of each item.
-template <class Limit, std::size_t most_lanes, class Items>
+template <class Limit, class Items>
 struct LimitBlock {
-    static constexpr hn::CappedTag<double, most_lanes> d{};
-    using Lanes = hl::WideLanes<hn::CappedTag<double, most_lanes> >;
+    static constexpr auto d = Items::d;
+    using Lanes = hl::WideLanes<std::remove_const_t<decltype(d)> >;
     using V = hn::Vec<decltype(d)>;
     static constexpr std::size_t size = 64;
 
@@ -58,10 +59,10 @@ struct GeometricLimit {
     }
 };
 
-template <std::size_t most_lanes, class Items>
-using FirstOrderBlock = LimitBlock<FirstOrderLimit, most_lanes, Items>;
-template <std::size_t most_lanes, class Items>
-using RoughLimitBlock = LimitBlock<GeometricLimit, most_lanes, Items>;
+template <class Items>
+using FirstOrderBlock = LimitBlock<FirstOrderLimit, Items>;
+template <class Items>
+using RoughLimitBlock = LimitBlock<GeometricLimit, Items>;
 
 #endif
 

@@ -20,19 +20,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The scalar call's arithmetic on this processor: the same bits as a lane of WideLanes.
 using Plain = PlainLanes<HWY_NATIVE_FMA != 0>;
 
-/// Vectors of Tag, a Highway tag of double; every function as in PlainLanes, lane by lane.
+/// Vectors of Tag, a Highway tag of double or float; every function as in PlainLanes, lane by lane.
 template <class Tag>
 struct WideLanes {
     static constexpr Tag d{};
     static constexpr hn::RebindToSigned<Tag> di{};
     static constexpr hn::RebindToUnsigned<Tag> du{};
+    using Number = hn::TFromD<Tag>;
+    using Whole = hn::TFromD<hn::RebindToSigned<Tag>>;
     using Real = hn::Vec<Tag>;
     using Int = hn::Vec<hn::RebindToSigned<Tag>>;
     using Mask = hn::Mask<Tag>;
     using Flag = Mask;
 
-    static HWY_INLINE Real real(double v) { return hn::Set(d, v); }
-    static HWY_INLINE Int integer(std::int64_t v) { return hn::Set(di, v); }
+    static HWY_INLINE Real real(double v) { return hn::Set(d, static_cast<Number>(v)); }
+    static HWY_INLINE Int integer(std::int64_t v) { return hn::Set(di, static_cast<Whole>(v)); }
     template <class V>
     static HWY_INLINE V add(V a, V b) {
         return hn::Add(a, b);
@@ -87,7 +89,7 @@ struct WideLanes {
     }
     static HWY_INLINE Int max0(Int a) { return hn::Max(a, integer(0)); }
     static HWY_INLINE Int unsigned_min(Int a, std::int64_t b) {
-        return hn::BitCast(di, hn::Min(hn::BitCast(du, a), hn::Set(du, static_cast<std::uint64_t>(b))));
+        return hn::BitCast(di, hn::Min(hn::BitCast(du, a), hn::BitCast(du, integer(b))));
     }
 
     static HWY_INLINE Mask greater_equal(Real a, Real b) { return hn::Ge(a, b); }
@@ -101,8 +103,12 @@ struct WideLanes {
         return hn::IfThenElse(hn::RebindMask(di, m), a, b);
     }
     static HWY_INLINE Real select(Mask m, Real a, Real b) { return hn::IfThenElse(m, a, b); }
-    static HWY_INLINE Int gather(const std::int64_t* base, Int i) { return hn::GatherIndex(di, base, i); }
+    static HWY_INLINE Int gather(const Whole* base, Int i) { return hn::GatherIndex(di, base, i); }
 };
+
+#if HWY_TARGET != HWY_SCALAR
+constexpr hn::FixedTag<double, 2> two{};
+#endif
 
 }  // namespace hts::lanes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -15,6 +15,24 @@
 
 namespace hts::lanes {
 
+/// How a floating-point number is made of bits.
+template <class Number>
+struct Format;
+template <>
+struct Format<double> {
+    static constexpr int mantissa = 52, bias = 1023;
+    static constexpr double round = 0x1.8p52;  // added and taken away, it rounds to integers
+    static constexpr double ulp = 0x1p-52;
+    static constexpr double least_exponent = -1900, half_exponent = -960;  // of 2^e in two factors
+};
+template <>
+struct Format<float> {
+    static constexpr int mantissa = 23, bias = 127;
+    static constexpr double round = 0x1.8p23;
+    static constexpr double ulp = 0x1p-23;
+    static constexpr double least_exponent = -240, half_exponent = -120;
+};
+
 /// 2^exponent, a normal number.
 constexpr double power_of_2(int exponent) noexcept {
     return std::bit_cast<double>((std::int64_t{1023} + exponent) << 52);
@@ -24,6 +42,7 @@ constexpr double power_of_2(int exponent) noexcept {
 /// do.
 template <bool fused>
 struct PlainLanes {
+    using Number = double;
     using Real = double;
     using Int = std::int64_t;
     using Flag = bool;  ///< of a branch
@@ -45,6 +64,10 @@ struct PlainLanes {
     HTS_PLAIN_INLINE Real sqrt(Real a) noexcept { return std::sqrt(a); }
     /// a b + c
     HTS_PLAIN_INLINE Real mul_add(Real a, Real b, Real c) noexcept {
+        if constexpr (fused) return std::fma(a, b, c);
+        return a * b + c;
+    }
+    HTS_PLAIN_INLINE float mul_add(float a, float b, float c) noexcept {
         if constexpr (fused) return std::fma(a, b, c);
         return a * b + c;
     }

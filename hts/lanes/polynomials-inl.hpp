@@ -41,8 +41,8 @@ HWY_INLINE void polynomials(Pack (&sum)[packs], Pack x, Pack x2, Row row) {
 }
 
 /// Sum of coefficients[i] x^i by two Horner chains, of the even and of the odd powers.
-template <class Lanes, class V, std::size_t size>
-HWY_INLINE V polynomial(const Lanes& o, const std::array<double, size>& coefficients, V x) {
+template <class Lanes, class V, class Coefficient, std::size_t size>
+HWY_INLINE V polynomial(const Lanes& o, const std::array<Coefficient, size>& coefficients, V x) {
     static_assert(size >= 2);
     const V x2 = x * x;
     V last = o.real(coefficients[size - 1]);
@@ -59,8 +59,8 @@ HWY_INLINE V polynomial(const Lanes& o, const std::array<double, size>& coeffici
 /// Terms first ... first + count - 1 over x^first, by Estrin's rule: more to compute than
 /// Horner's, in fewer steps.
 ///   powers   x, x^2, x^4, x^8
-template <std::size_t first, std::size_t count, class Lanes, class V, std::size_t size>
-HWY_INLINE V estrin(const Lanes& o, const std::array<double, size>& coefficients, const V (&powers)[4]) {
+template <std::size_t first, std::size_t count, class Lanes, class V, class Coefficient, std::size_t size>
+HWY_INLINE V estrin(const Lanes& o, const std::array<Coefficient, size>& coefficients, const V (&powers)[4]) {
     if constexpr (count == 1) {
         return o.real(coefficients[first]);
     } else {
@@ -71,35 +71,36 @@ HWY_INLINE V estrin(const Lanes& o, const std::array<double, size>& coefficients
 }
 
 /// 2^e, quickly for one at a time.
-///   degree   3, 5 or 10: relative error below 1e-4, 1e-7, 3e-16      e   from -1021 to 1000
+///   degree   3, 5 or 10: relative error below 1e-4, 1e-7, 3e-16      e   exponents of normal numbers
 template <int degree, class Lanes>
 HWY_INLINE typename Lanes::Real exp2(const Lanes& o, typename Lanes::Real e) {
-    constexpr double round = 0x1.8p52 + 1023;  // added, it leaves the biased exponent in the last bits
+    using F = Format<typename Lanes::Number>;
+    constexpr double round = F::round + F::bias;  // added, it leaves the biased exponent in the last bits
     const auto shifted = o.add(e, o.real(round));
     const auto f = o.sub(e, o.sub(shifted, o.real(round)));
     const auto f2 = o.mul(f, f);
     const auto f4 = o.mul(f2, f2);
     const typename Lanes::Real powers[] = {f, f2, f4, o.mul(f4, f4)};
-    const auto power = o.from_bits(o.template shift_left<52>(o.bits(shifted)));
+    const auto power = o.from_bits(o.template shift_left<F::mantissa>(o.bits(shifted)));
     return o.mul(estrin<0, degree + 1>(o, exp2_coefficients<degree>, powers), power);
 }
 
 /// factor 2^e; 0 where that underflows.
-///   degree   3, 5 or 10: relative error below 1e-4, 1e-7, 3e-16      e   at most 1000, any sign
+///   degree   3, 5 or 10: relative error below 1e-4, 1e-7, 3e-16      e   any that does not overflow
 template <int degree, class Lanes>
 HWY_INLINE typename Lanes::Real scaled_exp2(const Lanes& o, typename Lanes::Real e,
                                             typename Lanes::Real factor) {
     using Real = typename Lanes::Real;
-    constexpr double round = 0x1.8p52;  // added and taken away, it rounds to integers
-    const Real bounded = o.max(e, o.real(-1900.0));
-    const Real n = o.sub(o.add(bounded, o.real(round)), o.real(round));
+    using F = Format<typename Lanes::Number>;
+    const Real bounded = o.max(e, o.real(F::least_exponent));
+    const Real n = o.sub(o.add(bounded, o.real(F::round)), o.real(F::round));
     const Real f = o.sub(bounded, n);
     const Real p = polynomial(o, exp2_coefficients<degree>, f);
     // 2^n in two factors, since n may lie below the exponents of normal numbers
     const auto power = [&o](Real k) HWY_ATTR {
-        return o.from_bits(o.template shift_left<52>(o.bits(o.add(k, o.real(round + 1023)))));
+        return o.from_bits(o.template shift_left<F::mantissa>(o.bits(o.add(k, o.real(F::round + F::bias)))));
     };
-    const Real low = o.real(-960.0);
+    const Real low = o.real(F::half_exponent);
     const Real n1 = o.max(n, low);
     return o.mul(o.mul(p, o.mul(power(n1), factor)), power(o.max(o.sub(n, n1), low)));
 }

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of Gauss and Kronrod's estimate, which is hundreds of times the error where the BRDF is smooth.
-constexpr double tolerance = 1e-6;
+/// Of Gauss and Kronrod's estimate over the error: it is hundreds of times the error
+/// where the BRDF is smooth.
+constexpr double caution = 10;
 
 /// Bounds the time where a tolerance cannot be met.
 constexpr std::size_t most_panels = 400;
@@ -117,16 +118,17 @@ std::vector<double> azimuth_ends(double phi_in) {
 
 }  // namespace
 
-double directional_albedo(const OutgoingBrdf& brdf, const Direction& in) {
+double directional_albedo(const OutgoingBrdf& brdf, const Direction& in, Tolerance tolerance) {
     if (!(in.cos_theta() > 0)) return 0;
     const double theta_in = std::atan2(in.sin_theta(), in.cos_theta());
+    const double estimate = caution * std::max(tolerance.relative_error(), accuracy::directional_albedo);
     const auto along = [&](double phi) {
         const Meridian meridian{in, phi};
         const auto ends = polar_ends(meridian.horizon(), theta_in, meridian.equal_angles());
         return adaptive_integral([&](double theta) { return meridian.integrand(brdf, theta); }, ends,
-                                 tolerance / 10);
+                                 estimate / 10);
     };
-    return adaptive_integral(along, azimuth_ends(std::atan2(in.sin_phi(), in.cos_phi())), tolerance);
+    return adaptive_integral(along, azimuth_ends(std::atan2(in.sin_phi(), in.cos_phi())), estimate);
 }
 
 }  // namespace hts

@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "hts/microfacet/model.hpp"
+#include "hts/tolerance.hpp"
 
 namespace hts {
 
@@ -29,13 +30,17 @@ using OutgoingBrdf = std::function<double(const Direction& out)>;
 
 /// Albedo of a BRDF [1].
 ///   range   >= 0; at most 1 if the model conserves energy, which many do not; 0 for `in` on the horizon
-///   error   accuracy::directional_albedo      cost   1e4 evaluations, up to 2e6 near the horizon
-[[nodiscard]] double directional_albedo(const OutgoingBrdf& brdf, const Direction& in);
+///   error   the tolerance, relative, or accuracy::directional_albedo if that is more
+///   cost    1e4 evaluations, at the finest tolerance up to 2e6 near the horizon, and 4e7 of a BRDF whose
+///           slope has kinks all over, as interpolation in a table leaves
+[[nodiscard]] double directional_albedo(const OutgoingBrdf& brdf, const Direction& in,
+                                        Tolerance tolerance = Tolerance{accuracy::directional_albedo});
 
 /// Albedo of a model [1].
 template <ReflectanceModel Model>
-[[nodiscard]] double directional_albedo(const Model& model, const Direction& in) {
-    return directional_albedo([&](const Direction& out) { return model.brdf(in, out); }, in);
+[[nodiscard]] double directional_albedo(const Model& model, const Direction& in,
+                                        Tolerance tolerance = Tolerance{accuracy::directional_albedo}) {
+    return directional_albedo([&](const Direction& out) { return model.brdf(in, out); }, in, tolerance);
 }
 
 }  // namespace hts

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "hts/phi/phi_cells-inl.hpp"
 #include "hts/phi/phi_terms-inl.hpp"
@@ -24,25 +25,31 @@ namespace hl = lanes::HWY_NAMESPACE;
 /// scale Phi(g, t) for a block of items, in passes, so that no pass waits for the one before: coordinates
 /// across lanes, the directory item by item (quicker than a gather), places across lanes, polynomials item by
 /// item (a row of coefficients fills a vector), exponentials across lanes.
-///   Items   g(i), t(i), inverse_g(i) and scale(i): vectors of items i ... i + lanes - 1
-template <class Spec, std::size_t most_lanes, class Items>
+///   Items   g(i), t(i), inverse_g(i) and scale(i): vectors of items i ... i + lanes - 1, of tag Items::d
+template <class Spec, class Items>
 struct PhiBlock {
-    using Tag = hn::CappedTag<double, most_lanes>;
+    using Tag = std::remove_const_t<decltype(Items::d)>;
+    using Number = hn::TFromD<Tag>;
     using Lanes = hl::WideLanes<Tag>;
+    using Whole = typename Lanes::Whole;
     using V = hn::Vec<Tag>;
     using C = Cells<Spec, Tag>;
+    using L = LineSums<Spec, Tag>;
     using T = typename Spec::Coefficient;
+    using LineT = typename Spec::Line;
     static constexpr Tag d{};
     static constexpr typename C::NarrowTag narrow{};
+    static constexpr typename L::NarrowTag narrow_line{};
     static constexpr std::size_t lanes = hn::MaxLanes(d), size = 64;
 
     const Items& items;
     bool inside = true;
-    HWY_ALIGN double inverse_g[size], v[size];
-    HWY_ALIGN std::int64_t x_bits[size], zeta_bits[size], entry[size];
-    HWY_ALIGN double multiplier[size], factor[size], line_x[size], lines[2 * size];
-    HWY_ALIGN std::int64_t cell[size], line[size];
+    HWY_ALIGN Number inverse_g[size], v[size];
+    HWY_ALIGN Whole x_bits[size], zeta_bits[size], entry[size];
+    HWY_ALIGN Number multiplier[size], factor[size];
+    HWY_ALIGN Whole cell[size], line[size];
     HWY_ALIGN T x[size], z[size], sums[C::width * size];
+    HWY_ALIGN LineT line_x[size], line_sums[4 * size];
 
     explicit HWY_INLINE PhiBlock(const Items& of) : items{of} {}
 
@@ -60,7 +67,10 @@ struct PhiBlock {
             hn::Store(at.zeta_bits, Lanes::di, zeta_bits + i);
             hn::Store(at.slot, Lanes::di, entry + i);
         }
-        for (std::size_t i = 0; i < count; ++i) entry[i] = table.directory[entry[i]];
+        for (std::size_t i = 0; i < count; ++i) {
+            entry[i] = static_cast<Whole>(table.directory[entry[i]]);
+            asm("");  // the compiler would gather
+        }
         for (std::size_t i = 0; i < count; i += lanes) {
             const Coordinates<Lanes> at{
                 hn::Load(d, v + i), hn::Load(Lanes::di, x_bits + i), hn::Load(Lanes::di, zeta_bits + i), {}};
@@ -71,36 +81,28 @@ struct PhiBlock {
         }
         for (std::size_t i = 0; i < count; ++i) {
             add_cell(table, i);
-            hn::Store(line_of(table, i), two, lines + 2 * i);
+            add_line(table, i);
         }
     }
 
     /// scale Phi of items i ... i + lanes - 1.
     HWY_INLINE V value(std::size_t i) const {
         constexpr Lanes o{};
-        V slope, width;
-        hn::LoadInterleaved2(d, lines + 2 * i, slope, width);
+        const auto at = L::values(line_sums + 4 * i, hn::Load(narrow_line, line_x + i));
         const auto q = C::value(sums + C::width * i, hn::Load(narrow, z + i));
-        const V e = exponent(o, hn::Load(d, multiplier + i), slope, width, q);
+        const V e = exponent(o, hn::Load(d, multiplier + i), at.slope, at.width, q);
         const V product = hl::scaled_exp2<Spec::exp_degree>(o, e, hn::Load(d, factor + i));
         return HWY_LIKELY(inside) ? product : with_items_beyond(i, product);
     }
 
-    /// All passes for one vector. Pairs of pieces are joined before they are stored: a load of two separate
-    /// stores would wait for both to reach the cache.
+    /// All passes for one vector.
     HWY_INLINE V one_vector() {
         const Table<Spec> table = phi_detail::table<Spec>();
         store(0, place(Lanes{}, table, items.g(0), items.t(0), items.inverse_g(0)), items.scale(0));
         HTS_UNROLL
-        for (std::size_t i = 0; i < lanes; ++i) add_cell(table, i);
-        if constexpr (lanes < 4) {
-            for (std::size_t i = 0; i < lanes; ++i) hn::Store(line_of(table, i), two, lines + 2 * i);
-        } else {
-            constexpr hn::CappedTag<double, 4> four;
-            HTS_UNROLL
-            for (std::size_t i = 0; i < lanes; i += 2) {
-                hn::Store(hn::Combine(four, line_of(table, i + 1), line_of(table, i)), four, lines + 2 * i);
-            }
+        for (std::size_t i = 0; i < lanes; ++i) {
+            add_cell(table, i);
+            add_line(table, i);
         }
         return value(0);
     }
@@ -108,10 +110,10 @@ struct PhiBlock {
   private:
     /// The factor of items for which the table has no cell is NaN.
     HWY_INLINE void store(std::size_t i, const Place<Lanes>& p, V scale) {
-        const V nan = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+        const V nan = hn::Set(d, std::numeric_limits<Number>::quiet_NaN());
         hn::Store(p.multiplier, d, multiplier + i);
         hn::Store(hn::IfThenElse(p.inside, p.factor * scale, nan), d, factor + i);
-        hn::Store(p.line_x, d, line_x + i);
+        hn::Store(L::narrow(p.line_x), narrow_line, line_x + i);
         hn::Store(p.cell, Lanes::di, cell + i);
         hn::Store(p.line, Lanes::di, line + i);
         hn::Store(C::narrow(p.x), narrow, x + i);
@@ -121,18 +123,19 @@ struct PhiBlock {
     HWY_INLINE void add_cell(const Table<Spec>& table, std::size_t i) {
         hn::Store(C::sums(table.cells + cell[i], x[i], z[i]), C::pack, sums + C::width * i);
     }
-    HWY_INLINE hn::Vec<decltype(two)> line_of(const Table<Spec>& table, std::size_t i) const {
-        return line_sums<Spec>(table.lines + line[i], line_x[i]);
+    HWY_INLINE void add_line(const Table<Spec>& table, std::size_t i) {
+        L::store(table.lines + line[i], line_x[i], line_sums + 4 * i);
     }
 
     HWY_NOINLINE V with_items_beyond(std::size_t i, V product) const {
-        HWY_ALIGN double values[lanes], g[lanes], t[lanes], scale[lanes];
+        HWY_ALIGN Number values[lanes], g[lanes], t[lanes], scale[lanes];
         hn::Store(product, d, values);
         hn::Store(items.g(i), d, g);
         hn::Store(items.t(i), d, t);
         hn::Store(items.scale(i), d, scale);
         for (std::size_t j = 0; j < lanes; ++j) {
-            if (std::isnan(values[j])) values[j] = phi_beyond_table<Spec>(g[j], t[j]) * scale[j];
+            if (std::isnan(values[j]))
+                values[j] = static_cast<Number>(phi_beyond_table<Spec>(g[j], t[j]) * scale[j]);
         }
         return hn::Load(d, values);
     }

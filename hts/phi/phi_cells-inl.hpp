@@ -19,6 +19,22 @@ namespace hl = lanes::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
+/// A vector of Tag as one of NarrowTag, whose numbers are the coefficients', and back.
+template <class NarrowTag, class Tag>
+HWY_INLINE hn::Vec<NarrowTag> narrowed(Tag /*d*/, hn::Vec<Tag> v) {
+    if constexpr (sizeof(hn::TFromD<NarrowTag>) < sizeof(hn::TFromD<Tag>))
+        return hn::DemoteTo(NarrowTag{}, v);
+    else
+        return v;
+}
+template <class Tag, class NarrowTag>
+HWY_INLINE hn::Vec<Tag> widened(NarrowTag /*n*/, hn::Vec<NarrowTag> v) {
+    if constexpr (sizeof(hn::TFromD<NarrowTag>) < sizeof(hn::TFromD<Tag>))
+        return hn::PromoteTo(Tag{}, v);
+    else
+        return v;
+}
+
 /// Sums of the cells' polynomials over x and over whole groups of z powers: `width` remain for each lane.
 template <class Spec, class Tag>
 struct Cells {
@@ -59,12 +75,7 @@ struct Cells {
         return hn::GetLane(hn::MulAdd(hn::Reverse2(half, pair), hn::Set(half, z), pair));
     }
 
-    static HWY_INLINE hn::Vec<NarrowTag> narrow(hn::Vec<Tag> v) {
-        if constexpr (sizeof(T) == 4)
-            return hn::DemoteTo(NarrowTag{}, v);
-        else
-            return v;
-    }
+    static HWY_INLINE hn::Vec<NarrowTag> narrow(hn::Vec<Tag> v) { return narrowed<NarrowTag>(Tag{}, v); }
 
     static HWY_INLINE hn::Vec<Tag> value(const T* sums, hn::Vec<NarrowTag> z) {
         constexpr NarrowTag n{};
@@ -77,23 +88,44 @@ struct Cells {
             hn::LoadInterleaved2(n, sums, a, b);
             a = hn::MulAdd(b, z, a);
         }
-        if constexpr (sizeof(T) == 4)
-            return hn::PromoteTo(Tag{}, a);
-        else
-            return a;
+        return widened<Tag>(n, a);
     }
 };
 
-constexpr hn::FixedTag<double, 2> two{};
+/// Sums of F and W over x^2: what remains for each lane is F and W of the even powers, then of the odd ones.
+template <class Spec, class Tag>
+struct LineSums {
+    using T = typename Spec::Line;
+    using NarrowTag = hn::Rebind<T, Tag>;
+    static constexpr hn::CappedTag<T, 4> pack{};
+    static constexpr std::size_t width = hn::MaxLanes(pack);
+    static_assert(Spec::line_rows % 2 == 0);
 
-template <class Spec>
-HWY_INLINE hn::Vec<decltype(two)> line_sums(const double* line, double x) {
-    hn::Vec<decltype(two)> sum[1];
-    hl::polynomials<Spec::line_rows, 1>(sum, hn::Set(two, x), hn::Set(two, x * x),
-                                        [line](int i, std::size_t)
-                                            HWY_ATTR { return hn::Load(two, line + 2 * i); });
-    return sum[0];
-}
+    /// Four numbers, to `sums`.
+    static HWY_INLINE void store(const T* line, T x, T* sums) {
+        const auto x2 = hn::Set(pack, x * x);
+        HTS_UNROLL
+        for (std::size_t k = 0; k < 4; k += width) {
+            auto sum = hn::Load(pack, line + 2 * Spec::line_rows - 4 + k);
+            HTS_UNROLL
+            for (int i = Spec::line_rows / 2 - 2; i >= 0; --i)
+                sum = hn::MulAdd(sum, x2, hn::Load(pack, line + 4 * i + k));
+            hn::Store(sum, pack, sums + k);
+        }
+    }
+
+    static HWY_INLINE hn::Vec<NarrowTag> narrow(hn::Vec<Tag> v) { return narrowed<NarrowTag>(Tag{}, v); }
+
+    struct Values {
+        hn::Vec<Tag> slope, width;
+    };
+    static HWY_INLINE Values values(const T* sums, hn::Vec<NarrowTag> x) {
+        constexpr NarrowTag n{};
+        hn::Vec<NarrowTag> even_f, even_w, odd_f, odd_w;
+        hn::LoadInterleaved4(n, sums, even_f, even_w, odd_f, odd_w);
+        return {widened<Tag>(n, hn::MulAdd(odd_f, x, even_f)), widened<Tag>(n, hn::MulAdd(odd_w, x, even_w))};
+    }
+};
 
 /// log2(Phi / factor)
 template <class Lanes>

@@ -28,21 +28,22 @@ struct Finder {
     using Real = typename Lanes::Real;
     using Int = typename Lanes::Int;
     using Mask = typename Lanes::Mask;
-    static constexpr std::int64_t mantissa = (std::int64_t{1} << 52) - 1;
-    static constexpr std::int64_t bias = 1023;
-    static constexpr double below_one = 1 - 0x1p-50;  // keeps 1 + zeta below 2
+    using F = lanes::Format<typename Lanes::Number>;
+    static constexpr std::int64_t mantissa = (std::int64_t{1} << F::mantissa) - 1;
+    static constexpr std::int64_t bias = F::bias;
+    static constexpr double below_one = 1 - 4 * F::ulp;  // keeps 1 + zeta below 2
     static constexpr double low = lanes::power_of_2(Spec::emin), high = lanes::power_of_2(Spec::emax);
 
     const Lanes& o;
 
     HWY_INLINE Int mantissa_bits(Int bits) const { return o.bit_and(bits, o.integer(mantissa)); }
     HWY_INLINE Real with_exponent_0(Int bits) const {
-        return o.from_bits(o.bit_or(mantissa_bits(bits), o.integer(bias << 52)));
+        return o.from_bits(o.bit_or(mantissa_bits(bits), o.integer(bias << F::mantissa)));
     }
-    HWY_INLINE Int exponent(Int bits) const { return o.template shift_right<52>(bits); }
+    HWY_INLINE Int exponent(Int bits) const { return o.template shift_right<F::mantissa>(bits); }
     /// The piece, of 2^log2_pieces, and the position within it.
     HWY_INLINE Int piece(Int bits, Int log2_pieces) const {
-        return o.shift_right(mantissa_bits(bits), o.sub(o.integer(52), log2_pieces));
+        return o.shift_right(mantissa_bits(bits), o.sub(o.integer(F::mantissa), log2_pieces));
     }
     HWY_INLINE Real position(Int shifted) const { return o.sub(with_exponent_0(shifted), o.real(1.5)); }
 
@@ -66,8 +67,8 @@ struct Finder {
         return o.unsigned_min(o.sub(exponent(x_bits), o.integer(bias)), octaves_per_row - 1);
     }
     HWY_INLINE Int line_piece(Int v_bits, const Table<Spec>& table) const {
-        const Int piece =
-            o.sub(o.template shift_right<52 - Spec::line_sub>(v_bits), o.integer(bias << Spec::line_sub));
+        const Int piece = o.sub(o.template shift_right<F::mantissa - Spec::line_sub>(v_bits),
+                                o.integer(bias << Spec::line_sub));
         return o.unsigned_min(piece, table.line_pieces - 1);
     }
 };
@@ -125,7 +126,10 @@ template <class Spec, class Lanes>
 HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
                               typename Lanes::Real t, typename Lanes::Real inverse_g) {
     const auto at = coordinates<Spec>(o, g, t, inverse_g);
-    return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.directory, at.slot));
+    if constexpr (sizeof(typename Lanes::Number) == 4)
+        return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.narrow_directory, at.slot));
+    else
+        return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.directory, at.slot));
 }
 
 template <class Spec, class Lanes>

@@ -54,9 +54,11 @@ HWY_INLINE Tabled tabled(const Table<Spec>& table, double g, double t) {
     if (HWY_UNLIKELY(!p.inside)) return {0, 0, false};
     const T z = static_cast<T>(p.z);
     const T cell = C::fold(C::sums(table.cells + p.cell, static_cast<T>(p.x), z), z);
-    const auto line = line_sums<Spec>(table.lines + p.line, p.line_x);
-    const double slope = hn::GetLane(line);
-    const double width = hn::GetLane(hn::UpperHalf(hn::CappedTag<double, 1>{}, line));
+    using L = typename Spec::Line;
+    HWY_ALIGN L sums[4];
+    const L x = static_cast<L>(p.line_x);
+    LineSums<Spec, hn::CappedTag<double, 1> >::store(table.lines + p.line, x, sums);
+    const double slope = o.mul_add(sums[2], x, sums[0]), width = o.mul_add(sums[3], x, sums[1]);
     return {exponent(o, p.multiplier, slope, width, static_cast<double>(cell)), p.factor, true};
 }
 
@@ -88,7 +90,7 @@ struct Plain {
 };
 
 template <class Spec>
-using PlainBlock = PhiBlock<Spec, 8, Plain>;
+using PlainBlock = PhiBlock<Spec, Plain>;
 
 /// count: a multiple of the vector's lanes, no more than a block
 template <class Spec>

@@ -1,4 +1,4 @@
-// The sampler of surfaces of two correlation lengths against its density.
+// The sampler of surfaces of two correlation lengths, and of other correlations, against its density.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -25,31 +25,29 @@ using hts::testing::Random;
 using hts::testing::WorstCase;
 
 namespace {
-constexpr double pi = std::numbers::pi;
-}
 
-TEMPLATE_TEST_CASE("draws from surfaces of two correlation lengths fall as their density says", "",
-                   HeTorrance, HeUnified) {
-    struct Case {
-        double sigma;
-        CorrelationLengths lengths;
-        double azimuth, theta, phi;
-    };
-    const std::vector<Case> cases{{0.1, {1, 3}, 0, 0, 0},      {0.1, {1, 5}, 20, 45, 0},
-                                  {0.3, {6, 1.5}, -60, 60, 0}, {0.02, {0.5, 2}, 0, 30, 70},
-                                  {1, {4, 40}, 0, 45, 45},     {0.3, {1, 4}, 10, 80, 40},
-                                  {0.05, {2, 8}, 0, 75, 90},   {0.3, {1.2, 12}, 30, 85, 80}};
-    WorstCase sums{"density, specular and none of anisotropic surfaces, from 1, in standard errors", 4.5};
-    WorstCase spread{"relative deviation of their weights", 1.4};
+constexpr double pi = std::numbers::pi;
+
+/// A surface under light from an angle [deg].
+struct Lit {
+    Surface surface;
+    double theta, phi;
+};
+
+/// Draws against the density, of some of the cases; all of them where tests are exhaustive.
+///   most_spread   of the weights, relative
+template <class Model>
+void check_draws(const std::string& name, const std::vector<Lit>& cases, double most_spread) {
+    WorstCase sums{"density, specular and none of " + name + ", from 1, in standard errors", 4.5};
+    WorstCase spread{"relative deviation of the weights of " + name, most_spread};
     double least = 1;
     const std::size_t draws = hts::testing::exhaustive() ? 1'000'000 : 40'000;
     for (std::size_t k = 1; k < cases.size();
          k += hts::testing::exhaustive() ? std::size_t{1} : std::size_t{3}) {
-        const Case& c = cases[k];
-        const TestType model{Surface::anisotropic(c.sigma, c.lengths, Direction::from_degrees(90, c.azimuth)),
-                             SpectralSample{Wavelength::from_micrometres(1), {0.77, 6.08}, 0}};
-        const Direction in = Direction::from_degrees(c.theta, c.phi);
-        const double mirror = (c.phi + 180) * pi / 180;
+        const auto& [surface, theta_deg, phi_deg] = cases[k];
+        const Model model{surface, SpectralSample{Wavelength::from_micrometres(1), {0.77, 6.08}, 0}};
+        const Direction in = Direction::from_degrees(theta_deg, phi_deg);
+        const double mirror = (phi_deg + 180) * pi / 180;
         Random random{100 + k};
         double sum = 0, squares = 0;
         std::size_t lobes = 0;
@@ -76,7 +74,45 @@ TEMPLATE_TEST_CASE("draws from surfaces of two correlation lengths fall as their
         const double mean = sum / static_cast<double>(lobes);
         spread.note(std::sqrt(squares / static_cast<double>(lobes) - mean * mean) / mean, where);
     }
-    std::cout << "sampler of anisotropic surfaces: least p " << least << " of " << cases.size() << '\n';
+    std::cout << "sampler of " << name << ": least p " << least << '\n';
     sums.check();
     spread.check();
+}
+
+Surface brushed(double sigma, const CorrelationLengths& lengths, double azimuth) {
+    return Surface::anisotropic(sigma, lengths, Direction::from_degrees(90, azimuth));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("draws from surfaces of two correlation lengths fall as their density says", "",
+                   HeTorrance, HeUnified) {
+    check_draws<TestType>("anisotropic surfaces",
+                          {{brushed(0.1, {1, 3}, 0), 0, 0},
+                           {brushed(0.1, {1, 5}, 20), 45, 0},
+                           {brushed(0.3, {6, 1.5}, -60), 60, 0},
+                           {brushed(0.02, {0.5, 2}, 0), 30, 70},
+                           {brushed(1, {4, 40}, 0), 45, 45},
+                           {brushed(0.3, {1, 4}, 10), 80, 40},
+                           {brushed(0.05, {2, 8}, 0), 75, 90},
+                           {brushed(0.3, {1.2, 12}, 30), 85, 80}},
+                          1.4);
+}
+
+TEMPLATE_TEST_CASE("draws from surfaces of other correlations fall as their density says", "", HeTorrance,
+                   HeUnified) {
+    const auto exponential = hts::Correlation::exponential();
+    const std::vector<hts::Correlation::Part> parts{{0.9, hts::Correlation::gaussian(), 1},
+                                                    {0.1, exponential, 0.05}};
+    const auto two_scales = hts::Correlation::sum(parts);
+    check_draws<TestType>("other correlations",
+                          {{Surface{0.1, 1}.correlated(exponential), 30, 0},
+                           {Surface{0.1, 2}.correlated(exponential), 0, 0},
+                           {Surface{0.3, 8}.correlated(hts::Correlation::matern(1.5)), 45, 0},
+                           {Surface{0.02, 1}.correlated(exponential), 60, 20},
+                           {Surface{0.3, 4}.correlated(two_scales), 30, 0},
+                           {Surface{0.05, 0.5}.correlated(hts::Correlation::matern(1.5)), 75, 0},
+                           {brushed(0.1, {1, 3}, 20).correlated(exponential), 45, 30},
+                           {Surface{0.5, 20}.correlated(exponential), 70, 0}},
+                          3);
 }

@@ -10,6 +10,7 @@
 
 #include "hts/error.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
+#include "hts/unified/film_lobe.hpp"
 #include "hts/unified/lanes/unified_simd.hpp"
 #include "hts/unified/unified_mirror.hpp"
 
@@ -108,8 +109,9 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         set(Prepared::inverse_wave_squared, 1 / wave_squared);
         set(Prepared::d_real, d_real);
         set(Prepared::d_imaginary, d_imaginary);
-        set(Prepared::weight,
-            square(wave.k_tau) * (square(d_real) + square(d_imaginary)) * (std::numbers::inv_pi / 4));
+        // films make their own Jones matrix, which is not over d
+        const double of_index = s.index.coated() ? 1 : square(d_real) + square(d_imaginary);
+        set(Prepared::weight, square(wave.k_length) * of_index * (std::numbers::inv_pi / 4));
         set(Prepared::horizon, 1.25 * wave.k_sigma);
         set(Prepared::lift, wave.lift);
         set(Prepared::returned, wave.returned);
@@ -124,6 +126,25 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         }
     }
     return p;
+}
+
+/// What the wavelengths see of a surface, for the lanes: see Prepared::seen.
+template <class Seen>
+void set_seen(Prepared& p, const std::vector<Seen>& seen) {
+    p.seen.resize((Prepared::return_factor + ReturnFactor::terms) * p.padded);
+    for (std::size_t i = 0; i < p.padded; ++i) {
+        const auto& [surface, m] = seen[std::min(i, seen.size() - 1)];
+        p.seen[Prepared::slope_width * p.padded + i] = surface.slope_width();
+        p.seen[Prepared::return_width * p.padded + i] = 2 * m.slope();
+        const auto powers = in_powers(m.coefficients());
+        for (std::size_t j = 0; j < powers.size(); ++j)
+            p.seen[(Prepared::return_factor + j) * p.padded + i] = powers[j];
+    }
+}
+
+/// The matrix with that of the uniform diffuse term; without one, zeros keep their signs.
+Mueller with_uniform(const Mueller& lobe, const SpectralSample& sample) {
+    return sample.uniform_diffuse == 0 ? lobe : lobe + Mueller::depolariser(sample.uniform_diffuse);
 }
 
 /// What is known of isotropic surfaces alone.
@@ -152,6 +173,30 @@ void require_theory_of_films(const UnifiedChoices& choices) {
 struct HeUnifiedSpectrum::Lanes {
     Forms forms;
     Prepared prepared;
+    std::vector<FilmLobe> films;  // of all samples, where they have films, or of none
+
+    /// Under films, for each sample use(i, its Jones matrix); false where the lanes do not take the pair.
+    template <class Use>
+    bool each_of_films(const DirectionPair& pair, Use&& use) const noexcept {
+        constexpr std::size_t most = 64;
+        std::array<double, most> lobes, shares;
+        const FilmPair of{pair};
+        for (std::size_t first = 0; first < films.size(); first += most) {
+            const std::size_t count = std::min(most, films.size() - first);
+            if (!forms.shares_one(prepared, pair, first, count, lobes.data(), shares.data())) return false;
+            for (std::size_t i = 0; i < count; ++i) use(first + i, films[first + i](of, lobes[i], shares[i]));
+        }
+        return true;
+    }
+    /// BRDFs of a pair; false where the lanes do not take it.
+    bool brdf(const DirectionPair& pair, std::span<const SpectralSample> samples,
+              std::span<double> result) const noexcept {
+        if (films.empty()) return forms.brdf_one(prepared, pair, result.data());
+        return each_of_films(pair, [&](std::size_t i, const JonesMatrix& j) {
+            result[i] = samples[i].uniform_diffuse +
+                        (std::norm(j.ss) + std::norm(j.sp) + std::norm(j.ps) + std::norm(j.pp)) / 2;
+        });
+    }
 };
 
 HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<SpectralSample> samples,
@@ -176,46 +221,69 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
             mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
-    if (coated || lobe != DiffuseLobe::full || tolerance.relative_error() < accuracy::finest_lane_tolerance ||
+    const bool all_coated =
+        std::ranges::all_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
+    if (coated != all_coated || lobe != DiffuseLobe::full ||
+        tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    const Forms forms = unified_detail::forms(tolerance);
+    if (!seen_.empty() && !surface_.isotropic()) return;
+    const Forms forms = unified_detail::forms(tolerance, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
-    lanes_ = std::make_shared<const Lanes>(
-        Lanes{forms, prepare(surface_, return_factor_, mixed_, samples_, waves_)});
+    Prepared prepared = prepare(surface_, return_factor_, mixed_, samples_, waves_);
+    if (!seen_.empty()) {
+        prepared.correlation = &surface_.correlation()->table();
+        set_seen(prepared, seen_);
+    }
+    std::vector<FilmLobe> films;
+    for (std::size_t i = 0; coated && i < samples_.size(); ++i)
+        films.emplace_back(samples_[i].index, waves_[i].lift);
+    lanes_ = std::make_shared<const Lanes>(Lanes{forms, std::move(prepared), std::move(films)});
 }
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
                       seen_.size() * sizeof(Seen);
     if (lanes_) {
-        sum += sizeof(Lanes) + lanes_->prepared.data.size() * sizeof(double) +
+        sum += sizeof(Lanes) +
+               (lanes_->prepared.data.size() + lanes_->prepared.seen.size()) * sizeof(double) +
                lanes_->prepared.surface.return_rows.size() * sizeof(ReturnRow);
     }
+    if (lanes_)
+        for (const FilmLobe& film : lanes_->films) sum += film.bytes();
     for (const SecondOrderMirror& mirror : mirrors_) sum += mirror.bytes();
     return sum;
 }
 
 void HeUnifiedSpectrum::brdf(const DirectionPair& pair, std::span<double> result) const {
     evaluation_detail::require_size("brdf", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.brdf_one(lanes_->prepared, pair, result.data())) return;
+    if (lanes_ && lanes_->brdf(pair, samples_, result)) return;
     exact_brdf(pair, result);
 }
 
 void HeUnifiedSpectrum::brdf(std::span<const DirectionPair> pairs, std::span<double> result) const {
     evaluation_detail::require_size("brdf", result.size(), samples_.size(), pairs.size());
     const std::size_t count = samples_.size();
-    if (lanes_ && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data())) return;
+    const bool films = lanes_ && !lanes_->films.empty();
+    if (lanes_ && !films && lanes_->forms.brdf_many(lanes_->prepared, pairs, result.data())) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (lanes_ && evaluation_detail::is_ordinary(pairs[i])) continue;
-        exact_brdf(pairs[i], result.subspan(i * count, count));
+        const auto values = result.subspan(i * count, count);
+        if (films)
+            brdf(pairs[i], values);
+        else if (!lanes_ || !evaluation_detail::is_ordinary(pairs[i]))
+            exact_brdf(pairs[i], values);
     }
 }
 
 void HeUnifiedSpectrum::mueller(const DirectionPair& pair, std::span<Mueller> result) const {
     evaluation_detail::require_size("mueller", result.size(), samples_.size());
-    if (lanes_ && lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())) return;
-    exact_mueller(pair, result);
+    if (!lanes_) return exact_mueller(pair, result);
+    const bool taken = lanes_->films.empty()
+                           ? lanes_->forms.mueller_one(lanes_->prepared, pair, result.data())
+                           : lanes_->each_of_films(pair, [&](std::size_t i, const JonesMatrix& jones) {
+                                 result[i] = with_uniform(unified_mueller(jones, mixed_), samples_[i]);
+                             });
+    if (!taken) exact_mueller(pair, result);
 }
 
 void HeUnifiedSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> result) const noexcept {
@@ -236,10 +304,8 @@ void HeUnifiedSpectrum::exact_mueller(const DirectionPair& pair, std::span<Muell
             in = view(pair.in, i);
             out = view(pair.out, i);
         }
-        result[i] = unified_mueller(unified_lobe(in, out, waves_[i], lobe_, tolerance_).jones, mixed_);
-        const double uniform = samples_[i].uniform_diffuse;
-        if (uniform != 0)
-            result[i] = result[i] + Mueller::depolariser(uniform);  // else zeros keep their signs
+        result[i] = with_uniform(
+            unified_mueller(unified_lobe(in, out, waves_[i], lobe_, tolerance_).jones, mixed_), samples_[i]);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include "hts/phi/phi_sum.hpp"
+#include "hts/unified/film_lobe.hpp"
 #include "hts/unified/lobe_of_kicks.hpp"
 
 namespace hts {
@@ -33,27 +34,12 @@ struct BraggRay {
     }
 };
 
-/// The sum over the interfaces, each with the step of N^2 there and the fields that both waves have there.
 JonesMatrix bragg_jones_of_films(const Direction& in, const Direction& out, const CoatedIndex& index,
                                  double lift) {
     std::array<CoatedIndex::Fields, CoatedIndex::most_films + 1> of_in, of_out;
     index.fields(in.cos_theta(), lift, of_in);
     index.fields(out.cos_theta(), lift, of_out);
-    const double cosine = -(in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi());
-    const double sine = -sin_azimuth_between(in, out);
-    const double sines = in.sin_theta() * out.sin_theta();
-    JonesMatrix sum{};
-    Complex above = 1;
-    for (std::size_t j = 0; j < index.interfaces(); ++j) {
-        const Complex below = index.square_below(j), step = below - above;
-        const auto &i = of_in[j], &o = of_out[j];
-        sum.ss -= cosine * step * i.s * o.s;
-        sum.sp -= sine * step * i.p_electric * o.s;
-        sum.ps -= sine * step * i.s * o.p_electric;
-        sum.pp += step * (cosine * i.p_electric * o.p_electric - sines * i.p * o.p / (above * below));
-        above = below;
-    }
-    return sum;
+    return bragg_of_fields(in, out, index, of_in, of_out);
 }
 
 /// 1 - L

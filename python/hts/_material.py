@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -52,6 +54,41 @@ class Validity:
     most: Any
 
 
+@dataclass(frozen=True)
+class Form:
+    """What of a material is kept, and how wrong that is.
+
+    lobe            "none", "first order", … of rough surfaces; "full" or "none", the uniform term alone, of others
+    lobe_tolerance  of the lobe, relative
+    specular        whether the specular term is kept
+    wavelengths     at which the material is evaluated [um]; between them runs a cubic in 1/wavelength^2
+    worst, percentile_99   measured errors, in the measure of the tolerance
+    """
+
+    lobe: str
+    lobe_tolerance: float
+    specular: bool
+    wavelengths: Floats
+    worst: float
+    percentile_99: float
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The cheapest form of a material that is exact enough.
+
+    form      the choice
+    rejected  what was tried before and was not exact enough
+    nbytes    memory of the form
+    material  evaluates as the plan says, at the wavelengths that were asked for
+    """
+
+    form: Form
+    rejected: tuple[Form, ...]
+    nbytes: int
+    material: Material
+
+
 class Material(_core.Material):
     """A surface and its model.
 
@@ -66,8 +103,6 @@ class Material(_core.Material):
     def __reduce__(self) -> tuple[Any, ...]:
         if not self.description:
             raise Error(f"material {self.name!r}: cannot be pickled: it is of a file of measured or tabulated values")
-        import json
-
         return (Material, (json.loads(self.description),))
 
     def sample(
@@ -121,6 +156,11 @@ class Material(_core.Material):
         polarisation  None for unpolarised radiation, "s" or "p" for what a polariser in front of the detector lets through
         error         4e-8 of the directional-diffuse part unpolarised, 1e-6 for "s" and "p"
         """
+        for um in np.unique(np.asarray(wavelength, dtype=float)):
+            if self._transmits(float(um), outside):
+                raise Error(
+                    f"{self.name}: emissivity: must be of a surface that lets no light through, as this does at {um:g} um"
+                )
         if polarisation is None:
             return 1.0 - self.albedo(wavelength, theta, phi, degrees=degrees, outside=outside)
         if polarisation not in ("s", "p"):
@@ -183,6 +223,69 @@ class Material(_core.Material):
         grid = [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))]
         return Table(_core._build_table(self, grid, tolerance, polarised, largest_bytes))
 
+    def plan(
+        self,
+        wavelengths: ArrayLike,
+        tolerance: float | Mapping[str, float] = 1e-2,
+        *,
+        output: str = "spectral",
+        largest_theta_i_deg: float = 80,
+        largest_theta_r_deg: float = 80,
+        pairs: int = 8192,
+        seed: int = 1,
+        **scene: Any,
+    ) -> Plan:
+        """The cheapest form of the material that is exact enough, as measured on random directions [docs/plans.md].
+
+        tolerance   of the BRDF, relative, or what a scene file says: {"relative_brdf_error": 1e-2}, {"delta_e_2000": 1}
+        output      "spectral" or "rgb"
+        scene       other keys of scene files: illuminant, polarised, memory_budget_bytes, outside, compensate_energy
+        pairs, seed of the directions
+        """
+        known = {"illuminant", "polarised", "memory_budget_bytes", "outside", "compensate_energy"}
+        for key in set(scene) - known:
+            raise Error(f"plan: {key}: must be one of {', '.join(sorted(known))}")
+        asked = {
+            "wavelengths_um": [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))],
+            "tolerance": dict(tolerance) if isinstance(tolerance, Mapping) else {"relative_brdf_error": float(tolerance)},
+            "output": output,
+            "largest_theta_i_deg": float(largest_theta_i_deg),
+            "largest_theta_r_deg": float(largest_theta_r_deg),
+            **scene,
+        }
+        made = _core._plan(self, json.dumps(asked), pairs, seed)
+        form = {key: made.pop(key) for key in ("lobe", "lobe_tolerance", "specular", "wavelengths", "worst", "percentile_99")}
+        rejected = tuple(Form(**each) for each in made["rejected"])
+        return Plan(form=Form(**form), rejected=rejected, nbytes=made["nbytes"], material=Material(made["material"]))
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        format: str,
+        *,
+        wavelengths: ArrayLike | None = None,
+        colour: bool = False,
+        basis: str | None = None,
+        depth: int | None = None,
+        specular_spread: float | None = None,
+        pairs: int = 100_000,
+        seed: int = 1,
+        outside: str = "error",
+    ) -> dict[str, Any]:
+        """Writes a file of another program, and beside it PATH.json of what it holds; says what its readers make of it.
+
+        format           one of `written_formats()`
+        wavelengths      [um]; None for those of the format
+        colour, basis, depth   as the options of `hts table export`, for formats that know them
+        specular_spread  solid angle over which the specular term is spread [sr]; None leaves it out
+        pairs, seed      of the directions at which what was read back is compared with the model
+        """
+        grid = None if wavelengths is None else [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))]
+        report = _core._export(
+            self, os.fspath(path), format, grid, colour, basis, depth, specular_spread, pairs, seed, outside
+        )
+        return dict(json.loads(report))
+
     def plot(
         self, wavelength: ArrayLike = 0.55, theta_i: ArrayLike = (10, 45, 75), *, kind: str = "polar", axes: Any = None
     ) -> Any:
@@ -228,6 +331,22 @@ class Table:
     def check(self, exact: Material, pairs: int = 200_000, seed: int = 7) -> dict[str, float]:
         """The error on random directions against a material, measured anew."""
         return dict(self._table.check(exact, pairs, seed))
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        format: str,
+        *,
+        colour: bool = False,
+        basis: str | None = None,
+        depth: int | None = None,
+        specular_spread: float | None = None,
+        pairs: int = 100_000,
+        seed: int = 1,
+    ) -> dict[str, Any]:
+        """As Material.export, at the wavelengths of the table."""
+        report = self._table._export(os.fspath(path), format, colour, basis, depth, specular_spread, pairs, seed)
+        return dict(json.loads(report))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a file for `hts.Table` and `hts table`."""

@@ -38,7 +38,7 @@ def coefficients() -> NDArray[np.float64]:
 
 
 def _grid(first: float, last: float, cells: int) -> NDArray[np.float64]:
-    return first + (last - first) / cells * (np.arange(cells)[:, np.newaxis] + _NODES)
+    return np.asarray(first + (last - first) / cells * (np.arange(cells)[:, np.newaxis] + _NODES))
 
 
 def place(x: NDArray[np.float64], first: float, last: float, cells: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

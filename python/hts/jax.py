@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from . import Error, Material
+from ._differentiable import functions, method, names_of, numbers
 
 try:
     import jax
@@ -23,67 +24,17 @@ try:
 except ImportError as error:
     raise Error(f"hts.jax: JAX is not installed ({error}): pip install jax") from None
 
-_PARAMETERS = ("rms_roughness_um", "correlation_length_um", "n", "k", "diffuse_albedo")
+def _call(of: str, material: Material, arguments: tuple[Any, ...], parameters: dict[str, Any]) -> Any:
+    values = [jnp.asarray(value, dtype=jnp.result_type(float)) for value in (*arguments, *parameters.values())]
+    return _evaluated(of, material, names_of(arguments, parameters), *jnp.broadcast_arrays(*values))
 
 
-def brdf(
-    material: Material,
-    wavelength: Any,
-    theta_i: Any,
-    theta_r: Any,
-    phi: Any,
-    rms_roughness_um: Any = None,
-    correlation_length_um: Any = None,
-    n: Any = None,
-    k: Any = None,
-    diffuse_albedo: Any = None,
-) -> Any:
-    """BRDF of all diffuse terms [1/sr], as Material.brdf; parameters go before the material's."""
-    parameters = (rms_roughness_um, correlation_length_um, n, k, diffuse_albedo)
-    return _call("brdf", material, wavelength, (theta_i, theta_r, phi), parameters)
-
-
-def mueller(
-    material: Material,
-    wavelength: Any,
-    theta_i: Any,
-    theta_r: Any,
-    phi: Any,
-    rms_roughness_um: Any = None,
-    correlation_length_um: Any = None,
-    n: Any = None,
-    k: Any = None,
-) -> Any:
-    """Mueller matrix (..., 4, 4) of the directional-diffuse term [1/sr], as Material.mueller."""
-    parameters = (rms_roughness_um, correlation_length_um, n, k, None)
-    return _call("mueller", material, wavelength, (theta_i, theta_r, phi), parameters)
-
-
-def specular_reflectance(
-    material: Material,
-    wavelength: Any,
-    theta_i: Any,
-    rms_roughness_um: Any = None,
-    correlation_length_um: Any = None,
-    n: Any = None,
-    k: Any = None,
-) -> Any:
-    """Reflectance into the mirror direction [1], as Material.specular_reflectance."""
-    parameters = (rms_roughness_um, correlation_length_um, n, k, None)
-    return _call("specular", material, wavelength, (theta_i,), parameters)
-
-
-def _call(of: str, material: Material, wavelength: Any, angles: tuple[Any, ...], parameters: tuple[Any, ...]) -> Any:
-    names = ("theta_i", "theta_r", "phi")[: len(angles)]
-    given = {name: value for name, value in zip(_PARAMETERS, parameters) if value is not None}
-    values = [jnp.asarray(value, dtype=jnp.result_type(float)) for value in (wavelength, *angles, *given.values())]
-    return _evaluated(of, material, (*names, *given), *jnp.broadcast_arrays(*values))
+brdf, mueller, specular_reflectance = functions(_call)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1, 2))
 def _evaluated(of: str, material: Material, names: tuple[str, ...], *values: Any) -> Any:
-    call = {"brdf": material.brdf, "mueller": material.mueller, "specular": material.specular_reflectance}[of]
-    return _called_back(names, values, _shape(of, values), call)
+    return _called_back(names, values, _shape(of, values), method(material, of))
 
 
 def _derivative(
@@ -95,7 +46,7 @@ def _derivative(
     shape = _shape(of, values)
 
     def slopes(*arrays: Any, **parameters: Any) -> Any:
-        gradient = material.gradient(*arrays, of=of, **parameters)
+        gradient = material.gradient(*arrays, **{"of": of, **parameters})
         return np.stack([np.broadcast_to(gradient[names[i]], shape_of(arrays[0])) for i in wanted], axis=arrays[0].ndim)
 
     def shape_of(first: Any) -> tuple[int, ...]:
@@ -119,12 +70,10 @@ def _shape(of: str, values: tuple[Any, ...]) -> tuple[int, ...]:
 
 def _called_back(names: tuple[str, ...], values: tuple[Any, ...], shape: tuple[int, ...], function: Any) -> Any:
     """The library's numbers; `function` takes wavelength and angles, and parameters by name."""
-    angles = sum(name not in _PARAMETERS for name in names)
 
     def evaluate(*arrays: Any) -> Any:
-        numbers = [np.asarray(each, dtype=float) for each in arrays]
-        parameters = dict(zip(names[angles:], numbers[1 + angles :]))
-        return np.asarray(function(*numbers[: 1 + angles], **parameters), dtype=values[0].dtype)
+        positional, parameters = numbers(names, [np.asarray(each, dtype=float) for each in arrays])
+        return np.asarray(function(*positional, **parameters), dtype=values[0].dtype)
 
-    result = jax.ShapeDtypeStruct(shape, values[0].dtype)
+    result = jax.ShapeDtypeStruct(shape, values[0].dtype)  # type: ignore[no-untyped-call, unused-ignore]
     return jax.pure_callback(evaluate, result, *values, vmap_method="broadcast_all")

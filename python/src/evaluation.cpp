@@ -13,8 +13,7 @@ namespace {
 using spectral::Reflectance;
 using spectral::WavelengthGrid;
 
-constexpr std::size_t block = 256;             // pairs evaluated at a time
-constexpr std::size_t between_signals = 1024;  // blocks after which Ctrl-C is looked for
+constexpr std::size_t block = 256;  // pairs evaluated at a time
 
 /// The operands of a call.
 struct Operands {
@@ -150,22 +149,16 @@ class Team {
     int before_;
 };
 
-/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock; now
-/// and then looks whether somebody wants it to stop. The error of the lowest block is thrown.
+/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock. The
+/// error of the lowest block is thrown.
 template <class Function>
 void in_blocks(std::size_t count, int threads, const Function& f) {
     constexpr int at_a_time = 4;
     const Team team{threads};
-    for (std::size_t from = 0; from < count; from += between_signals * block) {
-        const std::size_t part = std::min(count - from, between_signals * block);
-        {
-            const nb::gil_scoped_release others_may_run;
-            spectral::parallel_for(
-                (part + block - 1) / block,
-                [&](std::size_t i) { f(from + i * block, std::min(block, part - i * block)); }, at_a_time);
-        }
-        if (from + part < count && PyErr_CheckSignals() != 0) throw nb::python_error();
-    }
+    const nb::gil_scoped_release others_may_run;
+    spectral::parallel_for((count + block - 1) / block,
+                           [&](std::size_t i) { f(i * block, std::min(block, count - i * block)); },
+                           at_a_time);
 }
 
 /// A call in full: what is to be computed, of what, and where it goes.

@@ -219,6 +219,12 @@ void bind_material(nb::module_& module) {
     material.def("__init__", &construct, nb::arg("source") = nb::none(), nb::arg("keywords"),
                  nb::sig("def __init__(self, source: typing.Any = None, **keywords: typing.Any) -> None"));
     material.def("__repr__", &repr);
+    material.def(
+        "_transmits",
+        [](const PyMaterial& self, double wavelength, const std::string& outside) {
+            return self.at(wavelength, how_from(accuracy::default_tolerance, outside, false)).transmits(0);
+        },
+        nb::arg("wavelength"), nb::arg("outside"));
     material.def_prop_ro("name", [](const PyMaterial& self) { return self.material().name(); });
     material.def_prop_ro(
         "model", [](const PyMaterial& self) { return self.material().model_name(); },

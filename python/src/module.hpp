@@ -15,6 +15,7 @@ void bind_material(nb::module_& module);
 void bind_functions(nb::module_& module);
 void bind_fits(nb::module_& module);
 void bind_pictures(nb::module_& module);
+void bind_plans(nb::module_& module);
 void bind_tables(nb::module_& module);
 
 }  // namespace hts::python

@@ -72,4 +72,11 @@ class PyMaterial {
 [[nodiscard]] PyMaterial material_of_any_file(const std::string& path, const std::string& format = {},
                                               std::optional<std::vector<double>> wavelengths = std::nullopt);
 
+/// Reflectance that a file, a table or a plan has at its own wavelengths, as something to evaluate anywhere
+/// between them.
+[[nodiscard]] PyMaterial material_of_reflectance(const spectral::Reflectance& reflectance,
+                                                 std::vector<std::string> notes, const std::string& model,
+                                                 const std::string& source,
+                                                 std::vector<std::string> channels = {});
+
 }  // namespace hts::python

@@ -10,6 +10,7 @@
 #include "spectral/text/text.hpp"
 #include "tables/formats/brdf_file.hpp"
 #include "tables/formats/measured_model.hpp"
+#include "tables/formats/writers/write_brdf.hpp"
 #include "tables/table/build_table.hpp"
 #include "tables/table/table.hpp"
 
@@ -18,15 +19,6 @@ namespace {
 
 using spectral::WavelengthGrid;
 using tables::Table;
-
-/// Reflectance that a file or a table has at its own wavelengths, as something to
-/// evaluate anywhere between them.
-PyMaterial as_material(const spectral::Reflectance& reflectance, std::vector<std::string> notes,
-                       const std::string& model, const std::string& source,
-                       std::vector<std::string> channels = {}) {
-    return PyMaterial{tables::material_of_file(reflectance, std::move(notes), std::move(channels))
-                          .named(reflectance.name(), model, source)};
-}
 
 /// A table, and the bytes of its file where it has none yet.
 struct PyTable {
@@ -60,7 +52,42 @@ void save(const PyTable& table, const std::string& path) {
     spectral::write_file(path, table.bytes.empty() ? spectral::read_text_file(table.path) : table.bytes);
 }
 
+/// Writes a file of another program; what its readers make of it, as JSON.
+std::string export_source(const tables::Source& source, const tables::WrittenFormat& format,
+                          tables::FileRequest request) {
+    const nb::gil_scoped_release others_may_run;
+    return tables::write_brdf(source, format, request).json();
+}
+
+std::string export_material(const PyMaterial& material, const std::string& path, const std::string& format,
+                            const std::optional<std::vector<double>>& wavelengths, bool colour,
+                            const std::optional<std::string>& basis, std::optional<int> depth,
+                            std::optional<double> specular_spread, std::size_t pairs, std::uint64_t seed,
+                            const std::string& outside) {
+    const auto& written = tables::written_format(format);
+    std::optional<WavelengthGrid> grid;
+    if (wavelengths) grid = WavelengthGrid::from_micrometres(*wavelengths);
+    const auto otherwise = tables::wavelengths_to_write(material.material(), written, colour);
+    const tables::Source source{material.at(grid.value_or(otherwise), how_from(1e-6, outside, false)),
+                                material.material().properties().channels};
+    return export_source(source, written, {path, colour, basis, depth, specular_spread, pairs, seed});
+}
+
+std::string export_table(const PyTable& table, const std::string& path, const std::string& format,
+                         bool colour, const std::optional<std::string>& basis, std::optional<int> depth,
+                         std::optional<double> specular_spread, std::size_t pairs, std::uint64_t seed) {
+    return export_source({table.table.reflectance()}, tables::written_format(format),
+                         {path, colour, basis, depth, specular_spread, pairs, seed});
+}
+
 }  // namespace
+
+PyMaterial material_of_reflectance(const spectral::Reflectance& reflectance, std::vector<std::string> notes,
+                                   const std::string& model, const std::string& source,
+                                   std::vector<std::string> channels) {
+    return PyMaterial{tables::material_of_file(reflectance, std::move(notes), std::move(channels))
+                          .named(reflectance.name(), model, source)};
+}
 
 PyMaterial material_of_any_file(const std::string& path, const std::string& format,
                                 std::optional<std::vector<double>> wavelengths) {
@@ -72,7 +99,8 @@ PyMaterial material_of_any_file(const std::string& path, const std::string& form
     if (wavelengths) grid = WavelengthGrid::from_micrometres(*wavelengths);
     const nb::gil_scoped_release others_may_run;
     auto file = tables::read_brdf(path, {grid, format});
-    return as_material(file.brdf, std::move(file.notes), "measured", file.format, std::move(file.channels));
+    return material_of_reflectance(file.brdf, std::move(file.notes), "measured", file.format,
+                                   std::move(file.channels));
 }
 
 void bind_tables(nb::module_& module) {
@@ -93,7 +121,7 @@ void bind_tables(nb::module_& module) {
     table.def_prop_ro("bytes", [](const PyTable& self) { return self.table.bytes(); });
     table.def_prop_ro("polarised", [](const PyTable& self) { return self.table.properties().polarised; });
     table.def("material", [](const PyTable& self) {
-        return as_material(self.table.reflectance(), {}, "table", "a lookup table of hts");
+        return material_of_reflectance(self.table.reflectance(), {}, "table", "a lookup table of hts");
     });
     table.def(
         "check",
@@ -109,6 +137,13 @@ void bind_tables(nb::module_& module) {
         HTS_ANY("check(self, exact: Material, pairs: int, seed: int)"), nb::arg("exact"), nb::arg("pairs"),
         nb::arg("seed"));
     table.def("save", &save, nb::arg("path"));
+    table.def("_export", &export_table, nb::arg("path"), nb::arg("format"), nb::arg("colour"),
+              nb::arg("basis").none(), nb::arg("depth").none(), nb::arg("specular_spread").none(),
+              nb::arg("pairs"), nb::arg("seed"));
+    module.def("_export", &export_material, nb::arg("material"), nb::arg("path"), nb::arg("format"),
+               nb::arg("wavelengths").none(), nb::arg("colour"), nb::arg("basis").none(),
+               nb::arg("depth").none(), nb::arg("specular_spread").none(), nb::arg("pairs"), nb::arg("seed"),
+               nb::arg("outside"));
 
     module.def("_read", &material_of_any_file, nb::arg("path"), nb::arg("format") = "",
                nb::arg("wavelengths") = nb::none());
@@ -124,6 +159,16 @@ void bind_tables(nb::module_& module) {
         },
         nb::sig("def formats() -> list[tuple[str, str]]"),
         "Files of other programs that `read` knows, each with a line of what it is.");
+    module.def(
+        "written_formats",
+        [] {
+            nb::list names;
+            for (const auto& format : tables::written_formats())
+                names.append(nb::make_tuple(format.name, format.what));
+            return names;
+        },
+        nb::sig("def written_formats() -> list[tuple[str, str]]"),
+        "Files of other programs that `export` writes, each with a line of what it is.");
 }
 
 }  // namespace hts::python

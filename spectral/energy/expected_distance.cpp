@@ -190,6 +190,15 @@ ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex
     return expected;
 }
 
+ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample, double theta_i_deg) {
+    const double lambda = sample.wavelength.micrometres();
+    ExpectedDistance expected = expected_distance(
+        {surface.rms_roughness() / lambda, surface.shortest_correlation_length() / lambda, theta_i_deg},
+        sample.index.substrate());
+    if (sample.index.coated() || surface.correlation()) expected.studied = false;
+    return expected;
+}
+
 const DistanceStudy& distance_study(const RefractiveIndex& index) {
     return study_for(index).summary();
 }

@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <string>
 
-#include "hts/fresnel.hpp"
+#include "hts/he_torrance_spectrum.hpp"
 
 namespace hts::spectral {
 
@@ -37,6 +37,9 @@ struct ExpectedDistance {
     bool studied;  ///< else the point or the index is outside what was studied, and the distance a guess
 };
 [[nodiscard]] ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index);
+/// Of a surface at a wavelength. Neither films nor heights of another correlation were studied.
+[[nodiscard]] ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
+                                                 double theta_i_deg);
 
 /// What stands behind it.
 struct DistanceStudy {

@@ -12,6 +12,7 @@ namespace hts::spectral {
 namespace {
 
 std::atomic<ClearProgress> watcher{nullptr};
+std::atomic<AskedToStop> stop{nullptr};
 
 /// The jobs under way, the outermost first.
 struct Jobs {
@@ -29,7 +30,8 @@ Job::Job(std::string step, std::size_t parts)
     : step_{std::move(step)},
       parts_{parts},
       begun_{std::chrono::steady_clock::now()},
-      watched_{watcher.load() != nullptr && omp_in_parallel() == 0} {
+      watched_{watcher.load() != nullptr && omp_in_parallel() == 0},
+      stoppable_{stop.load() != nullptr && omp_in_parallel() == 0} {
     if (!watched_) return;
     const std::scoped_lock lock{jobs().mutex};
     jobs().all.push_back(this);
@@ -58,6 +60,10 @@ void Job::restart(const std::string& step) {
     begun_ = std::chrono::steady_clock::now();
 }
 
+bool Job::asked_to_stop() const {
+    return stoppable_ && spectral::asked_to_stop();
+}
+
 std::optional<JobState> job_state() {
     const std::scoped_lock lock{jobs().mutex};
     const auto& all = jobs().all;
@@ -77,6 +83,15 @@ std::optional<JobState> job_state() {
 
 void watch_jobs(ClearProgress clear) noexcept {
     watcher = clear;
+}
+
+void stop_jobs_where(AskedToStop asked) noexcept {
+    stop = asked;
+}
+
+bool asked_to_stop() {
+    const AskedToStop asked = stop.load();
+    return asked != nullptr && omp_get_level() <= 1 && omp_get_thread_num() == 0 && asked();
 }
 
 void clear_progress() noexcept {

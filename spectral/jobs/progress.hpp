@@ -7,7 +7,7 @@
 ///         job.done();
 ///     }
 ///
-/// A job inside another one counts as its share of the outer one's next part.
+/// It can also be asked to stop. A job inside another one counts as its share of the outer one's next part.
 /// parallel_for is a job of its own.
 #pragma once
 
@@ -42,6 +42,8 @@ class Job {
     void done(std::size_t parts = 1) const noexcept {
         if (watched_) done_ += parts;
     }
+    /// Whether what is left is to be given up: for the thread that made the job outside of parallel regions.
+    [[nodiscard]] bool asked_to_stop() const;
     /// So many are done in all.
     void set_done(std::size_t parts) const noexcept { done_ = parts; }
     /// What is done now has another name.
@@ -56,8 +58,17 @@ class Job {
     std::size_t parts_;
     mutable std::atomic<std::size_t> done_{0};
     std::chrono::steady_clock::time_point begun_;
-    bool watched_;
+    bool watched_, stoppable_;
 };
+
+/// What a job throws that was asked to stop.
+struct Stopped {};
+/// Whether the process, or the thread, is to give up what it does; called now and then by the thread that
+/// began a job. Null, as at first: never.
+using AskedToStop = bool (*)();
+void stop_jobs_where(AskedToStop asked) noexcept;
+/// The same on the thread that began the outermost parallel region, or outside of one; on others never.
+[[nodiscard]] bool asked_to_stop();
 
 /// The jobs that are under way; none if there are none.
 [[nodiscard]] std::optional<JobState> job_state();

@@ -10,8 +10,8 @@
 
 namespace hts::spectral {
 
-Evaluator::Evaluator(std::string name, WavelengthGrid wavelengths)
-    : name_{std::move(name)}, wavelengths_{std::move(wavelengths)} {}
+Evaluator::Evaluator(std::string name, WavelengthGrid wavelengths, Tolerance tolerance)
+    : name_{std::move(name)}, wavelengths_{std::move(wavelengths)}, tolerance_{tolerance} {}
 
 void Evaluator::brdf_batch(std::span<const DirectionPair> pairs, std::span<double> values) const noexcept {
     const std::size_t width = wavelengths_.size();
@@ -59,7 +59,7 @@ HemisphericalReflectance Evaluator::albedo(const Direction& in, std::size_t wave
         brdf({in, out}, spectrum);
         return spectrum[wavelength];
     };
-    const double diffuse = directional_albedo(at_wavelength, in);
+    const double diffuse = directional_albedo(at_wavelength, in, tolerance_);
     uniform_diffuse(spectrum);
     const double uniform = std::min(diffuse, spectrum[wavelength] * std::numbers::pi);
     specular_reflectance(in, spectrum);
@@ -74,7 +74,7 @@ HemisphericalReflectance Evaluator::albedo(const Direction& in, std::size_t wave
         mueller({in, out}, matrices);
         return reflected();
     };
-    const double diffuse = directional_albedo(at_wavelength, in);
+    const double diffuse = directional_albedo(at_wavelength, in, tolerance_);
     std::vector<double> spectrum(wavelengths_.size());
     uniform_diffuse(spectrum);
     const double uniform = std::min(diffuse, spectrum[wavelength] * std::numbers::pi);

@@ -15,6 +15,7 @@
 #include "hts/he_torrance_spectrum.hpp"
 #include "hts/microfacet/model.hpp"
 #include "hts/polarisation.hpp"
+#include "hts/tolerance.hpp"
 #include "spectral/energy/energy.hpp"
 #include "spectral/energy/rough_surface.hpp"
 #include "spectral/wavelength_grid.hpp"
@@ -133,15 +134,19 @@ class Evaluator {
     [[nodiscard]] virtual std::shared_ptr<const DirectionSampler> sampler(std::size_t wavelength) const;
 
   protected:
-    Evaluator(std::string name, WavelengthGrid wavelengths);
+    ///   tolerance   of `albedo`
+    Evaluator(std::string name, WavelengthGrid wavelengths, Tolerance tolerance = Tolerance{});
     Evaluator(const Evaluator&) = default;
     Evaluator(Evaluator&&) = default;
     Evaluator& operator=(const Evaluator&) = default;
     Evaluator& operator=(Evaluator&&) = default;
 
+    [[nodiscard]] Tolerance tolerance() const noexcept { return tolerance_; }
+
   private:
     std::string name_;
     WavelengthGrid wavelengths_;
+    Tolerance tolerance_;
 };
 
 }  // namespace hts::spectral

@@ -72,4 +72,12 @@ Material material_from_json(const MaterialFile& file, const std::vector<ModelEnt
     return entry->read(own).named(name ? name->text() : file.default_name, entry->name, entry->source);
 }
 
+void require_spectrum(const Material& material) {
+    const auto& channels = material.properties().channels;
+    if (channels.empty()) return;
+    throw Error{
+        material.name() + ": holds the channel" + (channels.size() == 1 ? " " : "s ") + joined(channels) +
+        ", which are no spectrum: must hold wavelengths (wavelengths_um in the material file if they are)"};
+}
+
 }  // namespace hts::spectral

@@ -46,7 +46,8 @@ struct RoughSurfaceValues {
 
 /// How a material is to be evaluated.
 struct EvaluationOptions {
-    Tolerance tolerance{};  ///< relative, of rough surfaces; other models are evaluated as they are
+    /// Relative, of rough surfaces; other models are evaluated as they are, but for the integral of `albedo`.
+    Tolerance tolerance{};
     OutsideRange outside = OutsideRange::error;  ///< where the material is not known at a wavelength
     DiffuseLobe lobe =
         DiffuseLobe::full;           ///< a limit where a rough surface needs no more; of others full or none
@@ -93,6 +94,9 @@ class Material {
     std::vector<std::string> warnings_;
     std::string substance_, name_, model_name_, model_source_;
 };
+
+/// hts::Error of materials that hold the channels of a colour in place of a spectrum.
+void require_spectrum(const Material& material);
 
 /// A material file on its way to a Material.
 struct MaterialFile {

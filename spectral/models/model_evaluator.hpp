@@ -66,8 +66,8 @@ class ModelEvaluator final : public Evaluator {
   public:
     /// One model per wavelength.
     ModelEvaluator(std::string name, WavelengthGrid wavelengths, std::vector<Model> models,
-                   std::vector<double> uniform_diffuse)
-        : Evaluator{std::move(name), std::move(wavelengths)},
+                   std::vector<double> uniform_diffuse, Tolerance tolerance)
+        : Evaluator{std::move(name), std::move(wavelengths), tolerance},
           models_{std::move(models)},
           uniform_diffuse_{std::move(uniform_diffuse)},
           uniform_of_brdf_{uniform_diffuse_} {
@@ -110,7 +110,7 @@ class ModelEvaluator final : public Evaluator {
     }
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in,
                                                   std::size_t wavelength) const override {
-        const double total = directional_albedo(models_[wavelength], in);
+        const double total = directional_albedo(models_[wavelength], in, tolerance());
         const double uniform = std::min(total, uniform_diffuse_[wavelength] * std::numbers::pi);
         return {0, total - uniform, uniform};
     }
@@ -143,7 +143,7 @@ template <class Make>
             uniform_diffuse.push_back(made.uniform_diffuse);
         }
         const Reflectance whole{std::make_shared<const ModelEvaluator<Model>>(
-            name, wavelengths, std::move(models), std::move(uniform_diffuse))};
+            name, wavelengths, std::move(models), std::move(uniform_diffuse), options.tolerance)};
         return options.lobe == DiffuseLobe::none ? uniform_part_of(whole) : whole;
     };
     return Material{prepare, {}, std::move(warnings)};

@@ -106,9 +106,9 @@ class Reflectance {
     [[nodiscard]] std::vector<double> btdf(const DirectionPair& pair) const;
 
     /// Directional-hemispherical reflectance by term at one of the wavelengths.
-    ///   error   accuracy::hemispherical_reflectance for rough surfaces, else
-    ///           hts::accuracy::directional_albedo
-    ///   cost    1 to 100 ms
+    ///   error   accuracy::hemispherical_reflectance for rough surfaces, else the tolerance asked for, or
+    ///           hts::accuracy::directional_albedo if that is more
+    ///   cost    1 to 100 ms; at the finest tolerance some seconds of models that interpolate in tables
     [[nodiscard]] HemisphericalReflectance albedo(const Direction& in, std::size_t wavelength) const;
     /// The same of light in a state of polarisation; hts::Error unless properties().polarised. By Kirchhoff's
     /// law 1 less the total is the emissivity towards `in`, behind a polariser that passes this state.

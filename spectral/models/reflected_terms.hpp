@@ -19,5 +19,7 @@ struct ReflectedTerms {
 /// Where the lobe is 0 the uniform-diffuse term is the BRDF, at most what Reflectance::uniform_diffuse says:
 /// on the horizon all of it of a rough surface, nothing of other models.
 [[nodiscard]] ReflectedTerms reflected_terms(const Reflectance& reflectance, const DirectionPair& pair);
+/// The same into terms whose memory is used again.
+void reflected_terms(const Reflectance& reflectance, const DirectionPair& pair, ReflectedTerms& terms);
 
 }  // namespace hts::spectral

@@ -8,11 +8,13 @@
 #include <numbers>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "hts/error.hpp"
 #include "hts/tolerance.hpp"
 #include "spectral/models/model_readers.hpp"
 #include "spectral/models/reflectance.hpp"
+#include "spectral/plans/true_tolerance.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/text.hpp"
 
@@ -82,16 +84,24 @@ std::optional<Illuminant> illuminant_from(const JsonValue& file) {
     return std::nullopt;
 }
 
+constexpr const char* true_key = "true_db";
+
 JsonValue tolerance_key(const JsonValue& tolerance) {
-    tolerance.require_keys_among({name(ErrorMeasure::relative_brdf_error), name(ErrorMeasure::delta_e_2000)});
-    const auto relative = tolerance.find(name(ErrorMeasure::relative_brdf_error));
-    const auto colour = tolerance.find(name(ErrorMeasure::delta_e_2000));
-    if (relative && colour) {
-        throw tolerance.error(
-            "relative_brdf_error and delta_e_2000 contradict each other: must be one of the two");
+    const std::vector<std::string> keys{name(ErrorMeasure::relative_brdf_error),
+                                        name(ErrorMeasure::delta_e_2000), true_key};
+    tolerance.require_keys_among({keys[0], keys[1], keys[2]});
+    std::optional<JsonValue> found;
+    std::string first;
+    for (const std::string& key : keys) {
+        const auto value = tolerance.find(key);
+        if (!value) continue;
+        if (found)
+            throw tolerance.error(first + " and " + key + " contradict each other: must be one of them");
+        found = value;
+        first = key;
     }
-    if (!relative && !colour) throw tolerance.error("must have relative_brdf_error or delta_e_2000");
-    return relative ? *relative : *colour;
+    if (!found) throw tolerance.error("must have relative_brdf_error, delta_e_2000 or true_db");
+    return *found;
 }
 
 void require_colour(const JsonValue& tolerance, bool rgb, bool polarised) {
@@ -245,8 +255,7 @@ static OutsideRange outside_from(const JsonValue& file) {
     return located(outside->place(), [&] { return outside_range_named(outside->text()); });
 }
 
-Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
-    const JsonValue file = JsonValue::read(path);
+static Scene scene_from(const JsonValue& file, const fs::path& path, std::vector<Material> materials) {
     file.require_keys_among({"name", "materials", "wavelengths_um", "output", "illuminant", "polarised",
                              "compensate_energy", "outside", "clamp", "largest_theta_i_deg",
                              "largest_theta_r_deg", "tolerance", "memory_budget_bytes"});
@@ -255,7 +264,7 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     const JsonValue wavelengths = file["wavelengths_um"];
     const bool colour = file["tolerance"].find(name(ErrorMeasure::delta_e_2000)).has_value();
     Scene scene{path,
-                materials_from(file["materials"], path.parent_path(), models),
+                std::move(materials),
                 wavelengths_from(wavelengths),
                 outside_from(file),
                 angle_from(file["largest_theta_i_deg"]),
@@ -270,9 +279,24 @@ Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
     require_of_all(file, "compensate_energy", scene,
                    [](const Properties& has) { return has.surface.has_value(); });
     if (colour) require_colour(tolerance, scene.illuminant.has_value(), scene.polarised);
-    located(tolerance.place(), [&] { require_tolerance(scene.measure, scene.tolerance); });
     require_wavelengths(wavelengths, scene);
+    located(tolerance.place(), [&] {
+        if (file["tolerance"].find(true_key)) {
+            scene.true_db = scene.tolerance;
+            scene.tolerance = tolerance_beside_model(scene, *scene.true_db);
+        }
+        require_tolerance(scene.measure, scene.tolerance);
+    });
     return scene;
+}
+
+Scene read_scene(const fs::path& path, const std::vector<ModelEntry>& models) {
+    const JsonValue file = JsonValue::read(path);
+    return scene_from(file, path, materials_from(file["materials"], path.parent_path(), models));
+}
+
+Scene scene_from_text(const std::string& text, const std::string& source, Material material) {
+    return scene_from(JsonValue::parse(text, source), source, {std::move(material)});
 }
 
 std::string fingerprint(const Scene& scene) {
@@ -287,6 +311,7 @@ std::string fingerprint(const Scene& scene) {
     checksum.add(std::string_view{scene.illuminant ? name(*scene.illuminant) : "spectral"});
     checksum.add(std::string_view{name(scene.measure)});
     checksum.add(scene.tolerance);
+    if (scene.true_db) checksum.add(*scene.true_db);
     checksum.add(static_cast<double>(scene.memory_budget.value_or(0)));
     checksum.add(std::string_view{scene.compensate_energy ? "compensated" : "as published"});
     for (const Material& material : scene.materials) add_material(checksum, material, scene);

@@ -37,6 +37,9 @@ struct Scene {
     std::optional<std::size_t> memory_budget;  ///< [bytes] for all materials together
     bool compensate_energy =
         false;  ///< as spectral/energy/compensation.hpp says; all materials are of model he
+    /// Distance from exact scattering [dB] that is allowed to model and arithmetic together; `tolerance` is
+    /// what it leaves for arithmetic.
+    std::optional<double> true_db{};
 };
 
 /// Legal tolerances: relative_brdf_error from accuracy::finest_tolerance to accuracy::coarsest_tolerance;
@@ -50,15 +53,20 @@ void require_tolerance(ErrorMeasure measure, double tolerance);
 ///    "tolerance": {"relative_brdf_error": 1e-2}, "memory_budget_bytes": 1000000}
 /// "materials" are material files of any model, relative to this file, or their content; "wavelengths_um" is
 /// text as WavelengthGrid::parse takes it, or a list; "output" is "spectral" or "rgb", the latter with an
-/// optional "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error and
-/// delta_e_2000, the latter for unpolarised rgb alone. "outside" (error if left out, hold, zero; "clamp":
-/// true is hold) says what stands outside a material's range. "polarised" is false if left out, and without a
-/// budget memory does not count. "compensate_energy" (false if left out) is the optional energy compensation,
-/// which is not part of the published model. Both are for materials of model he alone. hts::Error "path: key
-/// "…": …" names the key and the legal range, or what contradicts what.
+/// optional "illuminant" ("D65" if left out); "tolerance" has one of the keys relative_brdf_error,
+/// delta_e_2000, for unpolarised rgb alone, and true_db, as spectral/plans/true_tolerance.hpp says.
+/// "outside" (error if left out, hold, zero; "clamp": true is hold) says what stands outside a material's
+/// range. "polarised" is false if left out, and without a budget memory does not count. "compensate_energy"
+/// (false if left out) is the optional energy compensation, which is not part of the published model. Both
+/// are for materials of model he alone. hts::Error "path: key "…": …" names the key and the legal range, or
+/// what contradicts what.
 ///   models   that material files may name
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path,
                                const std::vector<ModelEntry>& models = built_in_models());
+
+/// The same of one material, from text without the key "materials".
+///   source   what errors call the text
+[[nodiscard]] Scene scene_from_text(const std::string& text, const std::string& source, Material material);
 
 /// A checksum, 16 hexadecimal digits, of all that a plan depends on: every member but `path`, and of each
 /// material its name, its model, and at the wavelengths and between them: of model he index and albedo (to 12

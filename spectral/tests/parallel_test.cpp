@@ -22,6 +22,21 @@ TEST_CASE("a parallel loop visits each index once, alone and in blocks") {
     }
 }
 
+TEST_CASE("a loop that is asked to stop leaves out what is left") {
+    static int asked;
+    asked = 0;
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    stop_jobs_where([] { return ++asked == 3; });
+    int done = 0;
+    CHECK_THROWS_AS(parallel_for(100, [&](std::size_t /*i*/) { ++done; }), Stopped);
+    CHECK(done == 3);
+    stop_jobs_where(nullptr);
+    parallel_for(100, [&](std::size_t /*i*/) { ++done; });
+    CHECK(done == 103);
+    omp_set_num_threads(before);
+}
+
 TEST_CASE("the failure of the lowest index is thrown, for any number of threads") {
     const int before = omp_get_max_threads();
     for (const int threads : {1, 3}) {

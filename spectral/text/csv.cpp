@@ -1,16 +1,11 @@
 #include "spectral/text/csv.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
-#include <sstream>
+#include <cmath>
 
-#include "spectral/text/run_files.hpp"
+#include "spectral/text/line_source.hpp"
+#include "spectral/text/npy.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
@@ -46,6 +41,7 @@ std::string take_quoted(std::string_view& line) {
 }
 
 std::string_view without_blanks(std::string_view text, bool tabs_too) {
+    if (!text.empty() && text.front() > ' ' && text.back() > ' ') return text;
     const std::string_view blanks = tabs_too ? " \t\r\n\f\v" : " \r\n\f\v";
     const auto first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
@@ -143,32 +139,21 @@ char separator_of(std::string_view header, std::string_view first_row) {
     return blanks ? ' ' : ',';
 }
 
-// As std::getline; of what has no lines, such as a device, no more than the beginning is read.
-bool take_line(std::istream& stream, std::string& line) {
-    constexpr std::size_t longest = std::size_t{1} << 26;
-    using Traits = std::istream::traits_type;
-    line.clear();
-    for (auto c = stream.get(); !Traits::eq_int_type(c, Traits::eof()); c = stream.rdbuf()->sbumpc()) {
-        if (c == '\n') return true;
-        line += Traits::to_char_type(c);
-        if (c == '\0') return true;
-        if (line.size() > longest) throw Error{"line of more than 64 MiB: must be text in lines"};
+/// The fields of a line without quotation marks, between commas, in strings whose memory is used again.
+void take_fields(std::string_view line, std::vector<std::string>& fields) {
+    std::size_t count = 0;
+    for (bool more = true; more; ++count) {
+        const auto end = line.find(',');
+        more = end != std::string_view::npos;
+        const std::string_view field = without_blanks(line.substr(0, end), true);
+        if (count < fields.size()) {
+            fields[count].assign(field);
+        } else {
+            fields.emplace_back(field);
+        }
+        if (more) line.remove_prefix(end + 1);
     }
-    return !line.empty();
-}
-
-std::unique_ptr<std::istream> opened(const std::string& path) {
-    if (path == "-") {
-        // closed or a folder, which the stream would take for an empty file
-        if (::read(STDIN_FILENO, nullptr, 0) != 0)
-            throw Error{std::string{"<stdin>: cannot be read: "} + std::strerror(errno)};
-        return std::make_unique<std::istream>(std::cin.rdbuf());
-    }
-    require_file(path);
-    auto file = std::make_unique<std::ifstream>(path_to_read(path), std::ios::binary);
-    if (!*file) throw Error{path + ": cannot be read: " + std::strerror(errno)};
-    if (file->peek() == std::istream::traits_type::eof()) throw Error{path + ": file is empty"};
-    return file;
+    fields.resize(count);
 }
 
 }  // namespace
@@ -197,7 +182,8 @@ void CsvHeader::require_known_columns(const std::vector<std::string>& known) con
 }
 
 std::string CsvHeader::where(std::size_t line) const {
-    return name_.empty() ? "" : name_ + ":" + std::to_string(line) + ": ";
+    if (name_.empty()) return {};
+    return line == 0 ? name_ + ": " : name_ + ":" + std::to_string(line) + ": ";
 }
 
 std::string CsvHeader::dialect_in_words() const {
@@ -206,48 +192,66 @@ std::string CsvHeader::dialect_in_words() const {
            (dialect_.decimal_comma ? ", decimal commas" : "");
 }
 
+double CsvRow::number(std::size_t column, std::string_view quantity) const {
+    if (numbers.empty()) return number_in(fields[column], quantity);
+    const double value = numbers[column];
+    if (!std::isfinite(value))
+        throw Error{std::string{quantity} + ": " + brief(value) + " is not a finite number"};
+    return value;
+}
+
 void CsvHeader::set_columns(std::vector<std::string> columns, std::size_t line) {
     columns_ = std::move(columns);
     header_line_ = line;
 }
 
-CsvReader::CsvReader(const std::string& path) : CsvReader{path == "-" ? "<stdin>" : path, opened(path)} {}
+CsvReader::CsvReader(const std::string& path)
+    : CsvReader{path.ends_with(".npy")
+                    ? CsvReader{path, std::make_shared<NpyReader>(path)}
+                    : CsvReader{path == "-" ? "<stdin>" : path, LineSource::of_file(path)}} {}
+
+CsvReader::CsvReader(const std::string& path, std::shared_ptr<NpyReader> npy)
+    : CsvHeader{path}, npy_{std::move(npy)} {
+    set_columns(npy_->columns(), 0);
+}
 
 CsvReader CsvReader::from_text(std::string_view text, const std::string& name) {
-    return {name, std::make_unique<std::istringstream>(std::string{text})};
+    return {name, std::make_shared<LineSource>(std::string{text})};
 }
 
-CsvReader::CsvReader(std::string name, std::unique_ptr<std::istream> stream)
-    : CsvHeader{std::move(name)}, stream_{std::move(stream)} {
-    auto header = next_line();
-    if (!header) throw Error{this->name() + ": no header line with the names of the columns"};
-    find_dialect(*header);
-    auto names = fields_of(*header);
+CsvReader::CsvReader(std::string name, std::shared_ptr<LineSource> source)
+    : CsvHeader{std::move(name)}, source_{std::move(source)} {
+    Line header;
+    if (source_->is_empty_file()) throw Error{this->name() + ": file is empty"};
+    if (!next_line(header)) throw Error{this->name() + ": no header line with the names of the columns"};
+    find_dialect(header);
+    auto names = fields_of(header.number, header.text);
     while (names.size() > 1 && names.back().empty()) names.pop_back();
-    set_columns(std::move(names), header->number);
+    set_columns(std::move(names), header.number);
 }
 
-std::optional<CsvReader::Line> CsvReader::read_line() {
-    std::string text;
-    while (located(name(), [&] { return take_line(*stream_, text); })) {
+bool CsvReader::read_line(Line& line) {
+    while (located(name(), [&] { return source_->take_line(line.text); })) {
         ++line_;
-        bytes_read_ += text.size() + 1;
+        bytes_read_ += line.text.size() + 1;
+        std::string& text = line.text;
         if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
         if (!is_text(text)) throw Error{where(line_) + "not UTF-8 text"};
         // spreadsheets keep the separators of empty rows
         const auto first = text.find_first_not_of(" \t\r\f\v,;");
         if (first == std::string::npos || trimmed(text).front() == '#') continue;
-        return Line{line_, std::move(text)};
+        line.number = line_;
+        return true;
     }
-    if (stream_->bad()) throw Error{name() + ": reading failed after line " + std::to_string(line_)};
-    return std::nullopt;
+    if (source_->failed()) throw Error{name() + ": reading failed after line " + std::to_string(line_)};
+    return false;
 }
 
-std::optional<CsvReader::Line> CsvReader::next_line() {
-    if (ahead_.empty()) return read_line();
-    Line line = std::move(ahead_.front());
+bool CsvReader::next_line(Line& line) {
+    if (ahead_.empty()) return read_line(line);
+    line = std::move(ahead_.front());
     ahead_.pop_front();
-    return line;
+    return true;
 }
 
 void CsvReader::find_dialect(Line& header) {
@@ -255,133 +259,95 @@ void CsvReader::find_dialect(Line& header) {
     const bool says = said.size() == 5 && said.starts_with("sep=");
     if (says) {
         dialect_.separator = said.back();
-        auto next = read_line();
-        if (!next) throw Error{name() + ": no header line with the names of the columns"};
-        header = *std::move(next);
+        if (!read_line(header)) throw Error{name() + ": no header line with the names of the columns"};
     }
-    while (ahead_.size() < rows_ahead) {
-        auto line = read_line();
-        if (!line) break;
-        ahead_.push_back(*std::move(line));
-    }
+    for (Line line; ahead_.size() < rows_ahead && read_line(line);) ahead_.push_back(std::move(line));
     if (!says) dialect_.separator = separator_of(header.text, ahead_.empty() ? "" : ahead_.front().text);
     if (dialect_.separator == ',') return;
     for (const Line& line : ahead_) {
-        for (const std::string& field : fields_of(line))
+        for (const std::string& field : fields_of(line.number, line.text))
             dialect_.decimal_comma = dialect_.decimal_comma || !with_point(field).empty();
     }
 }
 
-std::vector<std::string> CsvReader::fields_of(const Line& line) const {
+std::vector<std::string> CsvReader::fields_of(std::size_t line, std::string_view text) const {
     try {
-        return fields_between(line.text, dialect_.separator);
+        return fields_between(text, dialect_.separator);
     } catch (const Error& error) {
-        throw Error{where(line.number) + error.what()};
+        throw Error{where(line) + error.what()};
     }
 }
 
-void CsvReader::unify_decimals(CsvRow& row) {
-    for (std::string& field : row.fields) {
-        std::string number = with_point(field);
-        const bool point = number.empty() && field.find('.') != std::string::npos && is_number(field);
-        if (point && point_line_ == 0) point_line_ = row.line;
-        if (!number.empty() && comma_line_ == 0) comma_line_ = row.line;
-        if ((point || !number.empty()) && point_line_ > 0 && comma_line_ > 0) {
-            throw Error{where(row.line) + in_quotes(field) + ": a decimal " + (point ? "point" : "comma") +
+void CsvReader::require_one_decimal_sign(const Line& line) {
+    for (const std::string& field : fields_of(line.number, line.text)) {
+        const bool comma = !with_point(field).empty();
+        const bool point = !comma && field.find('.') != std::string::npos && is_number(field);
+        if (point && point_line_ == 0) point_line_ = line.number;
+        if (comma && comma_line_ == 0) comma_line_ = line.number;
+        if ((point || comma) && point_line_ > 0 && comma_line_ > 0) {
+            throw Error{where(line.number) + in_quotes(field) + ": a decimal " + (point ? "point" : "comma") +
                         ", where line " + std::to_string(point ? comma_line_ : point_line_) +
                         " has a decimal " + (point ? "comma" : "point") + ": must be one of them"};
         }
-        if (!number.empty()) field = std::move(number);
     }
+}
+
+void CsvReader::refuse_count(const CsvRow& row, std::string_view text) const {
+    std::string message = where(row.line) + std::to_string(row.fields.size()) + " fields: must be " +
+                          std::to_string(columns().size()) + " as in the header";
+    for (const Separator& other : separators) {
+        if (other.character == dialect_.separator || count_of(text, other.character) == 0) continue;
+        message += std::string{", which has "} + name_of(dialect_.separator) +
+                   " between fields where this line has " + other.name;
+        break;
+    }
+    if (words(text).size() == columns().size() && columns().size() > 1)
+        message += std::string{", which has "} + name_of(dialect_.separator) +
+                   " between fields where this line has white space";
+    if (columns().size() == 1 && words(columns().front()).size() == row.fields.size())
+        message += std::string{", which has white space between names where this line has "} +
+                   name_of(dialect_.separator);
+    if (dialect_.separator == ',' && columns().size() > 2 && row.fields.size() > columns().size() &&
+        count_of(text, '.') == 0)
+        message += "; numbers with decimal commas need semicolons or tabs between fields";
+    throw Error{message};
+}
+
+void CsvReader::parse(std::size_t line, std::string_view text, CsvRow& row) const {
+    row.line = line;
+    if (npy_) return npy_->numbers(text, row.numbers);
+    if (dialect_.separator == ',' && text.find('"') == std::string_view::npos) {
+        take_fields(text, row.fields);
+    } else {
+        row.fields = fields_of(line, text);
+    }
+    while (row.fields.size() > columns().size() && row.fields.back().empty()) row.fields.pop_back();
+    if (row.fields.size() != columns().size()) refuse_count(row, text);
+    if (dialect_.separator == ',') return;
+    for (std::string& field : row.fields)
+        if (std::string number = with_point(field); !number.empty()) field = std::move(number);
 }
 
 std::optional<CsvRow> CsvReader::next() {
-    const auto line = next_line();
-    if (!line) return std::nullopt;
-    CsvRow row{line->number, fields_of(*line)};
-    while (row.fields.size() > columns().size() && row.fields.back().empty()) row.fields.pop_back();
-    if (row.fields.size() != columns().size()) {
-        std::string message = where(row.line) + std::to_string(row.fields.size()) + " fields: must be " +
-                              std::to_string(columns().size()) + " as in the header";
-        for (const Separator& other : separators) {
-            if (other.character == dialect_.separator || count_of(line->text, other.character) == 0) continue;
-            message += std::string{", which has "} + name_of(dialect_.separator) +
-                       " between fields where this line has " + other.name;
-            break;
-        }
-        if (words(line->text).size() == columns().size() && columns().size() > 1)
-            message += std::string{", which has "} + name_of(dialect_.separator) +
-                       " between fields where this line has white space";
-        if (columns().size() == 1 && words(columns().front()).size() == row.fields.size())
-            message += std::string{", which has white space between names where this line has "} +
-                       name_of(dialect_.separator);
-        if (dialect_.separator == ',' && columns().size() > 2 && row.fields.size() > columns().size() &&
-            count_of(line->text, '.') == 0)
-            message += "; numbers with decimal commas need semicolons or tabs between fields";
-        throw Error{message};
-    }
-    if (dialect_.separator != ',') unify_decimals(row);
+    CsvLines one;
+    take(1, one);
+    if (one.empty()) return std::nullopt;
+    CsvRow row;
+    parse(one, 0, row);
     return row;
 }
 
-std::vector<CsvRow> CsvReader::read(std::size_t count) {
-    std::vector<CsvRow> rows;
-    while (rows.size() < count) {
-        auto row = next();
-        if (!row) break;
-        rows.push_back(std::move(*row));
+void CsvReader::take(std::size_t count, CsvLines& lines) {
+    lines.clear();
+    if (npy_) {
+        for (std::string bytes; lines.size() < count && npy_->take(bytes); bytes_read_ += bytes.size())
+            lines.add(++line_, bytes);
+        return;
     }
-    return rows;
-}
-
-CsvTable CsvTable::read(const std::filesystem::path& path) {
-    return parse(read_text_file(path), path.string());
-}
-
-CsvTable CsvTable::parse(std::string_view text, const std::string& name) {
-    return CsvTable{CsvReader::from_text(text, name)};
-}
-
-CsvTable::CsvTable(CsvReader rows) : CsvHeader{rows} {
-    for (std::size_t i = 0; i < columns().size(); ++i) {
-        if (columns()[i].empty()) {
-            throw Error{where_header() + "column " + std::to_string(i + 1) + " has no name"};
-        }
+    for (Line line; lines.size() < count && next_line(line);) {
+        if (dialect_.separator != ',') require_one_decimal_sign(line);
+        lines.add(line.number, line.text);
     }
-    std::vector<std::string_view> names{columns().begin(), columns().end()};
-    std::ranges::sort(names);
-    if (const auto twin = std::ranges::adjacent_find(names); twin != names.end())
-        static_cast<void>(column(*twin));  // says where
-    while (auto row = rows.next()) rows_.push_back(std::move(*row));
-}
-
-const std::string& CsvTable::text(std::size_t row, std::size_t column) const {
-    return rows_.at(row).fields.at(column);
-}
-
-double CsvTable::number(std::size_t row, std::size_t column) const {
-    try {
-        return number_in(text(row, column));
-    } catch (const Error& failure) {
-        throw error(row, column, failure.what());
-    }
-}
-
-Error CsvTable::error(std::size_t row, std::string_view message) const {
-    return Error{where(line(row)) + std::string{message}};
-}
-
-Error CsvTable::error(std::size_t row, std::size_t column, std::string_view message) const {
-    return error(row, "column " + in_quotes(columns().at(column)) + ": " + std::string{message});
-}
-
-std::string csv_field(std::string_view text) {
-    const bool plain = text.find_first_of(",\"") == std::string_view::npos && !text.starts_with('#') &&
-                       trimmed(text) == text;
-    if (plain) return std::string{text};
-    std::string field = "\"";
-    for (const char character : text) field.append(character == '"' ? 2 : 1, character);
-    return field + '"';
 }
 
 }  // namespace hts::spectral

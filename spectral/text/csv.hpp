@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
-#include <istream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +23,9 @@
 #include "hts/error.hpp"
 
 namespace hts::spectral {
+
+class LineSource;
+class NpyReader;
 
 /// How a table is written.
 struct CsvDialect {
@@ -73,15 +75,49 @@ class CsvHeader {
 struct CsvRow {
     std::size_t line;
     std::vector<std::string> fields;
+    std::vector<double> numbers{};  ///< of a .npy file, instead of fields
+
+    /// A field as a finite number; hts::Error "quantity: …" if it is none.
+    [[nodiscard]] double number(std::size_t column, std::string_view quantity) const;
+};
+
+/// Lines of a table that hold a row each, not looked into yet.
+class CsvLines {
+  public:
+    [[nodiscard]] std::size_t size() const noexcept { return lines_.size(); }
+    [[nodiscard]] bool empty() const noexcept { return lines_.empty(); }
+    /// Line of the file where it stands, counted from 1.
+    [[nodiscard]] std::size_t line(std::size_t i) const { return lines_[i].number; }
+    [[nodiscard]] std::string_view text(std::size_t i) const {
+        return std::string_view{texts_}.substr(lines_[i].begin, lines_[i].size);
+    }
+    void add(std::size_t number, std::string_view text) {
+        lines_.push_back({number, texts_.size(), text.size()});
+        texts_ += text;
+    }
+    void clear() noexcept {
+        texts_.clear();
+        lines_.clear();
+    }
+
+  private:
+    struct Line {
+        std::size_t number, begin, size;
+    };
+    std::string texts_;
+    std::vector<Line> lines_;
 };
 
 /// Reads row by row, so that a file may be of any length. A column that nobody asks for may lack a name or
-/// have that of another.
+/// have that of another. A file whose name ends in .npy is a structured array of NumPy, whose fields are the
+/// columns and whose "lines" are its elements, counted from 1.
 class CsvReader : public CsvHeader {
   public:
     /// Opens a file, or standard input for "-", and reads its header. hts::Error "path: …" if it is missing,
     /// a directory, unreadable, empty or without a header.
     explicit CsvReader(const std::string& path);
+    CsvReader(CsvReader&&) = default;
+    CsvReader& operator=(CsvReader&&) = default;
     /// Reads a text.
     ///   name   stands for the path in messages
     [[nodiscard]] static CsvReader from_text(std::string_view text, const std::string& name = {});
@@ -89,25 +125,35 @@ class CsvReader : public CsvHeader {
     /// The next row, none at the end. hts::Error "path:line: …" if it is not UTF-8, a quotation mark has no
     /// partner, or it has more or fewer fields than the header.
     [[nodiscard]] std::optional<CsvRow> next();
+    /// Up to `count` further rows as they stand, none at the end, so that threads may share what `parse`
+    /// does; into lines whose memory is used again.
+    void take(std::size_t count, CsvLines& lines);
+    /// What a line holds, into a row whose memory is used again; hts::Error as of `next`. Any thread may
+    /// call.
+    void parse(const CsvLines& lines, std::size_t i, CsvRow& row) const {
+        parse(lines.line(i), lines.text(i), row);
+    }
     /// How much was read so far.
     [[nodiscard]] std::size_t bytes_read() const noexcept { return bytes_read_; }
-    /// Up to `count` further rows, none at the end.
-    [[nodiscard]] std::vector<CsvRow> read(std::size_t count);
 
   private:
     struct Line {
         std::size_t number;
         std::string text;
     };
-    CsvReader(std::string name, std::unique_ptr<std::istream> stream);
-    [[nodiscard]] std::optional<Line> read_line();
-    [[nodiscard]] std::optional<Line> next_line();
+    CsvReader(std::string name, std::shared_ptr<LineSource> source);
+    CsvReader(const std::string& path, std::shared_ptr<NpyReader> npy);
+    [[nodiscard]] bool read_line(Line& line);
+    [[nodiscard]] bool next_line(Line& line);
     void find_dialect(Line& header);
-    [[nodiscard]] std::vector<std::string> fields_of(const Line& line) const;
-    void unify_decimals(CsvRow& row);
+    [[nodiscard]] std::vector<std::string> fields_of(std::size_t line, std::string_view text) const;
+    void parse(std::size_t line, std::string_view text, CsvRow& row) const;
+    [[noreturn]] void refuse_count(const CsvRow& row, std::string_view text) const;
+    void require_one_decimal_sign(const Line& line);
 
-    std::unique_ptr<std::istream> stream_;
-    std::deque<Line> ahead_;  // read to find the dialect
+    std::shared_ptr<LineSource> source_;
+    std::shared_ptr<NpyReader> npy_;  // instead of a source of lines
+    std::deque<Line> ahead_;          // read to find the dialect
     std::size_t line_ = 0, bytes_read_ = 0, point_line_ = 0, comma_line_ = 0;
 };
 
@@ -142,5 +188,7 @@ class CsvTable : public CsvHeader {
 /// A field as it must be written: in quotation marks where it holds a comma, a quotation mark, a `#` in front
 /// or white space at an end.
 [[nodiscard]] std::string csv_field(std::string_view text);
+/// The same at the end of a row.
+void append_csv_field(std::string& row, std::string_view text);
 
 }  // namespace hts::spectral

@@ -74,6 +74,11 @@ void Output::flush() {
     buffer_.clear();
 }
 
+void Output::write_at_start(std::string_view text) {
+    flush();
+    if (::pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) fail();
+}
+
 void Output::fail() const {
     throw Error{(path_ == "-" ? "standard output" : path_) + ": cannot be written (" + std::strerror(errno) +
                 "): must be a file that can be written"};

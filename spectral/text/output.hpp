@@ -34,6 +34,8 @@ class Output {
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
     /// Throws hts::Error if the medium refuses, as `commit` does.
     void write(std::string_view text);
+    /// Replaces what was written first.
+    void write_at_start(std::string_view text);
     /// Hands all that was written to the medium.
     void flush();
     void commit();

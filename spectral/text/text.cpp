@@ -61,8 +61,15 @@ void require_file(const std::filesystem::path& path) {
 }
 
 bool is_text(std::string_view bytes) noexcept {
-    const auto* const end = bytes.data() + bytes.size();
-    return std::find(bytes.data(), end, '\0') == end && utf8::is_valid(bytes.data(), end);
+    unsigned char all = 0;
+    bool any_nul = false;
+    for (const char c : bytes) {
+        all = static_cast<unsigned char>(all | static_cast<unsigned char>(c));
+        any_nul |= c == '\0';
+    }
+    if (any_nul) return false;
+    if (all < 0x80) return true;
+    return utf8::is_valid(bytes.data(), bytes.data() + bytes.size());
 }
 
 std::string read_text_file(const std::filesystem::path& path) {
@@ -78,6 +85,7 @@ std::string checked_text(std::string text, const std::filesystem::path& path) {
 }
 
 std::string_view trimmed(std::string_view text) noexcept {
+    if (!text.empty() && text.front() > ' ' && text.back() > ' ') return text;
     const auto first = text.find_first_not_of(white_space);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(white_space) - first + 1);
@@ -150,7 +158,11 @@ double number_in(std::string_view text) {
 }
 
 double number_in(std::string_view text, std::string_view quantity) {
-    return located(std::string{quantity}, [text] { return number_in(text); });
+    try {
+        return number_in(text);
+    } catch (const Error& error) {
+        throw Error{std::string{quantity} + ": " + error.what()};
+    }
 }
 
 }  // namespace hts::spectral

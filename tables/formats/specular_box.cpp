@@ -89,6 +89,7 @@ class SpecularLobe final : public spectral::Evaluator {
 }  // namespace
 
 double specular_box_half_angle(double solid_angle) {
+    require_solid_angle(solid_angle);
     return 2 * std::asin(std::sqrt(solid_angle / (4 * std::numbers::pi)));
 }
 

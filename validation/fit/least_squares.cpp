@@ -1,10 +1,14 @@
 #include "validation/fit/least_squares.hpp"
 
-#include <ceres/ceres.h>
+#include <dlfcn.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+
+#include "hts/error.hpp"
 
 namespace hts::validation {
 namespace {
@@ -99,45 +103,19 @@ class BoundedQuadratic {
 
 // ---- not linear
 
-class Function final : public ceres::CostFunction {
-  public:
-    Function(const Residuals& residuals, std::size_t unknowns, std::size_t count) : residuals_{residuals} {
-        set_num_residuals(static_cast<int>(count));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns));
-    }
-
-    bool Evaluate(const double* const* parameters, double* values, double** jacobians) const override {
-        const auto unknowns = static_cast<std::size_t>(parameter_block_sizes().front());
-        const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-        const auto [residuals, columns] = residuals_({parameters[0], unknowns}, wanted);
-        std::ranges::copy(residuals, values);
-        for (std::size_t j = 0; j < columns.size(); ++j) {
-            for (std::size_t i = 0; i < columns[j].size(); ++i)
-                jacobians[0][i * columns.size() + j] = columns[j][i];
-        }
-        return true;
-    }
-
-  private:
-    const Residuals& residuals_;
-};
-
-double half_sum_of_squares(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value * value;
-    return sum / 2;
-}
-
-ceres::Solver::Options solver_options(const Stopping& stopping) {
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = stopping.most_iterations;
-    options.function_tolerance = stopping.least_gain;
-    options.parameter_tolerance = 1e-10;
-    options.gradient_tolerance = 1e-14;
-    options.num_threads = 1;
-    options.logging_type = ceres::SILENT;
-    return options;
+/// The search by Ceres Solver, from its module in this installation. Whoever fits nothing waits for none of
+/// the libraries of Ceres Solver, some twenty.
+LocalMinimum& search() {
+    static LocalMinimum* const loaded = [] {
+        void* const module = ::dlopen(HTS_CERES_MODULE, RTLD_NOW | RTLD_LOCAL);
+        const auto* const found =
+            module != nullptr ? static_cast<LocalMinimum* const*>(::dlsym(module, "hts_local_minimum"))
+                              : nullptr;
+        if (found == nullptr)
+            throw Error{std::string{"fits need a part of the installation: "} + ::dlerror()};
+        return *found;
+    }();
+    return *loaded;
 }
 
 }  // namespace
@@ -170,18 +148,8 @@ Columns beside(const Columns& columns, const Columns& others) {
 
 Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
                       const std::vector<Bounds>& bounds, const Stopping& stopping) {
-    const auto first = residuals(start, false).residuals;
-    if (start.empty()) return {{}, half_sum_of_squares(first), 0, true};
-    ceres::Problem problem;
-    problem.AddResidualBlock(new Function{residuals, start.size(), first.size()}, nullptr, start.data());
-    for (std::size_t j = 0; j < bounds.size(); ++j) {
-        problem.SetParameterLowerBound(start.data(), static_cast<int>(j), bounds[j].lowest);
-        problem.SetParameterUpperBound(start.data(), static_cast<int>(j), bounds[j].highest);
-    }
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(stopping), &problem, &summary);
-    return {start, half_sum_of_squares(residuals(start, false).residuals),
-            static_cast<int>(summary.iterations.size()) - 1, summary.termination_type == ceres::CONVERGENCE};
+    if (start.empty()) return {{}, half_sum_of_squares(residuals(start, false).residuals), 0, true};
+    return search()(residuals, std::move(start), bounds, stopping);
 }
 
 }  // namespace hts::validation

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "spectral/jobs/progress.hpp"
+
 namespace hts::validation {
 
 struct Bounds {
@@ -41,12 +43,24 @@ struct Minimum {
 /// When a search ends.
 struct Stopping {
     int most_iterations;
-    double least_gain;  ///< of a step, relative to the sum of squares
+    double least_gain;                                  ///< of a step, relative to the sum of squares
+    bool (*asked_to_stop)() = spectral::asked_to_stop;  ///< before a step; the point is then no minimum
 };
+
+/// Half the sum of squares.
+[[nodiscard]] inline double half_sum_of_squares(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value * value;
+    return sum / 2;
+}
 
 /// A local minimum of the sum of squares within bounds, by Levenberg and Marquardt's method from a start
 /// within them. The same bits for the same start.
 [[nodiscard]] Minimum local_minimum(const Residuals& residuals, std::vector<double> start,
                                     const std::vector<Bounds>& bounds, const Stopping& stopping);
+
+/// The type of `local_minimum`, and of what the module of Ceres Solver has.
+using LocalMinimum = Minimum(const Residuals&, std::vector<double>, const std::vector<Bounds>&,
+                             const Stopping&);
 
 }  // namespace hts::validation

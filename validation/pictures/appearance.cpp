@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 #include "hts/microfacet/lobes.hpp"
+#include "spectral/parallel.hpp"
 #include "validation/pictures/evenly.hpp"
 
 namespace hts::validation {
@@ -69,19 +72,30 @@ Spectrum operator*(double factor, const Spectrum& a) noexcept {
 namespace {
 
 /// Mean over incident light from everywhere of what the diffuse lobes reflect: the uniform part and, by
-/// evenly spread draws, the rest.
+/// evenly spread draws, the rest. Added up in their order, for any number of threads.
 Spectrum average_albedo(const Appearance& appearance, const Spectrum& uniform) {
-    constexpr std::uint32_t draws = 8192;
+    constexpr std::uint32_t draws = 8192, at_once = 256;
+    struct Drawn {
+        double weight = 0;
+        Spectrum brdf;
+    };
+    std::vector<Drawn> all(draws);
+    spectral::parallel_blocks(draws, at_once, [&](std::size_t first, std::size_t number) {
+        for (std::size_t i = first; i < first + number; ++i) {
+            const auto place = static_cast<std::uint32_t>(i);
+            const auto [a, b] = even_point(stream(1, 0, 0), place);
+            const auto [c, d] = even_point(stream(1, 0, 1), place);
+            const auto [e, f] = even_point(stream(1, 0, 2), place);
+            const Direction in = Direction::from_vector(cosine_vector(a, b));
+            const SpectralDraw drawn = appearance.draw(in, {c, d, e, f});
+            if (!(drawn.pdf > 0) || drawn.lobe == Lobe::specular) continue;
+            all[i] = {drawn.out.cos_theta() / (drawn.pdf * draws), appearance.brdf({in, drawn.out})};
+        }
+    });
     Spectrum sum = uniform;
-    for (std::uint32_t i = 0; i < draws; ++i) {
-        const auto [a, b] = even_point(stream(1, 0, 0), i);
-        const auto [c, d] = even_point(stream(1, 0, 1), i);
-        const auto [e, f] = even_point(stream(1, 0, 2), i);
-        const Direction in = Direction::from_vector(cosine_vector(a, b));
-        const SpectralDraw drawn = appearance.draw(in, {c, d, e, f});
-        if (!(drawn.pdf > 0) || drawn.lobe == Lobe::specular) continue;
-        const double weight = drawn.out.cos_theta() / (drawn.pdf * draws);
-        sum.add(weight, appearance.brdf({in, drawn.out}));
+    for (const auto& [weight, brdf] : all) {
+        if (weight == 0) continue;
+        sum.add(weight, brdf);
         sum.add(-weight / std::numbers::pi, uniform);
     }
     return sum;
@@ -92,7 +106,10 @@ Spectrum average_albedo(const Appearance& appearance, const Spectrum& uniform) {
 Appearance::Appearance(const spectral::Material& material, spectral::OutsideRange outside)
     : reflectance_{prepared(material, Tolerance{accuracy::rendered_brdf}, outside)},
       mirror_{prepared(material, Tolerance{accuracy::finest_tolerance}, outside)} {
-    for (const std::size_t band : drawing_bands) samplers_.push_back(reflectance_.sampler(band));
+    std::vector<std::optional<spectral::Sampler>> fitted(drawing_bands.size());
+    spectral::parallel_for(fitted.size(),
+                           [&](std::size_t i) { fitted[i] = reflectance_.sampler(drawing_bands[i]); });
+    for (const auto& sampler : fitted) samplers_.push_back(*sampler);
     Spectrum uniform;
     reflectance_.uniform_diffuse(uniform.values);
     diffuse_albedo_ = average_albedo(*this, std::numbers::pi * uniform);

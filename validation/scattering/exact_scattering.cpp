@@ -20,6 +20,11 @@ struct MapEntry {
     const MomentResult &te, &tm, &unpolarised;
 };
 
+/// Whether the surfaces are K-correlated: then nu ends each row.
+bool k_correlated(const std::vector<MomentResult>& results) {
+    return results.front().of.surface.nu.has_value();
+}
+
 /// Three results, one per polarisation, make a row.
 std::vector<MapEntry> entries(const std::vector<MomentResult>& results) {
     std::vector<MapEntry> all;
@@ -39,15 +44,16 @@ std::vector<double> map_row(const MapEntry& entry) {
     row.insert(row.end(), {static_cast<double>(entry.te.realisations), entry.te.energy, entry.tm.energy,
                            entry.te.past_ends, entry.tm.past_ends, entry.te.transmitted, entry.tm.transmitted,
                            entry.te.mirror, entry.tm.mirror});
+    const ProfileHeights heights{of.surface};
     for (const ProfileModel model : {ProfileModel::kirchhoff, ProfileModel::he_torrance})
-        row.push_back(facet_reflectance(entry.unpolarised.of, theta) *
-                      profile_mirror(model, of.surface, theta));
+        row.push_back(facet_reflectance(entry.unpolarised.of, theta) * profile_mirror(model, heights, theta));
     for (const ProfileModel model : profile_models) {
         const Distance unpolarised = distance(entry.unpolarised, model);
         row.insert(row.end(), {distance(entry.te, model).rms, distance(entry.tm, model).rms, unpolarised.rms,
                                unpolarised.median, unpolarised.bias});
     }
     row.insert(row.end(), {chance(entry.unpolarised), kirchhoff_distance(entry.te).rms});
+    if (of.surface.nu) row.push_back(*of.surface.nu);
     return row;
 }
 
@@ -241,6 +247,7 @@ FigureTable moment_map_table(const std::vector<MomentResult>& results, std::stri
             table.columns.push_back(std::string{name(model)} + what);
     }
     table.columns.insert(table.columns.end(), {"chance_db", "kirchhoff_against_closed_form_db"});
+    if (k_correlated(results)) table.columns.emplace_back("nu");
     for (const MapEntry& entry : entries(results)) table.rows.push_back(map_row(entry));
     return table;
 }
@@ -254,6 +261,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
     const bool ground = results.front().of.index.has_value();
     if (ground) table.columns.insert(table.columns.end(), {"he_torrance_te", "he_torrance_tm"});
     table.columns.insert(table.columns.end(), {"kirchhoff_currents_te", "kirchhoff_currents_tm"});
+    if (k_correlated(results)) table.columns.emplace_back("nu");
     constexpr auto own = static_cast<std::size_t>(ProfileModel::he_torrance);
     for (const MapEntry& entry : entries(results)) {
         for (std::size_t i = 0; i < entry.te.bins.size(); ++i) {
@@ -265,6 +273,7 @@ FigureTable moment_lobe_table(const std::vector<MomentResult>& results, std::str
             row.push_back(both.ratio_error_db);
             if (ground) row.insert(row.end(), {te.model[own], tm.model[own]});
             row.insert(row.end(), {te.kirchhoff, tm.kirchhoff});
+            if (entry.te.of.surface.nu) row.push_back(*entry.te.of.surface.nu);
             table.rows.push_back(std::move(row));
         }
     }

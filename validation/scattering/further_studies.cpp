@@ -51,6 +51,28 @@ double to_decimals(double value, double decimals) {
     return std::round(value * scale) / scale;
 }
 
+/// Even numbers from 0 to 1 of a surface, and what is made of them.
+class Drawn {
+  public:
+    Drawn(std::uint64_t seed, std::size_t surface) : seed_{seed}, surface_{surface} {}
+
+    [[nodiscard]] double uniform(std::uint64_t number) const {
+        return static_cast<double>(seed_of(seed_, surface_, number) >> 11U) * 0x1p-53;
+    }
+    /// One in each third of 10 to 75 degrees, by the numbers 2 to 4.
+    [[nodiscard]] std::vector<double> theta_i_deg() const {
+        std::vector<double> angles;
+        for (const int third : {0, 1, 2})
+            angles.push_back(
+                to_decimals(10 + 65 * (third + uniform(2 + static_cast<std::uint64_t>(third))) / 3, 1));
+        return angles;
+    }
+
+  private:
+    std::uint64_t seed_;
+    std::size_t surface_;
+};
+
 /// A material whose discretisation is refined.
 struct Refined {
     MomentSettings settings;
@@ -85,16 +107,21 @@ void add_refinement_checks(Section& section, const std::vector<FigureTable>& tab
 std::vector<LitSurface> drawn_surfaces(std::uint64_t seed, std::size_t count) {
     std::vector<LitSurface> surfaces;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto uniform = [&](std::uint64_t number) {
-            return static_cast<double>(seed_of(seed, i, number) >> 11U) * 0x1p-53;
-        };
-        const double length = to_decimals(0.5 * std::pow(12, uniform(0)), 3);
-        const double roughness = to_decimals(0.05 * std::pow(8, uniform(1)) * length, 4);
-        LitSurface lit{{roughness, length}, {}};
-        for (const int third : {0, 1, 2})
-            lit.theta_i_deg.push_back(
-                to_decimals(10 + 65 * (third + uniform(2 + static_cast<std::uint64_t>(third))) / 3, 1));
-        surfaces.push_back(std::move(lit));
+        const Drawn drawn{seed, i};
+        const double length = to_decimals(0.5 * std::pow(12, drawn.uniform(0)), 3);
+        const double roughness = to_decimals(0.05 * std::pow(8, drawn.uniform(1)) * length, 4);
+        surfaces.push_back({{roughness, length}, drawn.theta_i_deg()});
+    }
+    return surfaces;
+}
+
+std::vector<LitSurface> drawn_k_correlated(std::uint64_t seed, std::size_t count) {
+    std::vector<LitSurface> surfaces;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Drawn drawn{seed, i};
+        const double length = to_decimals(0.5 * std::pow(8, drawn.uniform(0)), 3);
+        const double roughness = to_decimals(0.05 * std::pow(5, drawn.uniform(1)), 4);
+        surfaces.push_back({{roughness, length, i % 2 == 0 ? 0.5 : 1.5}, drawn.theta_i_deg()});
     }
     return surfaces;
 }
@@ -105,6 +132,17 @@ GroundTruth unseen_study(Effort effort, const std::string& unfinished) {
     return computed({"unseen", "perfectly conducting, surfaces drawn by chance", chosen,
                      first_of(drawn_surfaces(2026, 14), effort, 2)},
                     effort, unfinished);
+}
+
+GroundTruth k_correlation_study(Effort effort, const std::string& unfinished) {
+    MomentSettings chosen = settings(effort, 100, 40, 16);
+    chosen.study = 2027;
+    return computed(
+        {"k-correlation",
+         "perfectly conducting, K-correlated, nu 1/2 and 3/2, spectra cut beyond 2.5 per wavelength, "
+         "surfaces drawn by chance",
+         chosen, first_of(drawn_k_correlated(2027, 8), effort, 2)},
+        effort, unfinished);
 }
 
 GroundTruth metal_study(Effort effort, const std::string& unfinished) {

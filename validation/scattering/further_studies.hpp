@@ -1,5 +1,6 @@
 /// Exact scattering beyond the first maps (`exact_scattering`, `dielectric_scattering`): surfaces that no
-/// constant of a model was chosen by, a metal, longer profiles, and what twice the points change.
+/// constant of a model was chosen by, K-correlated ones, a metal, longer profiles, and what twice the points
+/// change.
 #pragma once
 
 #include "validation/scattering/exact_scattering.hpp"
@@ -14,6 +15,13 @@ namespace hts::validation {
 
 /// 14 of drawn_surfaces, 150 realisations of 50 wavelengths; quick: 2 of them, 20 realisations.
 [[nodiscard]] GroundTruth unseen_study(Effort effort, const std::string& unfinished = {});
+/// Perfectly conducting K-correlated surfaces drawn by chance: sigma_0 0.05 to 0.25 and l 0.5 to 4
+/// wavelengths, even on a logarithmic scale, nu 1/2 (exponential) and 3/2 in turn, angles as of
+/// drawn_surfaces. Their spectra are cut beyond most_frequency, 2.5 per wavelength.
+///   seed   fixed before anything was evaluated on these surfaces: 2027
+[[nodiscard]] std::vector<LitSurface> drawn_k_correlated(std::uint64_t seed, std::size_t count);
+/// 8 of them, 100 realisations of 40 wavelengths, 16 points per wavelength; quick: 2, 20 realisations.
+[[nodiscard]] GroundTruth k_correlation_study(Effort effort, const std::string& unfinished = {});
 /// A metal of refractive index 0.16 + 3.6i: 3 surfaces at 20, 40 and 60 degrees, 160
 /// realisations of 24 wavelengths.
 [[nodiscard]] GroundTruth metal_study(Effort effort, const std::string& unfinished = {});

@@ -20,11 +20,11 @@ std::string number(double value) {
 
 std::string key(const RoughnessStatistics& surface, double theta_i_deg) {
     return number(surface.rms_roughness) + ' ' + number(surface.correlation_length) + ' ' +
-           number(theta_i_deg);
+           number(surface.nu.value_or(0)) + ' ' + number(theta_i_deg);
 }
 
 std::string head(const MomentSettings& settings) {
-    std::string text = "hts exact scattering, " + std::to_string(settings.realisations) + " realisations " +
+    std::string text = "hts exact scattering 2, " + std::to_string(settings.realisations) + " realisations " +
                        number(settings.length) + " long, " + std::to_string(settings.points_per_wavelength) +
                        " points of every " + std::to_string(settings.drawn_between) + " drawn, seed " +
                        std::to_string(settings.study);
@@ -63,7 +63,9 @@ MomentLog::MomentLog(std::string path, const MomentSettings& settings)
         sound = file.tellg();
         std::istringstream in{line};
         MomentCase of{{}, 0, {}, settings.index};
-        in >> of.surface.rms_roughness >> of.surface.correlation_length >> of.theta_i_deg;
+        double nu = 0;
+        in >> of.surface.rms_roughness >> of.surface.correlation_length >> nu >> of.theta_i_deg;
+        if (nu > 0) of.surface.nu = nu;
         std::vector<MomentResult> three;
         for (const Polarisation polarisation : polarisations) {
             of.polarisation = polarisation;

@@ -94,11 +94,12 @@ class PolarisedLobes {
   public:
     PolarisedLobes(const MomentCase& of, const std::vector<double>& angles, double power)
         : of_{of}, power_{power}, exact_{angles.size()}, kirchhoff_{angles.size()} {
+        const ProfileHeights heights{of.surface};
         for (const double angle : angles) {
             reflectances_.push_back(facet_reflectance(of, (of.theta_i_deg * degree + angle) / 2));
             for (std::size_t m = 0; m < profile_models.size(); ++m)
-                lobes_[m].push_back(reflectances_.back() * profile_lobe(profile_models[m], of.surface,
-                                                                        of.theta_i_deg * degree, angle));
+                lobes_[m].push_back(reflectances_.back() *
+                                    profile_lobe(profile_models[m], heights, of.theta_i_deg * degree, angle));
         }
     }
 

@@ -16,11 +16,16 @@
 ///   k tau |v/k|^4/(v_z/k)^2 Phi_1(g, t) S/(8 sqrt(pi) cos theta_i)   [1/rad]
 ///
 /// both for TE and TM, with (sigma, S) of one of the models. Lengths are in wavelengths, k = 2 pi.
+///
+/// A K-correlated profile has the same forms with its own C in the integral over xi, and its slopes of
+/// frequencies up to 1/lambda in shadowing and effective roughness, as surfaces have in the library.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
+#include "hts/surface.hpp"
 #include "validation/scattering/gaussian_surface.hpp"
 
 namespace hts::validation {
@@ -38,6 +43,30 @@ struct ProfileKicks {
 ///   domain, error   as of profile_phi
 [[nodiscard]] ProfileKicks profile_kicks(double g, double t) noexcept;
 
+/// A profile's statistics, prepared.
+class ProfileHeights {
+  public:
+    ProfileHeights(const RoughnessStatistics& of);  // NOLINT(google-explicit-constructor): what a profile is
+
+    [[nodiscard]] const RoughnessStatistics& statistics() const noexcept { return statistics_; }
+    /// What light of wavelength 1 sees: with the tau whose slopes are those of frequencies up to 1.
+    [[nodiscard]] const Surface& seen() const noexcept { return seen_; }
+    /// The integral over xi, over sqrt(pi) tau, or over sqrt(pi) l, which is Phi_1 of a Gaussian correlation.
+    ///   across   |v_x|      domain   of a K-correlated profile g up to 40
+    [[nodiscard]] ProfileKicks kicks(double g, double across) const noexcept;
+    /// Its value alone.
+    [[nodiscard]] double phi(double g, double across) const noexcept;
+
+  private:
+    /// Sum over both sides of the lags, of `kernel` of C.
+    template <class Kernel>
+    [[nodiscard]] double integral(double across, const Kernel& kernel) const noexcept;
+
+    RoughnessStatistics statistics_;
+    Surface seen_;
+    std::vector<double> correlation_;  // of a K-correlated profile, at even lags
+};
+
 /// Which roughness and which shadowing.
 enum class ProfileModel {
     kirchhoff,    ///< sigma_0, S = 1
@@ -50,9 +79,9 @@ inline constexpr std::array profile_models{ProfileModel::kirchhoff, ProfileModel
 
 /// Power scattered incoherently, per angle, of all that falls in [1/rad].
 ///   surface   in wavelengths      theta_i, theta_r   [rad], theta_r < 0 on the side of the source
-[[nodiscard]] double profile_lobe(ProfileModel model, const RoughnessStatistics& surface, double theta_i,
+[[nodiscard]] double profile_lobe(ProfileModel model, const ProfileHeights& surface, double theta_i,
                                   double theta_r);
 /// Power mirrored coherently, exp(-g) S at theta_r = theta_i.
-[[nodiscard]] double profile_mirror(ProfileModel model, const RoughnessStatistics& surface, double theta_i);
+[[nodiscard]] double profile_mirror(ProfileModel model, const ProfileHeights& surface, double theta_i);
 
 }  // namespace hts::validation

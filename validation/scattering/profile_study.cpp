@@ -96,7 +96,8 @@ std::vector<double> far_power(const std::vector<SurfaceField>& amplitudes) {
 
 /// A number for the surface, so that each has seeds of its own.
 std::uint64_t surface_number(const RoughnessStatistics& surface) {
-    return static_cast<std::uint64_t>(std::lround(1e4 * surface.rms_roughness)) * 1000000U +
+    return static_cast<std::uint64_t>(std::lround(100 * surface.nu.value_or(0))) * 1000000000000U +
+           static_cast<std::uint64_t>(std::lround(1e4 * surface.rms_roughness)) * 1000000U +
            static_cast<std::uint64_t>(std::lround(1e4 * surface.correlation_length));
 }
 

@@ -7,12 +7,15 @@
 #include <catch2/catch.hpp>
 
 #include "bench/rivals/ggx_lanes.hpp"
+#include "bench/rivals/ggx_sampling.hpp"
+#include "bench/rivals/pbrt_conductor.hpp"
 #include "comparison.hpp"
 #include "hts/error.hpp"
 
 using hts::Direction;
 using hts::bench::conductor_reflectance;
 using hts::bench::RoughConductor;
+using hts::bench::single;
 using hts::spectral::DirectionPair;
 using hts::testing::Random;
 using hts::testing::relative_error;
@@ -171,4 +174,42 @@ TEST_CASE("the conductor in lanes is the scalar one") {
         }
     }
     worst.check();
+}
+
+TEST_CASE("pbrt's conductor is the plain one in single precision, however compiled") {
+    using hts::bench::Compilation;
+    Random random{4};
+    WorstCase brdf{"pbrt's BRDF", 8e-6}, density{"pbrt's density", 8e-6};
+    for (const auto compilation : {Compilation::as_pbrt_is_built, Compilation::without_errno}) {
+        const std::vector<double> n{0.2, 1.2, 2.5, 1.1}, k{3, 7, 3.4, 2};
+        const RoughConductor plain{0.3, n, k};
+        const hts::bench::GgxSampler sampler{0.3};
+        const hts::bench::PbrtConductor pbrt{0.3, n, k, compilation};
+        std::vector<double> expected(4);
+        std::vector<float> values(4);
+        for (int i = 0; i < 20000; ++i) {
+            const DirectionPair pair{random.direction(0.05), random.direction(0.05)};
+            const auto where = [&] { return "pair " + std::to_string(i); };
+            plain.brdf(pair, expected);
+            pbrt.brdf(single(pair.in), single(pair.out), values);
+            for (std::size_t j = 0; j < 4; ++j) brdf.note(relative_error(values[j], expected[j]), where);
+            density.note(
+                relative_error(pbrt.pdf(single(pair.in), single(pair.out)), sampler.pdf(pair.in, pair.out)),
+                where);
+            const auto drawn = pbrt.sample(single(pair.in), {random.uniform(), random.uniform()}, values);
+            if (!(drawn.pdf > 0 && drawn.out.z > 0.05)) continue;
+            const Direction out = Direction::from_vector({drawn.out.x, drawn.out.y, drawn.out.z});
+            plain.brdf({pair.in, out}, expected);
+            density.note(relative_error(drawn.pdf, sampler.pdf(pair.in, out)), where);
+            for (std::size_t j = 0; j < 4; ++j) brdf.note(relative_error(values[j], expected[j]), where);
+        }
+        CHECK_THROWS_WITH(
+            hts::bench::PbrtConductor(0.3, std::vector<double>(5), std::vector<double>(5), compilation),
+            Catch::Contains("5 wavelengths: must be 1, 4, 8, 16 or 31"));
+    }
+    CHECK_THROWS_AS(hts::bench::PbrtConductor(1e-4, std::vector<double>(4), std::vector<double>(4),
+                                              Compilation::without_errno),
+                    hts::Error);
+    brdf.check();
+    density.check();
 }

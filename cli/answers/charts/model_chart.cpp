@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <string_view>
 
 #include "bench/charts/machine.hpp"
+#include "bench/rivals/pbrt_conductor.hpp"
 #include "cli/answers/charts/timed_evaluator.hpp"
 #include "hts/error.hpp"
 #include "hts/phi.hpp"
@@ -185,13 +188,45 @@ std::string index_of(const Rival& rival, const ChartSurface& chosen) {
                                                          : std::string{};
 }
 
-Evaluator fitted_rival(const Rival& rival, const ChartSurface& chosen, const validation::FitData& data,
+validation::Fit fit_of(const Rival& rival, const ChartSurface& chosen, const validation::FitData& data,
                        bool quick) {
     validation::FitRequest request{.model = rival.family, .index = index_of(rival, chosen)};
     request.residual = validation::Residual::weighted;
     request.followed_starts = quick ? 2 : 8;
-    const validation::Fit fit = validation::fitted(request, data);
-    return evaluator_of(exact(validation::fitted_material(fit)));
+    return validation::fitted(request, data);
+}
+
+/// The fitted GGX facets as pbrt-v4 computes them, timed on vectors that were converted beforehand.
+ModelPoint pbrt_point(const Truth& truth, const ChartSurface& chosen, double alpha, const char* title,
+                      bench::Compilation compilation) {
+    const auto reflectance = exact(material(chosen));
+    std::vector<double> n, k;
+    for (const SpectralSample& sample : reflectance.samples()) {
+        n.push_back(sample.index.substrate().n());
+        k.push_back(sample.index.substrate().k());
+    }
+    const bench::PbrtConductor conductor{alpha, n, k, compilation};
+    const auto brdf = [&](const VectorPair& pair, std::span<double> values) {
+        std::array<float, chart_channels> spectrum;
+        conductor.brdf(pair.in, pair.out, spectrum);
+        std::ranges::copy(spectrum, values.begin());
+    };
+    const auto vectors = [](const DirectionPair& pair) {
+        return VectorPair{bench::single(pair.in), bench::single(pair.out)};
+    };
+    ModelPoint result =
+        point(truth, chosen.title, title,
+              [&](const DirectionPair& pair, std::span<double> values) { brdf(vectors(pair), values); });
+    std::vector<VectorPair> converted;
+    std::ranges::transform(truth.judged_pairs(), std::back_inserter(converted), vectors);
+    std::size_t next = 0;
+    result.nanoseconds = nanoseconds(
+        [&](const DirectionPair&, std::span<double> values) {
+            brdf(converted[next], values);
+            next = next + 1 < converted.size() ? next + 1 : 0;
+        },
+        truth.judged_pairs());
+    return result;
 }
 
 void add_rungs(ModelChart& chart, const ChartSurface& chosen, const Truth& truth) {
@@ -234,8 +269,15 @@ ModelChart measured_models(bool quick, std::uint64_t seed,
         const validation::FitData data = truth.fit_data();
         for (const Rival& rival : rivals) {
             progress(std::string{chosen.title} + ", " + rival.title);
-            chart.points.push_back(
-                point(truth, chosen.title, rival.title, fitted_rival(rival, chosen, data, quick)));
+            const validation::Fit fit = fit_of(rival, chosen, data, quick);
+            chart.points.push_back(point(truth, chosen.title, rival.title,
+                                         evaluator_of(exact(validation::fitted_material(fit)))));
+            if (std::string_view{rival.family} != "ggx") continue;
+            const double alpha = fit.parameter("alpha").value;
+            chart.points.push_back(pbrt_point(truth, chosen, alpha, "GGX as pbrt is built",
+                                              bench::Compilation::as_pbrt_is_built));
+            chart.points.push_back(pbrt_point(truth, chosen, alpha, "GGX of pbrt without errno",
+                                              bench::Compilation::without_errno));
         }
     }
     return chart;

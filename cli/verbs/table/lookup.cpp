@@ -56,7 +56,7 @@ class Points {
     static constexpr std::array names{"wavelength_um", "theta_i_deg", "phi_i_deg", "theta_r_deg",
                                       "phi_r_deg"};
     [[nodiscard]] double cell(const CsvRow& row, std::size_t i) const {
-        return spectral::number_in(row.fields[places_[i]], names[i]);
+        return row.number(places_[i], names[i]);
     }
     std::array<std::size_t, names.size()> places_{};
 };

@@ -315,6 +315,14 @@ TEST_CASE("Correlation: a table of exp(-x) scatters as the exponential") {
                Correlation::exponential(), length, 1e-2);
 }
 
+TEST_CASE("Correlation: shapes have names") {
+    CHECK(Correlation::exponential().name() == "exponential");
+    CHECK(Correlation::matern(1.5).name() == "matern, nu 1.5");
+    const std::vector<Correlation::Part> parts{{0.9, Correlation::gaussian(), 1},
+                                               {0.1, Correlation::exponential(), 0.05}};
+    CHECK(Correlation::sum(parts).name() == "sum of 0.9 of gaussian + 0.1 of exponential");
+}
+
 TEST_CASE("Correlation: what no surface has is refused") {
     using Catch::Matchers::Contains;
     const auto refuses = [](const auto& call, const std::string& text) {

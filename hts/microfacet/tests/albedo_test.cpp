@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -13,6 +14,7 @@
 
 #include "comparison.hpp"
 #include "hts/error.hpp"
+#include "hts/microfacet/ashikhmin.hpp"
 #include "hts/microfacet/cook_torrance.hpp"
 #include "hts/microfacet/cosine_lobes.hpp"
 #include "hts/microfacet/diffuse.hpp"
@@ -148,6 +150,29 @@ TEST_CASE("albedo where the BRDF has kinks anywhere") {
                    [&] { return shortest(degrees) + " deg"; });
     }
     worst.check();
+}
+
+TEST_CASE("an albedo is as near as was asked for") {
+    const AshikhminBrdf brushed{
+        AshikhminFacets{NormalDensity::gaussian(0.1, std::numeric_limits<double>::infinity())},
+        FacetFresnel::schlick(0.1), 0.2};
+    const auto note = [](WorstCase& worst, const auto& model, double tolerance, double finest) {
+        for (const double degrees : {0.0, 30.0, 75.0}) {
+            const Direction in = Direction::from_degrees(degrees, 10);
+            worst.note(relative_error(directional_albedo(model, in, Tolerance{tolerance}),
+                                      directional_albedo(model, in, Tolerance{finest})),
+                       [&] { return shortest(degrees) + " deg"; });
+        }
+    };
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+        WorstCase worst{"directional albedo to " + shortest(tolerance), tolerance};
+        note(worst, Kurt{0.2, {{0.5, {0.3, 0.1, 0.4, 0.2}}}}, tolerance, 1e-12);
+        note(worst, Ward{0, {{1, {0.3, 0.3}}}}, tolerance, 1e-12);
+        note(worst, Lafortune{0, {{1, {0.7, 0.9, 40}}}}, tolerance, 1e-12);
+        note(worst, CookTorrance{0, {{1, {0.9, 0.3}}}}, tolerance, 1e-12);
+        note(worst, brushed, tolerance, 1e-6);  // interpolates: kinks along every line of a table
+        worst.check();
+    }
 }
 
 TEST_CASE("narrow lobes are not missed") {

@@ -1,4 +1,5 @@
-// The functions that the tables of Phi hold, and the polynomials fitted to them. The names are phi_table.hpp's.
+// The functions that the tables of Phi hold, and the polynomials fitted to them. The
+// names are phi_table.hpp's.
 #pragma once
 
 #include <algorithm>

@@ -1,12 +1,13 @@
 // Writes the coefficients of phi, the same bytes each time: generate_phi_tables FOLDER, a minute or two.
-// Each octave is cut into as few cells as meet the Spec's share of its error; the coefficients are fitted in 50
-// digits, the cuts are chosen in long double.
+// Each octave is cut into as few cells as meet the Spec's share of its error; the coefficients are fitted in
+// 50 digits, the cuts are chosen in long double.
 #include <cstdint>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -119,8 +120,8 @@ void add_line(Coefficients<Spec>& c, double v0, double v1) {
     const auto slope = interpolant(slopes), width = interpolant(widths);
     std::vector<double> interleaved;
     for (int i = 0; i < Spec::line_rows; ++i) {
-        interleaved.push_back(static_cast<double>(slope[static_cast<std::size_t>(i)]));
-        interleaved.push_back(static_cast<double>(width[static_cast<std::size_t>(i)]));
+        interleaved.push_back(static_cast<typename Spec::Line>(slope[static_cast<std::size_t>(i)]));
+        interleaved.push_back(static_cast<typename Spec::Line>(width[static_cast<std::size_t>(i)]));
     }
     for (int k = 0; k <= 8; ++k) {
         const long double x = -1 + k * 0.25L;
@@ -149,7 +150,7 @@ void add_lines(Coefficients<Spec>& c) {
                  std::ldexp(1 + double(piece + 1) / pieces, octave));
     }
     c.lines.resize(c.lines.size() + 2 * Spec::line_rows, 0.0);
-    c.lines[c.lines.size() - 2 * Spec::line_rows] = 1 / std::log(2.0);
+    c.lines[c.lines.size() - 2 * Spec::line_rows] = static_cast<typename Spec::Line>(1 / std::log(2.0));
 }
 
 template <class T>
@@ -180,11 +181,15 @@ void write_table(const std::string& folder, const std::string& name, const std::
            "{\nnamespace "
            "{\n\n";
     print(out, spec + "::Coefficient", "cells", c.cells, Spec::lanes);
-    print(out, "double", "lines", c.lines, 2);
+    print(out, std::is_same_v<typename Spec::Line, float> ? "float" : "double", "lines", c.lines, 2);
     print(out, "std::int64_t", "directory", c.directory, octaves_per_row);
+    constexpr bool narrow = Spec::error == Low::error;
+    if (narrow) print(out, "std::int32_t", "narrow_directory", c.directory, octaves_per_row);
     out << "\n}  // namespace\n\nconst Table<" << spec << "> table_" << name
         << " = {cells, lines, directory, " << c.line_pieces
-        << ", sizeof cells + sizeof lines + sizeof directory};\n\n}  // namespace hts::phi_detail\n";
+        << ", sizeof cells + sizeof lines + sizeof directory"
+        << (narrow ? " + sizeof narrow_directory, narrow_directory" : "")
+        << "};\n\n}  // namespace hts::phi_detail\n";
 }
 
 void write_terms(const std::string& folder) {

@@ -21,11 +21,18 @@ namespace hts::phi_detail {
 //   rows, lanes          a cell holds rows x lanes coefficients: powers of x by powers of z
 //   emin, emax           octaves of g with cells of their own; below emin one row linear in g, where t < 7;
 //                        from 2^emax on one row in 1/g
-//   line_rows, line_sub  the pieces of F and W: coefficients, and log2 of pieces per octave of v
+//   line_rows, line_sub  the pieces of F and W: coefficients, an even number, and log2 of the pieces per
+//                        octave of v
 // clang-format off
-struct Low    { using Coefficient = float;  static constexpr double error = 1e-3;  static constexpr int rows = 4,  lanes = 4,  emin = -6, emax = 3, line_rows = 5,  line_sub = 2, exp_degree = 3; };
-struct Medium { using Coefficient = float;  static constexpr double error = 1e-6;  static constexpr int rows = 6,  lanes = 4,  emin = -7, emax = 4, line_rows = 6,  line_sub = 3, exp_degree = 5; };
-struct High   { using Coefficient = double; static constexpr double error = 1e-12; static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5, line_rows = 10, line_sub = 3, exp_degree = 10; };
+struct Low    { using Coefficient = float;  using Line = float;  static constexpr double error = 1e-3;
+                static constexpr int rows = 4,  lanes = 4,  emin = -6, emax = 3,
+                                     line_rows = 6,  line_sub = 2, exp_degree = 3; };
+struct Medium { using Coefficient = float;  using Line = double; static constexpr double error = 1e-6;
+                static constexpr int rows = 6,  lanes = 4,  emin = -7, emax = 4,
+                                     line_rows = 6,  line_sub = 3, exp_degree = 5; };
+struct High   { using Coefficient = double; using Line = double; static constexpr double error = 1e-12;
+                static constexpr int rows = 12, lanes = 12, emin = -7, emax = 5,
+                                     line_rows = 10, line_sub = 3, exp_degree = 10; };
 // clang-format on
 
 inline constexpr double least_log_phi = -660;  // cells are fitted where ln Phi is more: above 1e-287
@@ -55,11 +62,12 @@ constexpr std::int64_t packed(const Entry& e) noexcept {
 template <class Spec>
 struct Table {
     const typename Spec::Coefficient* cells;
-    const double* lines;            // pieces of F and of W, interleaved; the last: F = log2 e, W = 0
+    const typename Spec::Line* lines;  // pieces of F and of W, interleaved; the last: F = log2 e, W = 0
     const std::int64_t* directory;  // packed entries or no_entry: by row of g, then by octave of 1 + t (of v
                                     // in the last row)
     int line_pieces;                // without the last
     std::size_t bytes;
+    const std::int32_t* narrow_directory = nullptr;  // the same for lanes of single precision, of Low alone
 };
 
 extern const Table<Low> table_low;

@@ -1,4 +1,5 @@
-// Writes the coefficients of kicks_table.hpp, the same bytes each time: generate_kicks_tables FOLDER, a minute.
+// Writes the coefficients of kicks_table.hpp, the same bytes each time:
+// generate_kicks_tables FOLDER, a minute.
 #include <fstream>
 #include <iostream>
 #include <optional>

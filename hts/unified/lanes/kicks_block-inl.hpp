@@ -1,4 +1,5 @@
-// The mean number of kicks for a block of items, in the manner of phi_block-inl.hpp; included once per instruction set.
+// The mean number of kicks for a block of items, in the manner of phi_block-inl.hpp; included
+// once per instruction set.
 #if defined(HTS_KICKS_BLOCK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_KICKS_BLOCK_INL
 #undef HTS_KICKS_BLOCK_INL

@@ -67,6 +67,36 @@ HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surfa
                                    : return_rows(o, surface, return_width, powers)};
 }
 
+/// The two terms of an isotropic surface's pair that follow the slopes which a wavelength sees.
+template <class V>
+struct SeenPair {
+    V masked, returns;
+};
+
+///   row   of Prepared::seen, at the wavelengths of the lanes
+template <class Lanes, class V, class Row>
+HWY_INLINE UnifiedSeen<V> seen_at_wave(const Lanes& o, const Row& row, V cosine, V sine) {
+    const V width_sine = row(Prepared::return_width) * sine;
+    const V y = width_sine / (width_sine + cosine);
+    const V x = o.mul_add(y, o.real(2), o.real(-1)), x2 = x * x;
+    constexpr std::size_t first = Prepared::return_factor, last = first + ReturnFactor::terms - 1;
+    static_assert(ReturnFactor::terms % 2 == 0);
+    V odd = row(last), even = row(last - 1);
+    for (std::size_t k = last - 2; k > first; k -= 2) {
+        odd = o.mul_add(odd, x2, row(k));
+        even = o.mul_add(even, x2, row(k - 1));
+    }
+    return {evaluation::seen(o, cosine, sine, row(Prepared::slope_width)).masked, o.mul_add(odd, x, even)};
+}
+
+template <class Lanes, class V, class Row>
+HWY_INLINE SeenPair<V> seen_pair(const Lanes& o, const Row& row, V cos_in, V sin_in, V cos_out, V sin_out) {
+    const UnifiedSeen<V> in = seen_at_wave(o, row, cos_in, sin_in),
+                         out = seen_at_wave(o, row, cos_out, sin_out);
+    return {o.mul_add(in.masked, cos_out, out.masked * cos_in),
+            o.mul_add(in.return_factor, out.return_factor, o.real(-1))};
+}
+
 /// What a pair contributes, whatever the wavelength.
 enum Field : std::size_t {
     variance,  // g = k^2 variance
@@ -246,6 +276,24 @@ HWY_INLINE RayLanes<V> ray(const Lanes& o, const WaveTerms<V>& wave, V cosine, c
     const V lifted = cosine + wave.lift;
     return {{cosine + root.re, root.im},
             {o.mul_add(wave.d_real, lifted, lifted + root.re), o.mul_add(wave.d_imaginary, lifted, root.im)}};
+}
+
+/// G over c_i c_r, and the share of Kirchhoff's matrix in M, 1 - beta'.
+template <class V>
+struct ShareLanes {
+    V shadowing, share;
+};
+template <class Lanes, class V>
+HWY_INLINE ShareLanes<V> kirchhoff_share(const Lanes& o, const UnifiedPair<V>& pair, V horizon, V returned,
+                                         V mean) {
+    const V one = o.real(1), all = one + mean;
+    const V in_horizon = fourth_power_less_one(o, horizon * pair[cos_in]);
+    const V out_horizon = fourth_power_less_one(o, horizon * pair[cos_out]);
+    const V outer = all * ((one + in_horizon) * (one + out_horizon));
+    const V spread = o.mul_add(all, pair[cosines], mean * pair[masked]);
+    const V over = one / (outer * spread);
+    return {o.mul_add(returned * mean, pair[returns], all) * (outer * over),
+            mean * (in_horizon * out_horizon) * (spread * over)};
 }
 
 /// unified_lobe in lanes. All its divisions are one.

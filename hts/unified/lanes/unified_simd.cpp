@@ -11,9 +11,10 @@
 #define HWY_TARGET_INCLUDE "hts/unified/lanes/unified_simd.cpp"
 #include "hwy/foreach_target.h"  // includes this file again for each instruction set
 
+#include "hts/correlation/lobe_block-inl.hpp"
 #include "hts/phi/phi_block-inl.hpp"
 #include "hts/unified/lanes/kicks_block-inl.hpp"
-#include "hts/unified/lanes/unified_kernel-inl.hpp"
+#include "hts/unified/lanes/unified_items-inl.hpp"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,181 +31,16 @@ FormTable form_table() {
 
 #else
 
-using evaluation_detail::is_ordinary;
-constexpr std::size_t block_size = 64;
-
-template <std::size_t most_lanes>
-struct Vectors {
-    static constexpr hn::CappedTag<double, most_lanes> d{};
-    using Lanes = hl::WideLanes<hn::CappedTag<double, most_lanes> >;
-    using V = hn::Vec<hn::CappedTag<double, most_lanes> >;
-    static constexpr std::size_t lanes = hn::MaxLanes(d);
-
-    static constexpr std::size_t whole(std::size_t count) { return (count + lanes - 1) / lanes * lanes; }
-    /// The first `count` of a vector, to `to`.
-    static HWY_INLINE void store_some(V value, std::size_t count, double* to) {
-        if (HWY_LIKELY(count >= lanes)) {
-            hn::StoreU(value, d, to);
-        } else {
-            HWY_ALIGN double all[lanes];
-            hn::Store(value, d, all);
-            std::copy_n(all, count, to);
-        }
-    }
-};
-
-/// A pair's terms in every lane.
-template <std::size_t most_lanes>
-HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const SurfaceTerms& surface,
-                                                                     const DirectionPair& pair) {
-    using V = typename Vectors<most_lanes>::V;
-    constexpr typename Vectors<most_lanes>::Lanes o{};
-    constexpr auto two = phi::two;
-    constexpr hl::WideLanes<std::remove_const_t<decltype(two)> > both{};
-    const auto& [in, out] = pair;
-    const auto in_and_out = [two](double a, double b)
-                                HWY_ATTR { return hn::InterleaveLower(hn::Set(two, a), hn::Set(two, b)); };
-    const auto seen =
-        unified_seen(both, surface, in_and_out(in.cos_theta(), out.cos_theta()),
-                     in_and_out(in.sin_theta(), out.sin_theta()), in_and_out(in.cos_phi(), out.cos_phi()),
-                     in_and_out(in.sin_phi(), out.sin_phi()));
-    const auto first = [&o](auto v) HWY_ATTR { return o.real(hn::GetLane(v)); };
-    const auto second = [&o, two](auto v) HWY_ATTR { return o.real(hn::GetLane(hn::Reverse2(two, v))); };
-    const evaluation::PairAngles<V> angles{
-        o.real(in.cos_theta()),  o.real(in.sin_theta()),  o.real(in.cos_phi()),  o.real(in.sin_phi()),
-        o.real(out.cos_theta()), o.real(out.sin_theta()), o.real(out.cos_phi()), o.real(out.sin_phi())};
-    return unified_pair(o, surface, angles, UnifiedSeen<V>{first(seen.masked), first(seen.return_factor)},
-                        UnifiedSeen<V>{second(seen.masked), second(seen.return_factor)});
-}
-
-/// Items of one pair from a wavelength on: a lane is a wavelength.
-template <std::size_t most_lanes>
-struct Spectrum : Vectors<most_lanes> {
-    using V = typename Vectors<most_lanes>::V;
-
-    const Prepared& p;
-    const UnifiedPair<V>& terms;
-    std::size_t first;
-
-    HWY_INLINE Spectrum(const Prepared& of, const UnifiedPair<V>& pair, std::size_t from)
-        : p{of}, terms{pair}, first{from} {}
-    HWY_INLINE V load(std::size_t column, std::size_t i) const {
-        return hn::LoadU(this->d, p[static_cast<Prepared::Column>(column)] + first + i);
-    }
-    HWY_INLINE const UnifiedPair<V>& pair(std::size_t) const { return terms; }
-    HWY_INLINE V g(std::size_t i) const { return terms[variance] * load(Prepared::wave_squared, i); }
-    HWY_INLINE V t(std::size_t i) const { return terms[argument] * load(Prepared::wave_squared, i); }
-    HWY_INLINE V inverse_g(std::size_t i) const {
-        return terms[inverse_variance] * load(Prepared::inverse_wave_squared, i);
-    }
-    HWY_INLINE bool dense() const { return p.dense; }
-};
-
-/// Terms of a block of pairs: a lane is a pair.
-struct PairBlock : Vectors<8> {
-    HWY_ALIGN double field[fields][block_size];
-
-    /// Fills whole vectors; those beyond `pairs` repeat its last.
-    HWY_INLINE bool load(const SurfaceTerms& surface, std::span<const DirectionPair> pairs) {
-        constexpr Lanes o{};
-        HWY_ALIGN double angle[8][block_size];
-        bool ordinary = true;
-        const std::size_t count = whole(pairs.size());
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto& [in, out] = pairs[std::min(i, pairs.size() - 1)];
-            const double values[8]{in.cos_theta(),  in.sin_theta(),  in.cos_phi(),  in.sin_phi(),
-                                   out.cos_theta(), out.sin_theta(), out.cos_phi(), out.sin_phi()};
-            for (std::size_t k = 0; k < 8; ++k) angle[k][i] = values[k];
-            ordinary &= is_ordinary(in) && is_ordinary(out);
-        }
-        for (std::size_t i = 0; i < count; i += lanes) {
-            const auto at = [&](std::size_t k) HWY_ATTR { return hn::Load(d, angle[k] + i); };
-            const evaluation::PairAngles<V> a{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-            const UnifiedPair<V> terms = unified_pair(
-                o, surface, a, unified_seen(o, surface, a.cos_in, a.sin_in, a.cos_phi_in, a.sin_phi_in),
-                unified_seen(o, surface, a.cos_out, a.sin_out, a.cos_phi_out, a.sin_phi_out));
-            for (std::size_t f = 0; f < fields; ++f) hn::Store(terms.field[f], d, field[f] + i);
-        }
-        return ordinary;
-    }
-};
-
-/// Items of one wavelength: a lane is a pair.
-struct Pairs : Vectors<8> {
-    const PairBlock& block;
-    const Prepared& p;
-    std::size_t at;
-
-    HWY_INLINE Pairs(const PairBlock& of, const Prepared& prepared, std::size_t wavelength)
-        : block{of}, p{prepared}, at{wavelength} {}
-    HWY_INLINE V load(std::size_t column, std::size_t) const {
-        return hn::Set(d, p[static_cast<Prepared::Column>(column)][at]);
-    }
-    HWY_INLINE V field(Field f, std::size_t i) const { return hn::Load(d, block.field[f] + i); }
-    HWY_INLINE UnifiedPair<V> pair(std::size_t i) const {
-        UnifiedPair<V> result;
-        for (std::size_t f = 0; f < fields; ++f) result.field[f] = hn::Load(d, block.field[f] + i);
-        return result;
-    }
-    HWY_INLINE V g(std::size_t i) const { return field(variance, i) * load(Prepared::wave_squared, i); }
-    HWY_INLINE V t(std::size_t i) const { return field(argument, i) * load(Prepared::wave_squared, i); }
-    HWY_INLINE V inverse_g(std::size_t i) const {
-        return field(inverse_variance, i) * load(Prepared::inverse_wave_squared, i);
-    }
-    HWY_INLINE bool dense() const { return p.dense; }
-};
-
-/// What multiplies Phi: all of it for unpolarised light, or all but the Jones matrix,
-/// which then is kept beside.
-template <class Items, bool polarised>
-struct Scaled : Items {
-    using V = typename Items::V;
-
-    const double* mean;
-    double (*kept)[block_size];  // the matrix, part by part
-
-    HWY_INLINE Scaled(const Items& items, const double* kicks, double (*matrices)[block_size])
-        : Items{items}, mean{kicks}, kept{matrices} {}
-    HWY_INLINE WaveTerms<V> wave(std::size_t i) const {
-        WaveTerms<V> result;
-        result.d_real = this->load(Prepared::d_real, i);
-        result.d_imaginary = this->load(Prepared::d_imaginary, i);
-        result.horizon = this->load(Prepared::horizon, i);
-        result.lift = this->load(Prepared::lift, i);
-        result.returned = this->load(Prepared::returned, i);
-        result.dense = this->dense();
-        if (result.dense) {
-            HTS_UNROLL
-            for (std::size_t j = 0; j < root_terms; ++j)
-                result.root[j] = {this->load(Prepared::root_real + j, i),
-                                  this->load(Prepared::root_imaginary + j, i)};
-        }
-        return result;
-    }
-    HWY_INLINE V scale(std::size_t i) const {
-        constexpr typename Items::Lanes o{};
-        const JonesLanes<V> m = jones(o, this->pair(i), wave(i), hn::Load(this->d, mean + i));
-        const V scale = this->load(Prepared::weight, i) * m.shadowing;
-        if constexpr (polarised) {
-            const V parts[8]{m.ss.re, m.ss.im, m.sp.re, m.sp.im, m.ps.re, m.ps.im, m.pp.re, m.pp.im};
-            for (std::size_t k = 0; k < 8; ++k) hn::Store(parts[k], this->d, kept[k] + i);
-            return scale;
-        } else {
-            return scale * o.real(0.5) * ((norm(o, m.ss) + norm(o, m.pp)) + (norm(o, m.sp) + norm(o, m.ps)));
-        }
-    }
-};
-
 /// The lobe of a block of items.
-template <class PhiSpec, class KicksSpec, std::size_t most_lanes, class Items, bool polarised>
+template <class PhiSpec, class KicksSpec, std::size_t most_lanes, class Items, Kept what>
 struct LobeBlock {
-    using All = Scaled<Items, polarised>;
+    using All = Scaled<Items, what>;
     using V = typename Items::V;
 
     KicksBlock<KicksSpec, most_lanes, Items> kicks;
-    HWY_ALIGN double matrices[polarised ? 8 : 1][block_size];
+    HWY_ALIGN double matrices[parts_of(what)][block_size];
     All items;
-    phi::PhiBlock<PhiSpec, most_lanes, All> lobe;
+    phi::PhiBlock<PhiSpec, All> lobe;
 
     HWY_INLINE explicit LobeBlock(const Items& of) : items{of, kicks.mean, matrices}, lobe{items} {}
     /// Calls use(i, the lobe of items i ... i + lanes - 1).
@@ -220,31 +56,63 @@ struct LobeBlock {
     }
 };
 
-template <class PhiSpec, class KicksSpec, std::size_t most_lanes>
-HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
+/// The same with 2 D of another correlation.
+template <std::size_t most_lanes, class Items, Kept what>
+struct CorrelatedBlock {
+    correlation_detail::HWY_NAMESPACE::LobeBlock<most_lanes, true> lobe;
+    HWY_ALIGN double matrices[parts_of(what)][block_size];
+    Scaled<Items, what> items;
+
+    HWY_INLINE explicit CorrelatedBlock(const Items& of) : items{of, lobe.mean, matrices} {}
+    template <class Use>
+    HWY_INLINE void each(std::size_t count, Use&& use) {
+        lobe.prepare(*items.p.correlation, items, Items::whole(count));
+        for (std::size_t i = 0; i < count; i += Items::lanes) use(i, lobe.value(i, items.scale(i)));
+    }
+};
+
+/// What the lobe is made of: Phi of the Gaussian correlation, or another.
+template <class PhiSpec, class KicksSpec>
+struct Gaussian {
+    static constexpr bool sees_slopes = false;
+    template <std::size_t most_lanes>
     using Items = Spectrum<most_lanes>;
+    template <std::size_t most_lanes, class Items, Kept what>
+    using Block = LobeBlock<PhiSpec, KicksSpec, most_lanes, Items, what>;
+};
+struct Correlated {
+    static constexpr bool sees_slopes = true;
+    template <std::size_t most_lanes>
+    using Items = SeenSpectrum<most_lanes>;
+    template <std::size_t most_lanes, class Items, Kept what>
+    using Block = CorrelatedBlock<most_lanes, Items, what>;
+};
+
+template <class Lobe, std::size_t most_lanes>
+HWY_INLINE void brdf_of_one(const Prepared& p, const DirectionPair& pair, double* result) {
+    using Items = typename Lobe::template Items<most_lanes>;
     const auto terms = terms_of_one<most_lanes>(p.surface, pair);
     for (std::size_t first = 0; first < p.count; first += block_size) {
         const std::size_t count = std::min(block_size, p.count - first);
-        const Items items{p, terms, first};
-        LobeBlock<PhiSpec, KicksSpec, most_lanes, Items, false> block{items};
+        const Items items{p, terms, pair, first};
+        typename Lobe::template Block<most_lanes, Items, Kept::nothing> block{items};
         block.each(count, [&](std::size_t i, typename Items::V lobe) HWY_ATTR {
             Items::store_some(lobe + items.load(Prepared::uniform, i), count - i, result + first + i);
         });
     }
 }
 
-template <class PhiSpec, class KicksSpec>
+template <class Lobe>
 HWY_ATTR bool brdf_one(const Prepared& p, const DirectionPair& pair, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
     if (p.count <= 4)
-        brdf_of_one<PhiSpec, KicksSpec, 4>(p, pair, result);
+        brdf_of_one<Lobe, 4>(p, pair, result);
     else
-        brdf_of_one<PhiSpec, KicksSpec, 8>(p, pair, result);
+        brdf_of_one<Lobe, 8>(p, pair, result);
     return true;
 }
 
-template <class PhiSpec, class KicksSpec>
+template <class Lobe>
 HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs, double* result) {
     constexpr auto d = Pairs::d;
     bool ordinary = true;
@@ -253,8 +121,9 @@ HWY_ATTR bool brdf_many(const Prepared& p, std::span<const DirectionPair> pairs,
         PairBlock terms;
         ordinary &= terms.load(p.surface, some);
         for (std::size_t j = 0; j < p.count; ++j) {
+            if constexpr (Lobe::sees_slopes) terms.see(p, j, PairBlock::whole(some.size()));
             const Pairs items{terms, p, j};
-            LobeBlock<PhiSpec, KicksSpec, 8, Pairs, false> block{items};
+            typename Lobe::template Block<8, Pairs, Kept::nothing> block{items};
             HWY_ALIGN double values[block_size];
             block.each(some.size(), [&](std::size_t i, Pairs::V lobe) HWY_ATTR {
                 hn::Store(lobe + items.load(Prepared::uniform, i), d, values + i);
@@ -297,17 +166,17 @@ HWY_INLINE void mueller_elements(const Lanes& o, const double (*matrix)[block_si
     m[15] = lobe * (straight.re - crossed.re);
 }
 
-template <class PhiSpec, class KicksSpec, std::size_t most_lanes>
+template <class Lobe, std::size_t most_lanes>
 HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
-    using Items = Spectrum<most_lanes>;
+    using Items = typename Lobe::template Items<most_lanes>;
     using V = typename Items::V;
     constexpr typename Items::Lanes o{};
     const auto terms = terms_of_one<most_lanes>(p.surface, pair);
     const V kept = o.real(1 - 2 * p.surface.mixed);
     for (std::size_t first = 0; first < p.count; first += block_size) {
         const std::size_t count = std::min(block_size, p.count - first);
-        const Items items{p, terms, first};
-        LobeBlock<PhiSpec, KicksSpec, most_lanes, Items, true> block{items};
+        const Items items{p, terms, pair, first};
+        typename Lobe::template Block<most_lanes, Items, Kept::matrix> block{items};
         block.each(count, [&](std::size_t i, V lobe) HWY_ATTR {
             V m[16];
             mueller_elements(o, reinterpret_cast<const double(*)[block_size]>(&block.matrices[0][i]), lobe,
@@ -322,22 +191,47 @@ HWY_INLINE void mueller_of_one(const Prepared& p, const DirectionPair& pair, Mue
     }
 }
 
-template <class PhiSpec, class KicksSpec>
+template <class Lobe>
 HWY_ATTR bool mueller_one(const Prepared& p, const DirectionPair& pair, Mueller* result) {
     if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
     if (p.count <= 4)
-        mueller_of_one<PhiSpec, KicksSpec, 4>(p, pair, result);
+        mueller_of_one<Lobe, 4>(p, pair, result);
     else
-        mueller_of_one<PhiSpec, KicksSpec, 8>(p, pair, result);
+        mueller_of_one<Lobe, 8>(p, pair, result);
     return true;
 }
 
-template <class PhiSpec, class KicksSpec>
+template <class Lobe, std::size_t most_lanes>
+HWY_INLINE void shares_of_one(const Prepared& p, const DirectionPair& pair, std::size_t first,
+                              std::size_t count, double* lobes, double* shares) {
+    using Items = typename Lobe::template Items<most_lanes>;
+    const auto terms = terms_of_one<most_lanes>(p.surface, pair);
+    const Items items{p, terms, pair, first};
+    typename Lobe::template Block<most_lanes, Items, Kept::share> block{items};
+    block.each(count, [&](std::size_t i, typename Items::V lobe) HWY_ATTR {
+        Items::store_some(lobe, count - i, lobes + i);
+        Items::store_some(hn::Load(Items::d, block.matrices[0] + i), count - i, shares + i);
+    });
+}
+
+template <class Lobe>
+HWY_ATTR bool shares_one(const Prepared& p, const DirectionPair& pair, std::size_t first, std::size_t count,
+                         double* lobes, double* shares) {
+    if (HWY_UNLIKELY(!is_ordinary(pair))) return false;
+    if (p.count <= 4)
+        shares_of_one<Lobe, 4>(p, pair, first, count, lobes, shares);
+    else
+        shares_of_one<Lobe, 8>(p, pair, first, count, lobes, shares);
+    return true;
+}
+
+template <class Lobe>
 Forms forms_of() {
-    return {brdf_one<PhiSpec, KicksSpec>, brdf_many<PhiSpec, KicksSpec>, mueller_one<PhiSpec, KicksSpec>};
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, shares_one<Lobe>};
 }
 FormTable form_table() {
-    return {forms_of<phi_detail::Low, KicksLow>(), forms_of<phi_detail::Medium, KicksMedium>()};
+    return {forms_of<Gaussian<phi_detail::Low, KicksLow> >(),
+            forms_of<Gaussian<phi_detail::Medium, KicksMedium> >(), forms_of<Correlated>()};
 }
 
 #endif
@@ -350,8 +244,9 @@ namespace hts::unified_detail {
 
 HWY_EXPORT(form_table);
 
-Forms forms(Tolerance tolerance) noexcept {
+Forms forms(Tolerance tolerance, bool correlated) noexcept {
     const FormTable table = HWY_DYNAMIC_DISPATCH(form_table)();
+    if (correlated) return table.correlated;
     return tolerance.relative_error() >= phi_detail::Low::error ? table.low : table.medium;
 }
 

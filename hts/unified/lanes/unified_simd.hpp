@@ -50,10 +50,17 @@ struct Prepared {
         columns = root_imaginary + root_terms
     };
 
+    /// Rows of `seen`.
+    enum SeenRow : std::size_t { slope_width, return_width, return_factor };
+
     SurfaceTerms surface;
     bool dense;  // whether the powers of s^2 serve
     std::size_t count, padded;
     std::vector<double> data;
+    // of a correlation that is not Gaussian: its table, and what each wavelength sees of the surface, the
+    // last as ReturnFactor::terms rows
+    const correlation_detail::LobeTable* correlation = nullptr;
+    std::vector<double> seen{};
 
     [[nodiscard]] const double* operator[](Column column) const noexcept {
         return data.data() + column * padded;
@@ -66,19 +73,27 @@ using MuellerOne = bool (*)(const Prepared& prepared, const DirectionPair& pair,
 /// Whether every pair is ordinary; the others get an arbitrary result.
 using BrdfMany = bool (*)(const Prepared& prepared, std::span<const DirectionPair> pairs, double* result);
 
+/// Of samples first ... first + count - 1, at most 64: the lobe without its Jones matrix M and |d|^2, and the
+/// share of Kirchhoff's matrix in M.
+using SharesOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, std::size_t first,
+                           std::size_t count, double* lobes, double* shares);
+
 struct Forms {
     BrdfOne brdf_one;  ///< null on a processor without vectors
     BrdfMany brdf_many;
     MuellerOne mueller_one;
+    SharesOne shares_one;
 };
 
-/// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6.
+/// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6, and with 2 D of another
+/// correlation.
 struct FormTable {
-    Forms low, medium;
+    Forms low, medium, correlated;
 };
 
 /// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
-[[nodiscard]] Forms forms(Tolerance tolerance) noexcept;
+///   correlated   whether the correlation is not Gaussian: then of isotropic surfaces alone
+[[nodiscard]] Forms forms(Tolerance tolerance, bool correlated) noexcept;
 
 /// H of kicks_table.hpp where the table has no cell; 0 where Phi is.
 [[nodiscard]] double far_mean_kicks(double g, double t) noexcept;

@@ -3,6 +3,7 @@
 #include "hts/unified/he_unified_spectrum.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -81,17 +82,19 @@ std::string describe(const DirectionPair& p, const Surface& s, const SpectralSam
     return text.str();
 }
 
-void compare(double tolerance) {
-    const std::string name = " of he_unified at " + std::to_string(tolerance);
+void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}) {
+    const std::string name = std::string{" of he_unified"} + (shape ? " of another correlation" : "") +
+                             " at " + std::to_string(tolerance);
     WorstCase brdf{"brdf" + name, tolerance};
     WorstCase matrices{"mueller" + name, tolerance};
     Random random{20261128};
     while (brdf.count() < points()) {
         const double sigma = random.logarithmic(1e-3, 16);
-        const Surface ground{sigma, sigma / random.logarithmic(3e-3, 2)};
+        const Surface gaussian{sigma, sigma / random.logarithmic(3e-3, 2)};
+        const Surface ground = shape ? gaussian.correlated(*shape) : gaussian;
         const std::size_t count = 1 + brdf.count() % 20;
         const auto spectrum = samples(random, count, random.uniform(0, 2) < 1);
-        const UnifiedChoices choices{.polarisation_mixing = brdf.count() % 2 == 0};
+        const UnifiedChoices choices{.polarisation_mixing = !shape && brdf.count() % 2 == 0};
         const HeUnifiedSpectrum fast{ground, spectrum, Tolerance{tolerance}, hts::DiffuseLobe::full, choices};
         const HeUnifiedSpectrum slow{ground, spectrum, Tolerance{hts::accuracy::finest_tolerance},
                                      hts::DiffuseLobe::full, choices};
@@ -140,6 +143,11 @@ TEST_CASE("he_unified in lanes at 1e-6 is as exact as asked for") {
 
 TEST_CASE("he_unified in lanes at 1e-3 is as exact as asked for") {
     compare(1e-3);
+}
+
+TEST_CASE("he_unified in lanes is as exact as asked for whatever the correlation") {
+    compare(1e-6, hts::Correlation::exponential());
+    compare(1e-6, hts::Correlation::matern(1.5));
 }
 
 TEST_CASE("the table of the mean number of kicks joins the sums") {

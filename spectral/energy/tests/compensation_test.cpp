@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -38,13 +39,14 @@ Reflectance copper(const Surface& surface, const WavelengthGrid& grid, double al
 /// rho_dh of the compensated lossless surface, by the plain integral.
 double lossless_total(const EnergyCompensation& s, const Surface& surface, double degrees) {
     const Direction in = Direction::from_degrees(degrees, 0);
-    const hts::View seen = view(surface, in);
+    const Surface slopes = surface.seen_by(one_um);
+    const hts::View seen = view(slopes, in);
     const double theta = degrees * std::numbers::pi / 180;
     const double core = 1 / (std::numbers::pi * surface.correlation_length());
-    const double width = std::min(0.1, 0.3 * std::max(core, 2 * surface.slope_width() * std::cos(theta)));
+    const double width = std::min(0.1, 0.3 * std::max(core, 2 * slopes.slope_width() * std::cos(theta)));
     const double lobe = hemisphere_integral(theta, width, [&](const Direction& out) {
-        const hts::PairFactors pair{surface, seen, view(surface, out)};
-        const double phi = hts::phi(pair.phase_variance(one_um), pair.lobe_argument(one_um)).value;
+        const hts::PairFactors pair{surface, seen, view(slopes, out)};
+        const double phi = pair.phi(pair.phase_variance(one_um), pair.lobe_argument(one_um)).value;
         return pair.lobe(phi, one_um) * s.factor(out);
     });
     const double si = s.factor(in);
@@ -71,6 +73,36 @@ TEST_CASE("a lossless surface returns what falls in, by the plain integral") {
         }
     }
     worst.check();
+}
+
+TEST_CASE("a lossless surface of another correlation returns what falls in") {
+    const std::vector<hts::Correlation::Part> two_scales{{0.9, hts::Correlation::gaussian(), 1},
+                                                         {0.1, hts::Correlation::exponential(), 0.05}};
+    WorstCase worst{"compensated rho_dh of a lossless surface of another correlation, from 1",
+                    bound::compensated_energy};
+    double least = 2, most = 0;
+    for (const auto& shape : {hts::Correlation::exponential(), hts::Correlation::matern(1.5),
+                              hts::Correlation::sum(two_scales)}) {
+        for (const double roughness : {0.05, 0.3}) {
+            const Surface surface = Surface{roughness, 8 * roughness}.correlated(shape);
+            const EnergyCompensation s{surface, one_um};
+            for (const double degrees : {0.0, 40.0, 75.0}) {
+                const auto where = [&] {
+                    return "sigma0/lambda " + hts::shortest(roughness) + ", theta " + hts::shortest(degrees);
+                };
+                worst.note(std::abs(lossless_total(s, surface, degrees) - 1), where);
+                const Direction in = Direction::from_degrees(degrees, 0);
+                const double plain =
+                    directional_hemispherical_reflectance(surface, PerfectMirror{}, one_um, in).total();
+                least = std::min(least, plain);
+                most = std::max(most, plain);
+            }
+        }
+    }
+    worst.check();
+    std::printf("not compensated: %.4f to %.4f\n", least, most);
+    CHECK(least > 0.35);  // the furnace of the model itself, without returned light
+    CHECK(most < 1.2);
 }
 
 TEST_CASE("the library's own integral of the compensated surface agrees") {

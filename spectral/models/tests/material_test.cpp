@@ -17,7 +17,6 @@
 
 using hts::Direction;
 using hts::Draw;
-using hts::Lobe;
 using hts::Uniforms;
 using hts::Wavelength;
 using hts::spectral::built_in_models;
@@ -170,7 +169,7 @@ TEST_CASE("densities integrate to at most 1, and weights to the albedo") {
                 const Draw drawn = model.sample(in, random.uniforms());
                 sum += drawn.weight;
                 squares += drawn.weight * drawn.weight;
-                if (drawn.lobe == Lobe::none) CHECK(drawn.weight == 0);
+                if (drawn.lobe == hts::Lobe::none) CHECK(drawn.weight == 0);
             }
             const double mean = sum / count;
             const double error = std::sqrt(std::max(0.0, squares / count - mean * mean) / count);

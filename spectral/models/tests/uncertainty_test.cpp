@@ -91,7 +91,8 @@ TEST_CASE("uncertainties of a Gaussian surface are those of 10000 draws") {
     check_draws("near the mirror direction", gaussian, near_mirror, 10'000, 0.03);
     check_draws("a smooth surface with a mirror term",
                 R"({"model": "he", "rms_roughness_um": 0.03, "correlation_length_um": 1.77,
-        "index": {"n": 1.5, "k": 0.1}, "uncertainty": {"rms_roughness_um": 5e-4, "correlation_length_um": 0.02,
+        "index": {"n": 1.5, "k": 0.1},
+        "uncertainty": {"rms_roughness_um": 5e-4, "correlation_length_um": 0.02,
         "n": 0.01, "correlated": [["rms_roughness_um", "n", 0.5]]}})",
                 near_mirror, 10'000, 0.03);
 }

@@ -1,5 +1,7 @@
 #include "spectral/plans/scene.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 #include <string>
@@ -8,9 +10,12 @@
 #include <catch2/catch.hpp>
 
 #include "hts/error.hpp"
+#include "spectral/energy/expected_distance.hpp"
 #include "temporary_folder.hpp"
 
+using hts::SpectralSample;
 using hts::spectral::ErrorMeasure;
+using hts::spectral::expected_distance;
 using hts::spectral::Illuminant;
 using hts::spectral::OutsideRange;
 using hts::spectral::read_scene;
@@ -155,8 +160,9 @@ TEST_CASE("every fault of a scene is named with file, key and legal range") {
          {"\"memory_budget_bytes\"", "2.5", "whole number"}},
         {with(&SceneText::rest, R"(, "colour": 1)"), {"\"colour\"", "not known", "wavelengths_um"}},
         {with(&SceneText::tolerance, R"({"delta_e_2000": 1, "relative_brdf_error": 0.1})"),
-         {"\"tolerance\"", "contradict each other", "one of the two"}},
-        {with(&SceneText::tolerance, "{}"), {"\"tolerance\"", "relative_brdf_error or delta_e_2000"}},
+         {"\"tolerance\"", "contradict each other", "one of them"}},
+        {with(&SceneText::tolerance, "{}"),
+         {"\"tolerance\"", "relative_brdf_error, delta_e_2000 or true_db"}},
         {with(&SceneText::tolerance, R"({"delta_e_2000": -1})"),
          {"\"tolerance.delta_e_2000\"", "-1", "0.001 to 100"}},
         {with(&SceneText::tolerance, R"({"relative_brdf_error": 1e-13})"),
@@ -172,6 +178,49 @@ TEST_CASE("every fault of a scene is named with file, key and legal range") {
             CHECK(text.find(part) != std::string::npos);
         }
     }
+}
+
+TEST_CASE("a distance from exact scattering is that of model and arithmetic together") {
+    const TemporaryFolder folder;
+    SceneText text;
+    text.output = R"("spectral")";
+    text.theta_i = "60";
+    text.wavelengths = R"("0.5:0.7:3")";
+    const auto at = [&](const std::string& model, const std::string& decibels, const char* rest = "") {
+        std::string of{aluminium};
+        of.replace(of.find("he\""), 2, model);
+        text.materials = "[" + of + "]";
+        text.tolerance = R"({"true_db": )" + decibels + "}";
+        text.rest = rest;
+        return scene_of(folder, text);
+    };
+    // the greatest expected distance, by the same interpolation, point by point
+    const Scene scene = at("he_unified", "0.9");
+    REQUIRE(scene.true_db == 0.9);
+    CHECK(scene.measure == ErrorMeasure::relative_brdf_error);
+    double greatest = 0;
+    const auto prepared = scene.materials[0].at(scene.wavelengths);
+    for (const SpectralSample& sample : prepared.samples()) {
+        for (const double theta : {0., 15., 30., 45., 60.})
+            greatest =
+                std::max(greatest, expected_distance(*scene.materials[0].properties().surface, sample, theta)
+                                       .distance.unified.unpolarised);
+    }
+    CHECK(greatest + 10 * std::log10(1 + scene.tolerance) == Approx(0.9).epsilon(1e-12));
+    CHECK(at("he_unified", "0.9", R"(, "polarised": true)").tolerance < scene.tolerance);
+    CHECK(at("he", "3").tolerance < at("he_unified", "3").tolerance);
+    CHECK(at("he_unified", "30").tolerance == 1);
+    CHECK(fingerprint(at("he_unified", "30")) != fingerprint(at("he_unified", "29")));
+    using Catch::Contains;
+    CHECK_THROWS_WITH(at("he", "0.01"), Contains("tolerance.true_db") && Contains("0.01: must be above") &&
+                                            Contains("he of \"foil\"") && Contains("um (he_unified: "));
+    text.theta_i = "85";
+    CHECK_THROWS_WITH(at("he", "3"),
+                      Contains("\"foil\" at 75 deg, ") && Contains("outside what was solved exactly"));
+    text.theta_i = "60";
+    text.materials = R"([{"name": "wall", "model": "lambert", "diffuse_albedo": 0.5}])";
+    CHECK_THROWS_WITH(scene_of(folder, text), Contains("must be of model he or he_unified") &&
+                                                  Contains("\"wall\" has model lambert"));
 }
 
 TEST_CASE("the fingerprint knows what a plan depends on, and nothing else") {

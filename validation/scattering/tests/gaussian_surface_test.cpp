@@ -1,8 +1,10 @@
 #include "validation/scattering/gaussian_surface.hpp"
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 
 using namespace hts::validation;
@@ -58,6 +60,46 @@ TEST_CASE("random profiles have the heights, the autocorrelation and the slopes 
     check_is(
         over_profiles([](const RandomProfile& p) { return mean_product(p.height, p.second_derivative, 0); }),
         -2 * sigma * sigma / (tau * tau));
+}
+
+TEST_CASE("K-correlated profiles have the spectrum they ought to, cut where it is") {
+    using boost::math::quadrature::gauss_kronrod;
+    const double pi = std::numbers::pi;
+    for (const double nu : {0.5, 1.5}) {
+        const RoughnessStatistics of{0.1, 0.7, nu};
+        const auto spectrum = [&of, nu, pi](double f) {
+            const double scaled = 2 * pi * f * of.correlation_length;
+            return std::pow(1 + scaled * scaled, -nu - 0.5);
+        };
+        const auto integral = [&](const auto& factor) {
+            return gauss_kronrod<double, 61>::integrate([&](double f) { return spectrum(f) * factor(f); },
+                                                        0.0, most_frequency, 15, 1e-12);
+        };
+        const double all = integral([](double) { return 1; });
+        const auto correlation = profile_correlation(of, 1.0 / 16, 4096);
+        CHECK(correlation.size() == 2049);
+        CHECK(correlation[0] == Approx(1).epsilon(1e-12));
+        for (const std::size_t lag : {1U, 5U, 16U, 40U}) {
+            const double x = static_cast<double>(lag) / 16;
+            const double expected = integral([=](double f) { return std::cos(2 * pi * f * x); }) / all;
+            CHECK(std::fabs(correlation[lag] - expected) < 2e-3);  // its period is finite
+        }
+        double heights = 0, slopes = 0, apart = 0;
+        constexpr int count = 200;
+        for (int i = 0; i < count; ++i) {
+            const auto p = random_profile(of, 1.0 / 16, 1024, seed_of(5, 1, static_cast<std::uint64_t>(i)));
+            heights += mean_product(p.height, p.height, 0) / count;
+            slopes += mean_product(p.slope, p.slope, 0) / count;
+            apart += mean_product(p.height, p.height, 8) / count;
+        }
+        const double variance = of.rms_roughness * of.rms_roughness;
+        CHECK(heights == Approx(variance).epsilon(0.03));
+        CHECK(apart == Approx(variance * correlation[8]).epsilon(0.06));
+        const double square_slope = variance * integral([=](double f) { return 4 * pi * pi * f * f; }) / all;
+        CHECK(slopes == Approx(square_slope).epsilon(0.03));
+    }
+    CHECK_THROWS_WITH(random_field({0.1, 1, 0.5}, 0.25, 64, 1),
+                      "a random field: must be of a Gaussian correlation");
 }
 
 TEST_CASE("derivatives of random surfaces are those of their heights") {

@@ -43,7 +43,7 @@ TEST_CASE("a study that was stopped goes on where it ended, to the same bits, wh
     const auto whole = moment_results(two, small());
     CHECK(same(moment_results({two[0]}, small(), path), {whole.begin(), whole.begin() + 6}));
     // a line of the second surface that was not finished
-    std::ofstream{path, std::ios::app} << "0.10000000000000001 1 30 0.5 0.25";
+    std::ofstream{path, std::ios::app} << "0.10000000000000001 1 0 30 0.5 0.25";
     CHECK(same(moment_results(two, small(), path), whole));
     // and now nothing is solved again: one realisation fewer would be other bits, but is another study
     MomentSettings other = small();
@@ -51,7 +51,7 @@ TEST_CASE("a study that was stopped goes on where it ended, to the same bits, wh
     CHECK_THROWS_WITH(
         moment_results(two, other, path),
         path +
-            ": is of another run of this study (hts exact scattering, 20 realisations 6 long, 10 points of "
+            ": is of another run of this study (hts exact scattering 2, 20 realisations 6 long, 10 points of "
             "every 1 drawn, seed 1991); remove it to begin anew");
     CHECK(MomentLog{path, small()}.found({0.1, 1}, {30}).size() == 3);
     CHECK(MomentLog{path, small()}.found({0.1, 1}, {30, 40}).empty());

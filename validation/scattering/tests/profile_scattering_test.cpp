@@ -46,6 +46,45 @@ TEST_CASE("Phi of a profile conserves energy and becomes the rough limit") {
     CHECK(profile_phi(1e4, 0.7e4) == Approx(std::exp(-0.7) / 100).epsilon(1e-3));
 }
 
+TEST_CASE("a K-correlated profile scatters all light, first as its spectrum, and has beta of its own") {
+    for (const double nu : {0.5, 1.5}) {
+        const ProfileHeights heights{{0.1, 0.5, nu}};
+        const double length = heights.statistics().correlation_length;
+        for (const double g : {0.01, 1.0, 9.0}) {
+            double sum = 0;  // over the frequencies of the period that the lags resolve
+            constexpr double step = 2 * pi / 102.4;
+            for (int i = -1023; i <= 1024; ++i)
+                sum += heights.phi(g, std::fabs(i * step)) * step * length / 2;
+            CHECK(sum == Approx(std::sqrt(pi) * -std::expm1(-g)).epsilon(1e-9));
+        }
+        // one kick: the spectrum, and none beyond its cut
+        const auto first = [&](double f) { return heights.kicks(1e-4, 2 * pi * f); };
+        const auto spectrum = [&](double f) {
+            return std::pow(1 + std::pow(2 * pi * f * length, 2), -nu - 0.5);
+        };
+        CHECK(first(1).phi / first(2).phi == Approx(spectrum(1) / spectrum(2)).epsilon(0.02));
+        CHECK(first(1).inverse_mean == Approx(1).epsilon(1e-3));
+        CHECK(first(3).phi < 1e-2 * first(2).phi);
+    }
+    // slopes of frequencies up to 1, and the mean of 1/m that another program found
+    const ProfileHeights heights{{0.1, 0.5, 1.5}};
+    const auto slope_squared = [](double most) {
+        const auto spectrum = [](double f) { return std::pow(1 + std::pow(pi * f, 2), -2.0); };
+        return gauss_kronrod<double, 61>::integrate(
+                   [&](double f) { return std::pow(2 * pi * f, 2) * spectrum(f); }, 0.0, most) /
+               gauss_kronrod<double, 61>::integrate(spectrum, 0.0, most_frequency);
+    };
+    CHECK(heights.seen().correlation_length() == Approx(std::sqrt(2 / slope_squared(1))).epsilon(1e-9));
+    const auto beta = [&](double degrees) {
+        const double theta = degrees * pi / 180;
+        return heights.kicks(std::pow(2 * pi * 0.1 * (1 + std::cos(theta)), 2), 2 * pi * std::sin(theta))
+            .inverse_mean;
+    };
+    CHECK(beta(42) == Approx(0.57).margin(0.006));
+    CHECK(beta(62) == Approx(0.63).margin(0.006));
+    CHECK(beta(77) == Approx(0.71).margin(0.006));
+}
+
 TEST_CASE("a gently rough profile returns all light, and each model is reciprocal") {
     const RoughnessStatistics gentle{0.3, 20};
     for (const double degrees : {0.0, 30.0, 50.0}) {
@@ -62,6 +101,6 @@ TEST_CASE("a gently rough profile returns all light, and each model is reciproca
         const RoughnessStatistics surface{0.25, 1};
         CHECK(profile_lobe(model, surface, 0.5, 1.1) * std::cos(0.5) ==
               Approx(profile_lobe(model, surface, 1.1, 0.5) * std::cos(1.1)).epsilon(1e-12));
-        CHECK(profile_mirror(model, {0, 1}, 1) == 1);
+        CHECK(profile_mirror(model, RoughnessStatistics{0, 1}, 1) == 1);
     }
 }

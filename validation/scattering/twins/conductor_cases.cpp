@@ -54,7 +54,7 @@ double fitted_alpha(TwinModel model, const std::vector<const ConductorCase*>& of
 ConductorCases conductor_cases() {
     ConductorCases cases;
     for (const KeptSet& set : kept_sets()) {
-        if (set.index.k() < perfect_conductor().k() || set.again) continue;
+        if (set.index.k() < perfect_conductor().k() || set.apart) continue;
         for (ExactLobe& exact : exact_lobes(kept_table(std::string{set.stem} + "-lobes")))
             cases.push_back({std::move(exact), {}});
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -72,11 +73,25 @@ bool gentle(const CaseDistances& of) {
            of.surface.rms_roughness <= of.surface.correlation_length / 4 && of.theta_i_deg <= 60;
 }
 
+/// K-correlated cases of a set, by nu; false if there are none.
+bool add_shapes(std::vector<Group>& groups, const Cases& cases,
+                const std::function<bool(const CaseDistances&)>& of_set) {
+    std::set<double> shapes;
+    for (const CaseDistances& each : cases)
+        if (of_set(each) && each.surface.nu) shapes.insert(*each.surface.nu);
+    for (const double nu : shapes)
+        groups.push_back({"of these nu = " + shortest(nu), [of_set, nu](const CaseDistances& of) {
+                              return of_set(of) && of.surface.nu == nu;
+                          }});
+    return !shapes.empty();
+}
+
 std::vector<Group> groups(const Cases& cases) {
     std::vector<Group> all;
     for (std::size_t set = 0; set < kept_sets().size(); ++set) {
         const auto of_set = [set](const CaseDistances& of) { return of.set == set; };
         all.push_back({kept_sets()[set].title, of_set});
+        if (add_shapes(all, cases, of_set)) continue;
         const auto gentle_ones = [of_set](const CaseDistances& of) { return of_set(of) && gentle(of); };
         const auto count = std::count_if(cases.begin(), cases.end(), gentle_ones);
         if (count > 0 && count < std::count_if(cases.begin(), cases.end(), of_set))
@@ -236,6 +251,7 @@ std::vector<Check> distance_checks(const Cases& cases) {
     const CaseDistances* where = nullptr;
     double most = -1;
     for (const CaseDistances& each : cases) {
+        if (each.surface.nu) continue;  // a set of its own in the tables
         for (const Polarisation polarisation : polarisations) {
             const double loss = each.unified_above[polarisation] - each.he_above[polarisation];
             if (loss <= most) continue;
@@ -271,7 +287,7 @@ FigureTable distance_table(const Cases& cases) {
     }
     for (const CaseDistances& each : cases) {
         const KeptSet& set = kept_sets()[each.set];
-        if (set.again) continue;
+        if (set.apart) continue;
         std::vector<double> row{
             static_cast<double>(each.set),   set.index.n(),   set.index.k(), each.surface.rms_roughness,
             each.surface.correlation_length, each.theta_i_deg};
@@ -294,7 +310,8 @@ const std::vector<KeptSet>& kept_sets() {
         {"unseen", "conductor, drawn by a seed", perfect_conductor(), TwinModel::he_unified},
         {"dielectric", "glass 1.5, mixing", {1.5, 0}, TwinModel::he_unified_mixing},
         {"metal", "metal 0.16 + 3.6i", {0.16, 3.6}, TwinModel::he_unified},
-        {"grazing", "conductor, long profiles", perfect_conductor(), TwinModel::he_unified, true}};
+        {"grazing", "conductor, long profiles", perfect_conductor(), TwinModel::he_unified, true},
+        {"k-correlation", "conductor, K-correlated", perfect_conductor(), TwinModel::he_unified, true}};
     return sets;
 }
 
@@ -305,9 +322,12 @@ std::vector<ExactLobe> exact_lobes(const FigureTable& lobes) {
                       error = column_of(lobes, "ratio_error_db");
     std::vector<ExactLobe> all;
     for (const auto& row : lobes.rows) {
+        std::optional<double> nu;
+        if (const auto at = std::ranges::find(lobes.columns, "nu"); at != lobes.columns.end())
+            nu = row[static_cast<std::size_t>(at - lobes.columns.begin())];
         if (all.empty() || all.back().surface.rms_roughness != row[0] ||
             all.back().surface.correlation_length != row[1] || all.back().theta_i_deg != row[2])
-            all.push_back({{row[0], row[1]}, row[2], {}, {}, {}, {}});
+            all.push_back({{row[0], row[1], nu}, row[2], {}, {}, {}, {}});
         ExactLobe& lobe = all.back();
         lobe.theta_r_deg.push_back(row[3]);
         lobe.error_db.push_back(row[error]);

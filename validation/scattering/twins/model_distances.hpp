@@ -24,7 +24,8 @@ struct KeptSet {
     RefractiveIndex index;
     /// The model that stands for he_unified: on dielectrics with the mixing of polarisations.
     TwinModel successor;
-    bool again = false;  ///< surfaces of another set, solved otherwise
+    /// Surfaces of another set, solved otherwise, or of another correlation: not for `hts info` and charts.
+    bool apart = false;
 };
 [[nodiscard]] const std::vector<KeptSet>& kept_sets();
 

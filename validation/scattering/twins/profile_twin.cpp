@@ -27,9 +27,10 @@ Direction towards(double theta, double azimuth) {
 }
 
 /// The factors of the lobe that are those of profiles.
-UnifiedWave wave_of(const Surface& surface, const RefractiveIndex& index, double single) {
-    UnifiedWave wave{surface, ReturnFactor{surface.slope_width() / 2}, Wavelength::from_micrometres(1),
-                     index};
+UnifiedWave wave_of(const ProfileHeights& heights, const RefractiveIndex& index, double single) {
+    UnifiedWave wave{heights.seen(), ReturnFactor{heights.seen().slope_width() / 2},
+                     Wavelength::from_micrometres(1), index};
+    wave.k_length = k * heights.statistics().correlation_length;
     const double flat = flat_reflectance(index);
     wave.returned = flat * single / (1 - flat * (1 - single));
     return wave;
@@ -70,23 +71,22 @@ std::string_view name(TwinModel model) noexcept {
 ProfileTwin::ProfileTwin(TwinModel model, const RoughnessStatistics& surface, const RefractiveIndex& index,
                          double alpha)
     : model_{model},
-      statistics_{surface},
-      surface_{surface.rms_roughness, surface.correlation_length},
+      heights_{surface},
       index_{index},
       alpha_{alpha},
-      return_{surface},
-      wave_{wave_of(surface_, index, return_.single())} {}
+      return_{{surface.rms_roughness, heights_.seen().correlation_length()}},
+      wave_{wave_of(heights_, index, return_.single())} {}
 
 ProfileLobe ProfileTwin::lobe(double theta_i, double theta_r) const {
     switch (model_) {
         case TwinModel::he:
             return facets(theta_i, theta_r,
-                          profile_lobe(ProfileModel::he_torrance, statistics_, theta_i, theta_r));
+                          profile_lobe(ProfileModel::he_torrance, heights_, theta_i, theta_r));
         case TwinModel::kirchhoff:
             return facets(theta_i, theta_r,
-                          profile_lobe(ProfileModel::kirchhoff, statistics_, theta_i, theta_r));
+                          profile_lobe(ProfileModel::kirchhoff, heights_, theta_i, theta_r));
         case TwinModel::smith:
-            return facets(theta_i, theta_r, profile_lobe(ProfileModel::smith, statistics_, theta_i, theta_r));
+            return facets(theta_i, theta_r, profile_lobe(ProfileModel::smith, heights_, theta_i, theta_r));
         case TwinModel::he_first_order:
         case TwinModel::he_rough_limit:
             return facets(theta_i, theta_r, he_limit(theta_i, theta_r));
@@ -104,17 +104,19 @@ ProfileLobe ProfileTwin::facets(double theta_i, double theta_r, double of_mirror
 }
 
 double ProfileTwin::he_limit(double theta_i, double theta_r) const {
-    const View in = view(surface_, Direction::from_angles(theta_i, 0));
-    const View out = view(surface_, Direction::from_angles(std::fabs(theta_r), 0));
-    const double roughness = surface_.rms_roughness() * effective_roughness_ratio(in.visibility.obstruction +
-                                                                                  out.visibility.obstruction);
+    const View in = view(heights_.seen(), Direction::from_angles(theta_i, 0));
+    const View out = view(heights_.seen(), Direction::from_angles(std::fabs(theta_r), 0));
+    const double roughness =
+        heights_.seen().rms_roughness() *
+        effective_roughness_ratio(in.visibility.obstruction + out.visibility.obstruction);
     const double across = std::sin(theta_r) - std::sin(theta_i), up = std::cos(theta_r) + std::cos(theta_i);
-    const double g = square(k * roughness * up), t = square(k * statistics_.correlation_length * across / 2);
+    const double length = heights_.seen().correlation_length();
+    const double g = square(k * roughness * up), t = square(k * length * across / 2);
     const double phi =
         model_ == TwinModel::he_first_order ? g * std::exp(-g - t) : std::exp(-t / g) / std::sqrt(g);
     const double geometry = square(across * across + up * up) / (up * up);
-    return k * statistics_.correlation_length * geometry * phi * in.visibility.shadowing *
-           out.visibility.shadowing * std::numbers::inv_sqrtpi / (8 * std::cos(theta_i));
+    return k * length * geometry * phi * in.visibility.shadowing * out.visibility.shadowing *
+           std::numbers::inv_sqrtpi / (8 * std::cos(theta_i));
 }
 
 double ProfileTwin::microfacets(double theta_i, double theta_r) const {
@@ -131,13 +133,14 @@ double ProfileTwin::microfacets(double theta_i, double theta_r) const {
 /// a profile k tau Phi_1/(2 sqrt(pi) up^2 c_i) [1/rad].
 ProfileLobe ProfileTwin::unified(double theta_i, double theta_r) const {
     const ReturnFactor none{0};
-    UnifiedView in{surface_, none, towards(theta_i, pi)}, out{surface_, none, towards(theta_r, 0)};
+    UnifiedView in{heights_.seen(), none, towards(theta_i, pi)},
+        out{heights_.seen(), none, towards(theta_r, 0)};
     in.return_factor = return_(theta_i);
     out.return_factor = return_(theta_r);
     const double across = std::sin(theta_r) - std::sin(theta_i), up = std::cos(theta_r) + std::cos(theta_i);
-    const double g = square(k * statistics_.rms_roughness * up),
-                 t = square(k * statistics_.correlation_length * across / 2);
-    const ProfileKicks of_profile = profile_kicks(g, t);
+    const auto& [roughness, length, nu] = heights_.statistics();
+    const double g = square(k * roughness * up), t = square(k * length * across / 2);
+    const ProfileKicks of_profile = heights_.kicks(g, k * across);
     Kicks kicks{of_profile.phi, of_profile.inverse_mean, of_profile.rest, PhiMethod::sum};
     UnifiedWave wave = wave_;
     if (model_ == TwinModel::ssa1) {
@@ -147,10 +150,10 @@ ProfileLobe ProfileTwin::unified(double theta_i, double theta_r) const {
     }
     const UnifiedLobe lobe = lobe_of_kicks(in, out, wave, g, t, kicks);
     const double cosine = std::cos(theta_r);
-    double scale = 2 * std::sqrt(pi) * cosine / (k * statistics_.correlation_length);
+    double scale = 2 * std::sqrt(pi) * cosine / (k * length);
     if (model_ == TwinModel::ssa1) scale /= 1 + in.masked / std::cos(theta_i) + out.masked / cosine;
     const double te = scale * std::norm(lobe.jones.ss), tm = scale * std::norm(lobe.jones.pp);
-    const double mixed = model_ == TwinModel::he_unified_mixing ? mixed_share(surface_) : 0;
+    const double mixed = model_ == TwinModel::he_unified_mixing ? mixed_share(heights_.seen()) : 0;
     return {(1 - mixed) * te + mixed * tm, (1 - mixed) * tm + mixed * te};
 }
 

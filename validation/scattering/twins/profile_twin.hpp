@@ -10,6 +10,7 @@
 
 #include "hts/fresnel.hpp"
 #include "hts/unified/unified_terms.hpp"
+#include "validation/scattering/profile_scattering.hpp"
 #include "validation/scattering/twins/profile_return.hpp"
 
 namespace hts::validation {
@@ -50,8 +51,7 @@ class ProfileTwin {
     [[nodiscard]] double microfacets(double theta_i, double theta_r) const;
 
     TwinModel model_;
-    RoughnessStatistics statistics_;
-    Surface surface_;
+    ProfileHeights heights_;
     RefractiveIndex index_;
     double alpha_;
     ProfileReturn return_;
@@ -59,6 +59,7 @@ class ProfileTwin {
 };
 
 /// Shares of the light that a perfectly conducting profile mirrors.
+///   domain    a Gaussian correlation
 ///   formula   second-order perturbation theory: exp(-x), x_s = 4 (k sigma_0)^2 c integral S(q - s) sqrt(1 -
 ///             q^2) dq, x_p = 4 (k sigma_0)^2/c integral S(q - s) (1 - s q)^2/sqrt(1 - q^2) dq over -1 … 1, S
 ///             the normalised spectrum, k tau/(2 sqrt(pi)) exp(-(k tau q)^2/4): "mirror":

@@ -56,6 +56,18 @@ TEST_CASE("the kept rows of he beside he_unified are those that were found befor
     CHECK(has({drawn, "42", "tm", "2.24", "1.18", "1.21", "6", "0.55", "0.26", "0.30", "41", "42", "42"}));
     CHECK(has({drawn, "42", "unpolarised", "1.61", "0.74", "0.82", "11", "0.64", "0.19", "0.25", "41", "42",
                "31"}));
+    // K-correlated: nu 3/2 is met, the exponential is not
+    const std::string exponential = "of these nu = 0.5", smoother = "of these nu = 1.5";
+    CHECK(
+        has({exponential, "12", "te", "3.42", "1.37", "1.70", "0", "1.79", "0.61", "0.98", "5", "12", "12"}));
+    CHECK(
+        has({exponential, "12", "tm", "2.36", "1.61", "1.70", "0", "2.46", "0.95", "1.14", "2", "11", "11"}));
+    CHECK(has({exponential, "12", "unpolarised", "1.33", "0.68", "0.78", "2", "2.11", "0.58", "0.98", "6",
+               "6", "5"}));
+    CHECK(has({smoother, "12", "te", "0.82", "0.26", "0.45", "8", "0.22", "0.05", "0.09", "12", "12", "12"}));
+    CHECK(has({smoother, "12", "tm", "1.14", "0.44", "0.68", "8", "0.35", "0.10", "0.19", "12", "12", "12"}));
+    CHECK(has({smoother, "12", "unpolarised", "0.36", "0.10", "0.19", "12", "0.22", "0.07", "0.12", "12",
+               "11", "12"}));
     const ReportTable& mirrors = table_named(truth, "model-mirrors");
     CHECK(mirrors.rows == std::vector<Row>{{"te", "0.062", "0.350", "0.013", "0.066"},
                                            {"tm", "0.051", "0.199", "0.006", "0.020"}});
@@ -86,6 +98,23 @@ TEST_CASE("distances of he, Kirchhoff and correlated Smith are those of the maps
     std::printf("distances from tables of five digits against those of the study: %.1e dB at worst\n", worst);
     CHECK(rows == case_distances().size());
     CHECK(worst < 0.02);  // maps of the first set count bins without light, `least_light`
+}
+
+TEST_CASE("K-correlated surfaces drawn by a seed are the same on every machine, and within their ranges") {
+    const auto drawn = drawn_k_correlated(2027, 8);
+    REQUIRE(drawn.size() == 8);
+    CHECK(drawn[0].surface.rms_roughness == 0.143);
+    CHECK(drawn[0].surface.correlation_length == 2.582);
+    CHECK(drawn[0].theta_i_deg[0] == 29.7);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const auto& [surface, angles] = drawn[i];
+        CHECK(surface.nu == (i % 2 == 0 ? 0.5 : 1.5));
+        CHECK(surface.rms_roughness >= 0.05);
+        CHECK(surface.rms_roughness <= 0.25);
+        CHECK(surface.correlation_length >= 0.5);
+        CHECK(surface.correlation_length <= 4);
+        CHECK(std::is_sorted(angles.begin(), angles.end()));
+    }
 }
 
 TEST_CASE(

@@ -1,4 +1,4 @@
-/// The files of other programs that `hts table export` writes.
+/// The formats of other programs that can be written.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,7 @@
 #include "spectral/models/reflectance.hpp"
 #include "tables/formats/sidecar.hpp"
 
-namespace hts::cli {
-
-using spectral::Reflectance;
+namespace hts::tables {
 
 enum class SpecularSpread {
     facets,   ///< as a lobe of facets, whose edge is at the same half vectors for every light
@@ -33,22 +31,22 @@ struct ExportDetails {
 };
 
 /// A format: what is written, and how programs that know it read it.
-struct TableFormat {
+struct WrittenFormat {
     std::string name;         ///< as --format takes it
     std::string what;         ///< a line of help
     std::string wavelengths;  ///< [um] where the user gives none, as WavelengthGrid::parse takes them
-    /// What is to stand in the file, and in those beside it, for tables::write_with_sidecar.
-    std::function<tables::Exported(const Reflectance& brdf, const std::string& path,
-                                   const ExportDetails& details)>
+    /// What is to stand in the file, and in those beside it, for write_with_sidecar.
+    std::function<Exported(const spectral::Reflectance& brdf, const std::string& path,
+                           const ExportDetails& details)>
         exported;
     /// What a reader makes of those files, with the interpolation of the programs that read them.
-    std::function<Reflectance(const tables::Exported& files)> read;
+    std::function<spectral::Reflectance(const Exported& files)> read;
     /// What of a reflectance the file can hold at all without --colour, which is written and compared: none
     /// for all of it, or, say, luminance.
-    std::function<Reflectance(const Reflectance& brdf)> as_held{};
+    std::function<spectral::Reflectance(const spectral::Reflectance& brdf)> as_held{};
     Colour colour = Colour::rgb;  ///< which three channels a file of colour has
     bool colour_alone = false;    ///< whether it holds nothing else
-    /// The options of ExportDetails that mean something here: "--colour".
+    /// What of FileRequest means something here: "colour", "basis", "depth", "mirror-azimuth".
     std::vector<std::string> takes{};
     /// How the specular term is spread, as the format's grid can hold it.
     SpecularSpread spread = SpecularSpread::facets;
@@ -58,10 +56,10 @@ struct TableFormat {
 /// A reflectance as colour under D65: three wavelengths as blue, green and red, three channels as what they
 /// are, more wavelengths as the eye sees them.
 ///   channels   of the reflectance, none if it has wavelengths
-[[nodiscard]] Reflectance as_colour(const Reflectance& brdf, Colour wanted,
-                                    const std::vector<std::string>& channels);
+[[nodiscard]] spectral::Reflectance as_colour(const spectral::Reflectance& brdf, Colour wanted,
+                                              const std::vector<std::string>& channels);
 
 /// A line per format.
-[[nodiscard]] const std::vector<TableFormat>& table_formats();
+[[nodiscard]] const std::vector<WrittenFormat>& written_formats();
 
-}  // namespace hts::cli
+}  // namespace hts::tables
