@@ -47,6 +47,7 @@ void add_verbs(CLI::App& program) {
     hts::cli::add_render(program);
     hts::cli::add_chart(program);
     hts::cli::add_stability(program);
+    hts::cli::add_scatter(program);
     hts::cli::add_surface(program);
     hts::cli::add_truth(program);
     hts::cli::add_validate(program);

@@ -54,6 +54,7 @@ std::vector<std::string> EvalAnswer::columns() const {
         return names;
     }
     add(names, {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance"});
+    if (uncertainty) add(names, {"brdf_uncertainty", "specular_reflectance_uncertainty"});
     names.insert(names.end(), quantities.begin(), quantities.end());
     if (mueller) {
         for (std::string& name : mueller_columns()) names.push_back(std::move(name));
@@ -76,6 +77,7 @@ void EvalAnswer::append(TableWriter::Row& row, const Evaluation& value) const {
     }
     row.number(value.directional_diffuse).number(value.uniform_diffuse);
     row.number(value.directional_diffuse + value.uniform_diffuse).number(value.specular_reflectance);
+    if (uncertainty) row.number(value.brdf_uncertainty).number(value.specular_uncertainty);
     for (const std::string& name : quantities) row.number(quantity(name, value));
     if (mueller) append_mueller(row, value.mueller, value.specular_mueller);
     if (detail) append_detail(row, value);

@@ -27,6 +27,7 @@ struct EvalAnswer {
     bool wavelength = false;
     bool mueller = false;
     bool detail = false;
+    bool uncertainty = false;               ///< one standard deviation of BRDF and specular reflectance
     bool transmission = false;              ///< btdf instead of the terms of reflection
     std::vector<std::string> quantities{};  ///< some of eval_quantities
     std::optional<Stokes>

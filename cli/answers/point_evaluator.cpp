@@ -103,7 +103,7 @@ PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spec
       material_{material.value_or(told_by_rows())},
       wavelengths_{std::move(wavelengths)},
       how_{how},
-      by_wavelength_{std::make_shared<ReflectanceCache>()} {
+      by_wavelength_{std::make_shared<WavelengthCache<spectral::Reflectance>>()} {
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column " +
                          points.columns()[*columns_.wavelength] + " or an option"};
@@ -114,6 +114,13 @@ PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spec
     if (wavelengths_ && !columns_.any_of_material()) same_for_all_ = material_.at(*wavelengths_, how_);
     if (how_.compensate_energy) compensation_ = std::make_shared<CompensationCache>();
     how_.compensate_energy = false;  // that of rows comes from the cache
+}
+
+void PointEvaluator::with(const spectral::UncertainMaterial& uncertain) {
+    if (columns_.any_of_material())
+        throw UsageError{"--uncertainty: must not come with points that have columns of the material"};
+    uncertain_ = uncertain;
+    uncertainty_ = std::make_shared<WavelengthCache<spectral::UncertainReflectance>>();
 }
 
 void PointEvaluator::require_material(const CsvReader& points) const {
@@ -199,7 +206,21 @@ void PointEvaluator::evaluate(const CsvRow& row, const Wish& wish, std::span<Eva
         }
     }
     if (wish.detail) add_detail(of, pair, result);
+    if (uncertain_) add_uncertainty(pair, of.wavelengths(), result);
     warning.note(of, pair);
+}
+
+void PointEvaluator::add_uncertainty(const DirectionPair& pair, const spectral::WavelengthGrid& grid,
+                                     std::span<Evaluation> result) const {
+    const auto& of =
+        uncertainty_->at(grid.micrometres()[0], [&](double) { return uncertain_->at(grid, how_); });
+    std::vector<double> brdf(result.size()), specular(result.size());
+    of.brdf(pair, brdf);
+    of.specular_reflectance(pair.in, specular);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i].brdf_uncertainty = brdf[i];
+        result[i].specular_uncertainty = specular[i];
+    }
 }
 
 void PointEvaluator::evaluate_transmission(const CsvRow& row, std::span<Evaluation> result) const {

@@ -11,6 +11,7 @@
 #include "cli/answers/validity_warning.hpp"
 #include "hts/terms.hpp"
 #include "spectral/models/material.hpp"
+#include "spectral/models/uncertainty.hpp"
 #include "spectral/text/csv.hpp"
 
 namespace hts::cli {
@@ -27,6 +28,8 @@ struct Evaluation {
     double specular_reflectance = 0;               ///< [1]
     Mueller mueller{};                             ///< of the directional-diffuse term [1/sr]
     Mueller specular_mueller{};                    ///< of the specular term [1]
+    double brdf_uncertainty = 0;                   ///< one standard deviation [1/sr]
+    double specular_uncertainty = 0;               ///< the same [1]
     double btdf = 0;                               ///< where the view is behind the surface [1/sr]
     std::optional<spectral::LobeDetail> detail{};  ///< what the lobe of a rough surface was made of
 };
@@ -55,6 +58,9 @@ class PointEvaluator {
     PointEvaluator(const CsvReader& points, const std::optional<spectral::Material>& material,
                    std::optional<spectral::WavelengthGrid> wavelengths,
                    const spectral::EvaluationOptions& how);
+
+    /// From now on rows are also told how uncertain they are. UsageError where rows say what the material is.
+    void with(const spectral::UncertainMaterial& uncertain);
 
     /// Wavelengths per row.
     [[nodiscard]] std::size_t wavelengths() const noexcept { return wavelengths_ ? wavelengths_->size() : 1; }
@@ -100,14 +106,19 @@ class PointEvaluator {
     ///   own   keeps it where no other row shares it
     [[nodiscard]] const spectral::Reflectance& reflectance(const CsvRow& row,
                                                            std::optional<spectral::Reflectance>& own) const;
+    void add_uncertainty(const DirectionPair& pair, const spectral::WavelengthGrid& grid,
+                         std::span<Evaluation> result) const;
 
     Columns columns_;
     spectral::Material material_;
     std::optional<spectral::WavelengthGrid> wavelengths_;
     spectral::EvaluationOptions how_;
     std::optional<spectral::Reflectance> same_for_all_;  ///< rows, if it is
-    std::shared_ptr<ReflectanceCache> by_wavelength_;    ///< of rows that differ in nothing else
-    std::shared_ptr<CompensationCache> compensation_;    ///< null without
+    std::shared_ptr<WavelengthCache<spectral::Reflectance>>
+        by_wavelength_;                                ///< of rows that differ in nothing else
+    std::shared_ptr<CompensationCache> compensation_;  ///< null without
+    std::optional<spectral::UncertainMaterial> uncertain_{};
+    std::shared_ptr<WavelengthCache<spectral::UncertainReflectance>> uncertainty_;  ///< by wavelength
 };
 
 }  // namespace hts::cli

@@ -2,14 +2,6 @@
 
 namespace hts::cli {
 
-const spectral::Reflectance& ReflectanceCache::at(
-    double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make) {
-    auto& made = made_.mine();
-    if (const auto found = made.find(micrometres); found != made.end()) return found->second;
-    if (made.size() >= most) made.clear();
-    return made.emplace(micrometres, make(micrometres)).first->second;
-}
-
 std::vector<spectral::EnergyCompensation> CompensationCache::at(const spectral::RoughSurface& surface,
                                                                 const spectral::WavelengthGrid& wavelengths) {
     std::vector<spectral::EnergyCompensation> all;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -15,17 +14,24 @@
 
 namespace hts::cli {
 
-/// Reflectances of one material by wavelength, made once by each thread.
-class ReflectanceCache {
+/// What is made of one material for each wavelength, once by each thread.
+template <class Value>
+class WavelengthCache {
   public:
     /// The one at a wavelength, made where it is not there yet; it stays until the thread asks again.
-    [[nodiscard]] const spectral::Reflectance& at(
-        double micrometres, const std::function<spectral::Reflectance(double micrometres)>& make);
+    ///   make   (double micrometres) -> Value
+    template <class Make>
+    [[nodiscard]] const Value& at(double micrometres, const Make& make) {
+        auto& made = made_.mine();
+        if (const auto found = made.find(micrometres); found != made.end()) return found->second;
+        if (made.size() >= most) made.clear();
+        return made.emplace(micrometres, make(micrometres)).first->second;
+    }
 
   private:
     static constexpr std::size_t most =
         4096;  ///< before it starts anew: a file may have a wavelength of its own in each row
-    PerThread<std::map<double, spectral::Reflectance>> made_;
+    PerThread<std::map<double, Value>> made_;
 };
 
 /// The energy compensation of surfaces of one material and wavelengths, each solved once.

@@ -4,7 +4,7 @@
 
 #include "cli/io/usage.hpp"
 #include "validation/curves/comparison_section.hpp"
-#include "validation/fit/fit_section.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 #include "validation/papers/he_figures.hpp"
 #include "validation/pictures/renders_section.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"

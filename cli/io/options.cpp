@@ -244,6 +244,13 @@ CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
     return reads(verb.add_option(material_names, path, "material file (JSON)"));
 }
 
+std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {
+    const auto at = text.find('=');
+    if (at == std::string::npos) throw UsageError{option + ": " + text + ": must be name=value"};
+    return {text.substr(0, at),
+            from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
+}
+
 spectral::Material MaterialOptions::read() const {
     auto material = spectral::read_material(path, tables::models_with_files());
     for (const std::string& warning : material.warnings())

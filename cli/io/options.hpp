@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hts/polarisation.hpp"
@@ -79,6 +80,9 @@ struct ToleranceOption {
     /// UsageError where one was given that the material cannot meet.
     void require_met_by(const spectral::Material& material) const;
 };
+
+/// "name=value", the value a number; UsageError that names the option otherwise.
+[[nodiscard]] std::pair<std::string, double> assignment(const std::string& option, const std::string& text);
 
 /// "s", "p", "unpolarised" or "s0,s1,s2,s3"; UsageError otherwise.
 [[nodiscard]] Stokes stokes_from_option(const std::string& text);

@@ -27,7 +27,7 @@ struct Folder {
 };
 const std::vector<Folder> folders{
     {"hts",
-     {"phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
+     {"angles", "phi/tables", "lanes", "correlation", "phi", "films", "evaluation", "microfacet", "sampling",
       "rendering", "unified"}},
     {"spectral", {"jobs", "text", "", "output", "colour", "materials", "energy", "models", "plans"}},
     {"tables", {"formats", "table", "sharing", "plans"}},

@@ -11,6 +11,8 @@
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
 #include "spectral/models/material.hpp"
+#include "spectral/text/text.hpp"
+#include "tables/formats/measured_model.hpp"
 
 namespace hts::cli {
 namespace {
@@ -46,6 +48,8 @@ Examples:
   hts eval --material cli/data/rough-aluminium.json --points - --wavelengths 0.4:0.7:31 < cli/data/pairs.csv
   hts eval --material cli/data/rough-aluminium.json --wavelengths 0.4:0.7:31 --random-pairs 1000000
   hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv --columns brf,sigma0,ars
+  hts eval --material cli/data/rough-aluminium.json --points cli/data/points.csv \
+      --uncertainty rms_roughness_um=0.01,correlation_length_um=0.05,n=0.02
   hts plan cli/data/figure-14.json --output plan.json
   hts eval --plan plan.json --material "copper sphere" --points cli/data/pairs.csv)";
 
@@ -58,6 +62,8 @@ struct EvalOptions {
     std::optional<std::uint64_t> random_pairs;
     std::uint64_t seed = 1;
     std::vector<std::string> columns;
+    std::string deviations;
+    bool uncertainty = false;
     bool mueller = false, detail = false, transmission = false, compensate = false;
     ToleranceOption tolerance;
 
@@ -127,6 +133,23 @@ bool has_own_constants(const CsvReader& points) {
     return points.find_column("n") || points.find_column("k") || points.find_column("albedo");
 }
 
+/// What the material file says of its errors, and what --uncertainty says instead.
+spectral::UncertainMaterial uncertain_material(const EvalOptions& options) {
+    const std::string& path = options.material.path;
+    if (path.empty()) throw UsageError{"--uncertainty: must come with --material"};
+    std::vector<spectral::UncertainNumber> given;
+    for (const std::string_view piece : spectral::split(options.deviations, ',')) {
+        if (options.deviations.empty()) break;
+        const auto [name, value] = assignment("--uncertainty", std::string{piece});
+        given.push_back({name, value});
+    }
+    const std::string text = spectral::read_text_file(path);
+    const auto make = [&] {
+        return spectral::UncertainMaterial{text, path, given, tables::models_with_files()};
+    };
+    return given.empty() ? make() : from_option("--uncertainty", make);
+}
+
 CsvReader points_of(const EvalOptions& options) {
     return options.points.empty() ? single_point(options) : CsvReader{options.points};
 }
@@ -149,10 +172,12 @@ void evaluate_points(const EvalOptions& options) {
     const auto grid = own_wavelength ? std::nullopt : wavelengths(options);
     const auto described = material(options);
     if (described && !has_own_constants(points)) require_known(options, *described);
-    const PointEvaluator evaluator{points, described, grid, options.evaluation()};
+    PointEvaluator evaluator{points, described, grid, options.evaluation()};
+    if (options.uncertainty) evaluator.with(uncertain_material(options));
     warn_of_unused(points);
-    EvalAnswer answer{grid.has_value(), options.mueller, options.detail && evaluator.of_rough_surfaces(),
-                      options.transmission, options.columns};
+    EvalAnswer answer{
+        grid.has_value(),    options.mueller,      options.detail && evaluator.of_rough_surfaces(),
+        options.uncertainty, options.transmission, options.columns};
     if (!options.polarisation.empty()) answer.incident = stokes_from_option(options.polarisation);
 
     Output output{options.output.path};
@@ -220,6 +245,11 @@ void run(const EvalOptions& options) {
             "--polarisation, "
             "--plan, --random-pairs"};
     }
+    if (options.uncertainty &&
+        (options.transmission || options.compensate || !options.plan.empty() || options.random_pairs)) {
+        throw UsageError{
+            "--uncertainty: must not come with --transmission, --compensate-energy, --plan, --random-pairs"};
+    }
     if (!options.plan.empty()) return evaluate_as_planned(options);
     options.random_pairs ? evaluate_random(options) : evaluate_points(options);
 }
@@ -259,6 +289,11 @@ void add_eval(CLI::App& program) {
         "s0 ... s3, degree_of_polarisation, angle_of_polarisation_deg (from s towards p),\n"
         "and the same of the specular term, specular_s0 ...; the terms themselves, which need\n"
         "no polarisation, stay those of unpolarised light");
+    verb->add_option("--uncertainty", options->deviations,
+                     "add brdf_uncertainty and specular_reflectance_uncertainty, one standard deviation,\n"
+                     "from those of the material's numbers: NAME=VALUE,... here, and its key \"uncertainty\"")
+        ->expected(0, 1)
+        ->type_name("[TEXT]");
     options->tolerance.add_to(*verb);
     verb->add_option("--random-pairs,--pairs,--samples,--count", options->random_pairs,
                      "instead of points: this many random pairs of directions,\n"
@@ -268,7 +303,10 @@ void add_eval(CLI::App& program) {
         ->check(seed_number())
         ->capture_default_str();
     verb->footer(eval_help);
-    verb->callback([options] { run(*options); });
+    verb->callback([options, verb] {
+        options->uncertainty = verb->count("--uncertainty") > 0;
+        run(*options);
+    });
 }
 
 }  // namespace hts::cli

@@ -38,11 +38,15 @@ More sets after the first are hemispherical reflectances (1 - emissivity) of the
 surface, to which "scale" does not apply.
 Without a solid angle of source or detector the specular term has no finite value and is
 not compared. --fix sigma0=measured holds the roughness that the curve set states.
+--cross-validate leaves out one angle of incidence at a time, fits the others, and says how
+well what was left out is predicted: a model with more parameters fits better and may predict
+worse. The angle is that of the direction which stands still, light or viewer.
 
 Examples:
   hts fit mwir-aluminium-sandblasted --model he --index Al --output fitted.json
   hts fit curet-sandpaper --model kurt --lobes 2 --residual cosine --largest-theta 80
   hts fit mwir-brass --model he --free scale,k --fix a=0 --start sigma0=0.3 --json
+  hts fit anodised-ec1 --most-points 40 --cross-validate
   hts fit --all-models mwir-brass curet-sandpaper --residual cosine)";
 
 struct FitOptions {
@@ -51,18 +55,10 @@ struct FitOptions {
     int lobes = 1, nodes = 1;
     double loss_scale = 1, largest_theta = 87;
     std::size_t followed_starts = 8, most_points = 0;
-    bool all_models = false, json = false, conserve_energy = false;
+    bool all_models = false, json = false, conserve_energy = false, cross_validate = false;
     OutsideOption outside{};
     InstrumentOptions instrument;
 };
-
-/// "name=value".
-std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {
-    const auto at = text.find('=');
-    if (at == std::string::npos) throw UsageError{option + ": " + text + ": must be name=value"};
-    return {text.substr(0, at),
-            from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
-}
 
 template <class Choice>
 Choice choice(const std::string& option, const std::string& text, std::initializer_list<Choice> choices) {
@@ -150,8 +146,11 @@ void fit_one(const FitOptions& options) {
                       << " for hts compare alone: a material cannot hold it\n";
         }
     }
-    if (!options.report.empty()) write_file(options.report, fit_json(fit));
-    std::cout << (options.json ? fit_json(fit) : fit_text(fit));
+    std::optional<validation::CrossValidation> unseen;
+    if (options.cross_validate) unseen = validation::cross_validated(fit, sets, selection(options));
+    if (!options.report.empty()) write_file(options.report, fit_json(fit, unseen));
+    std::cout << (options.json ? fit_json(fit, unseen)
+                               : fit_text(fit) + (unseen ? cross_validation_text(*unseen) : ""));
 }
 
 /// The files of folders, and files and names as they are.
@@ -173,13 +172,36 @@ std::vector<std::string> expanded(const std::vector<std::string>& curves) {
     return result;
 }
 
+/// Which model fits and which predicts, by what the residuals make small.
+void say_who_predicts(const FitOptions& options, const std::vector<Fit>& fits,
+                      const std::vector<validation::CrossValidation>& unseen) {
+    const bool cosine = residual(options) == validation::Residual::cosine;
+    const auto fitted = [&](std::size_t i) {
+        return cosine ? fits[i].statistics.l2 : fits[i].statistics.rms_log;
+    };
+    const auto predicted = [&](std::size_t i) { return cosine ? unseen[i].all.l2 : unseen[i].all.rms_log; };
+    std::size_t fits_best = 0, predicts_best = 0;
+    for (std::size_t i = 1; i < fits.size(); ++i) {
+        if (fitted(i) < fitted(fits_best)) fits_best = i;
+        if (predicted(i) < predicted(predicts_best)) predicts_best = i;
+    }
+    const auto named = [&](std::size_t i, double value) {
+        return choice_of(fits[i]).label() + " (" + (cosine ? "L2 " : "rms ln ") + brief(value) + ")";
+    };
+    std::cerr << fits.front().data << ": " << named(fits_best, fitted(fits_best)) << " fits best, "
+              << named(predicts_best, predicted(predicts_best)) << " predicts best\n";
+}
+
 void fit_all_models(const FitOptions& options) {
     const auto names = expanded(options.curves);
     Output output{options.output.empty() ? "-" : options.output};
-    TableWriter table{output,
-                      format_of(options.output, options.json),
-                      {"data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms",
-                       "l2_cosine_per_sr", "aic", "bic"}};
+    std::vector<std::string> columns{
+        "data", "model", "values", "free_parameters", "median_abs_log", "rms_log", "rms", "l2_cosine_per_sr",
+        "aic",  "bic"};
+    if (options.cross_validate)
+        columns.insert(columns.end(), {"predicted_median_abs_log", "predicted_rms_log", "predicted_rms",
+                                       "predicted_l2_cosine_per_sr"});
+    TableWriter table{output, format_of(options.output, options.json), columns};
     const spectral::Job job{"", names.size()};
     for (const std::string& name : names) {
         const CurveSet set = options.instrument.of(curves_from_argument(name));
@@ -188,14 +210,25 @@ void fit_all_models(const FitOptions& options) {
                 validation::compared_models(), set,
                 {residual(options), selection(options), json_of(options.index), options.followed_starts});
         });
+        std::vector<validation::CrossValidation> unseen;
+        if (options.cross_validate) {
+            unseen = validation::cross_validations(fits, set, selection(options));
+            say_who_predicts(options, fits, unseen);
+        }
         std::string text;
-        for (const Fit& fit : fits) {
+        for (std::size_t i = 0; i < fits.size(); ++i) {
+            const Fit& fit = fits[i];
             const auto& s = fit.statistics;
             TableWriter::Row row{table, text};
             row.field(fit.data).field(choice_of(fit).label()).field(std::to_string(s.data));
             row.field(std::to_string(s.free_parameters));
             for (const double x : {s.median_abs_log, s.rms_log, s.rms, s.l2, s.aic, s.bic})
                 row.field(brief(x, 6));
+            if (options.cross_validate) {
+                const auto& error = unseen[i].all;
+                for (const double x : {error.median_abs_log, error.rms_log, error.rms, error.l2})
+                    row.field(brief(x, 6));
+            }
             row.end();
         }
         table.add(text);
@@ -262,6 +295,8 @@ void add_fit(CLI::App& program) {
                      "how many of the most promising starts are followed, 1 ... 512")
         ->check(whole_number(1, 512))
         ->capture_default_str();
+    verb->add_flag("--cross-validate", options->cross_validate,
+                   "leave out one angle of incidence at a time and predict it by a fit of the others");
     auto* all = verb->add_flag("--all-models", options->all_models, "a table of all models");
     for (CLI::Option* option : of_one) all->excludes(option);
     writes(verb->add_option("-o,--output", options->output, "the fitted material (JSON), or the table"));

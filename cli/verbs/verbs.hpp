@@ -23,6 +23,7 @@ void add_plan(CLI::App& program);
 void add_polar(CLI::App& program);
 void add_render(CLI::App& program);
 void add_sample(CLI::App& program);
+void add_scatter(CLI::App& program);
 void add_spectrum(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_table(CLI::App& program);

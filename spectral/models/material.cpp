@@ -1,7 +1,6 @@
 #include "spectral/models/material.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -11,14 +10,8 @@
 namespace hts::spectral {
 namespace {
 
-/// The text less the key "fitted", what a fit notes beside the material: it is no part of it.
-std::string without_fit(const std::string& text, const std::filesystem::path& path) {
-    if (text.find("\"fitted\"") == std::string::npos) return text;
-    if (!JsonValue::parse(text, path.string()).find("fitted")) return text;
-    auto file = nlohmann::ordered_json::parse(text);
-    file.erase("fitted");
-    return file.dump();
-}
+/// What may stand beside a material and is no part of it: what a fit notes, and standard deviations.
+const std::vector<std::string> notes{"fitted", "uncertainty"};
 
 }  // namespace
 
@@ -61,8 +54,7 @@ Material read_material(const std::filesystem::path& path, const std::vector<Mode
 Material material_from_text(const std::string& text, const std::filesystem::path& path,
                             const std::vector<ModelEntry>& models) {
     return material_from_json(
-        {JsonValue::parse(without_fit(text, path), path.string()), path.parent_path(), path.stem().string()},
-        models);
+        {JsonValue::parse(text, path.string()), path.parent_path(), path.stem().string()}, models);
 }
 
 Material material_from_json(const MaterialFile& file, const std::vector<ModelEntry>& models) {
@@ -76,7 +68,8 @@ Material material_from_json(const MaterialFile& file, const std::vector<ModelEnt
         for (const ModelEntry& one : models) known.push_back(one.name);
         throw model.error(in_quotes(model.text()) + " is not known; " + must_be_one_of(model.text(), known));
     }
-    return entry->read(file).named(name ? name->text() : file.default_name, entry->name, entry->source);
+    const MaterialFile own{file.json.without(notes), file.folder, file.default_name};
+    return entry->read(own).named(name ? name->text() : file.default_name, entry->name, entry->source);
 }
 
 void require_spectrum(const Material& material) {

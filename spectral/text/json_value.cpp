@@ -41,7 +41,9 @@ std::string reason(const json::exception& error) {
 
 // The line of a byte counted from 1; the last line with text if the byte is beyond it.
 std::string line_of(const std::string& text, std::size_t byte) {
-    const std::size_t end = std::min(byte, trimmed(text).size() + text.find(trimmed(text).front()));
+    const std::string_view content = trimmed(text);
+    if (content.empty()) return "1";
+    const std::size_t end = std::min(byte, content.size() + text.find(content.front()));
     return std::to_string(1 +
                           std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
 }
@@ -98,6 +100,10 @@ bool JsonValue::is_list() const noexcept {
     return value_of(value_).is_array();
 }
 
+bool JsonValue::is_null() const noexcept {
+    return value_of(value_).is_null();
+}
+
 double JsonValue::number() const {
     if (!value_of(value_).is_number()) throw error("must be a number, not " + with_article(value_of(value_)));
     return value_of(value_).get<double>();
@@ -142,6 +148,15 @@ void JsonValue::require_keys_among(const std::vector<std::string>& known) const 
         if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
         throw member(item.key(), &item.value()).error("not known; " + must_be_one_of(item.key(), known));
     }
+}
+
+JsonValue JsonValue::without(const std::vector<std::string>& keys) const {
+    require_object();
+    const auto there = [&](const std::string& key) { return value_of(value_).contains(key); };
+    if (std::none_of(keys.begin(), keys.end(), there)) return *this;
+    json rest = value_of(value_);
+    for (const std::string& key : keys) rest.erase(key);
+    return {std::make_shared<const json>(std::move(rest)), file_, key_};
 }
 
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {

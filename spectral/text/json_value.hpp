@@ -28,6 +28,7 @@ class JsonValue {
     [[nodiscard]] bool is_object() const noexcept;
     [[nodiscard]] bool is_text() const noexcept;
     [[nodiscard]] bool is_list() const noexcept;
+    [[nodiscard]] bool is_null() const noexcept;
 
     /// The value as what it must be; hts::Error that says what it is otherwise.
     [[nodiscard]] double number() const;
@@ -40,6 +41,8 @@ class JsonValue {
 
     /// hts::Error if this is no object or has keys that are not listed.
     void require_keys_among(const std::vector<std::string>& known) const;
+    /// The same object less some of its members.
+    [[nodiscard]] JsonValue without(const std::vector<std::string>& keys) const;
     /// Member of an object, none if it is not there.
     [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
     /// Member of an object, hts::Error if it is not there.

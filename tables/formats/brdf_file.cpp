@@ -4,14 +4,17 @@
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/models/material.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/coverage.hpp"
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
+#include "tables/formats/points/bird.hpp"
 #include "tables/formats/points/fred.hpp"
 #include "tables/formats/points/lighttools.hpp"
+#include "tables/formats/points/open_material.hpp"
 #include "tables/formats/points/scatter_points.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/whole_file.hpp"
@@ -99,7 +102,49 @@ BrdfFile file_of_points(const Path& path, const ScatterPoints& points, const cha
     return {std::move(found.brdf), format, std::move(found.notes), points.channels};
 }
 
+/// A few wavelengths of a material's optical constants, at which to say what it reflects.
+spectral::Reflectance at_some_wavelengths(const std::string& material, const Path& path) {
+    constexpr std::size_t most = 16;
+    const auto read = spectral::JsonValue::parse(material, path.string());
+    std::vector<double> um;
+    if (const auto table = read["index"].find("table"))
+        for (const auto& row : table->rows({"um", "n", "k"})) um.push_back(row.values[0]);
+    if (um.empty()) um.push_back(0.55);
+    std::vector<double> some;
+    const std::size_t count = std::min(most, um.size());
+    for (std::size_t i = 0; i < count; ++i)
+        some.push_back(um[count == 1 ? 0 : i * (um.size() - 1) / (count - 1)]);
+    return spectral::material_from_text(material, path)
+        .at(spectral::WavelengthGrid::from_micrometres(std::move(some)));
+}
+
+BrdfFile read_open_material(std::string bytes, const Path& path, const BrdfReading& how) {
+    std::string text = spectral::checked_text(std::move(bytes), path);
+    OpenMaterial found;
+    Path table = path;
+    if (!is_open_material_brdf(text)) {
+        found = open_material(text, path);
+        if (!found.material.empty()) {
+            if (how.wavelengths)
+                throw Error{path.string() + ": says its wavelengths, which must not be given"};
+            return {at_some_wavelengths(found.material, path),
+                    "openmaterial",
+                    std::move(found.notes),
+                    {},
+                    std::move(found.material)};
+        }
+        table = found.brdf_table;
+        text = spectral::checked_text(read_whole_file(table), table);
+    }
+    const auto points =
+        points_of_open_material(text, table.string(), how.wavelengths, how.mirror_azimuth.value_or(180));
+    BrdfFile file = file_of_points(table, points, "openmaterial");
+    file.notes.insert(file.notes.begin(), found.notes.begin(), found.notes.end());
+    return file;
+}
+
 BrdfFile with_coverage(BrdfFile file) {
+    if (!file.material.empty()) return file;  // of a model, which knows all directions
     if (!file.channels.empty()) {
         std::string names;
         for (std::size_t i = 0; i < file.channels.size(); ++i)
@@ -160,7 +205,19 @@ const std::vector<BrdfFormat>& readable_formats() {
          [](std::string bytes, const Path& path, const BrdfReading& how) {
              const std::string text = spectral::checked_text(std::move(bytes), path);
              return file_of_points(
-                 path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth), "fred");
+                 path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(0)),
+                 "fred");
+         }},
+        {"openmaterial", "ASAM OpenMATERIAL 3D, a material (.xomp) or the table of its BRDF (_brdf.xompt)",
+         [](std::string_view bytes, const Path&) { return is_open_material(without_mark(bytes)); },
+         read_open_material},
+        {"bird", "BiRD, JSON of bidirectional reflectance data",
+         [](std::string_view bytes, const Path&) { return is_bird_file(without_mark(bytes)); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             return file_of_points(
+                 path, points_of_bird(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(180)),
+                 "bird");
          }},
         {"astm", "ASTM E1392 (E2387) scatter file, KEY value lines, VARS and points",
          [](std::string_view bytes, const Path&) { return has_line_vars(without_mark(bytes)); },

@@ -5,7 +5,7 @@
 /// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
 /// (rgl.hpp) and KAIST's polarised one (pbsdf.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index
 /// of several of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
-/// FRED's tables, ASTM scatter files and CSV (scatter_points.hpp).
+/// FRED's tables, OpenMATERIAL 3D, BiRD, ASTM scatter files and CSV (points/).
 #pragma once
 
 #include <filesystem>
@@ -27,13 +27,18 @@ struct BrdfFile {
     std::vector<std::string> notes;  ///< what a user should know of it, a line each
     /// What its wavelengths stand for: B, G, R or Z, Y, X or Y; none if they are wavelengths.
     std::vector<std::string> channels{};
+    /// A material file that says the same by a model, where a file holds what a model needs: the BRDF is then
+    /// that of this material.
+    std::string material{};
 };
 
 /// What a user knows of a file that it may not say itself.
 struct BrdfReading {
     std::optional<spectral::WavelengthGrid> wavelengths{};  ///< what the channels are called [um]
     std::string format{};                                   ///< its name; "" to recognise it
-    double mirror_azimuth = 0;  ///< FRED's tables: where azimuths have the mirror direction [deg], 0 or 180
+    /// Of FRED's tables, OpenMATERIAL and BiRD: where azimuths have the mirror direction [deg], 0 or 180; if
+    /// not given, 0 in FRED's and 180 in others.
+    std::optional<double> mirror_azimuth{};
 };
 
 /// A format that can be read.

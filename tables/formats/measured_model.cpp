@@ -283,12 +283,14 @@ spectral::Material read_measured(const spectral::MaterialFile& file) {
         });
     }
     if (const auto azimuth = file.json.find("mirror_azimuth_deg")) {
-        how.mirror_azimuth = azimuth->number();
-        if (how.mirror_azimuth != 0 && how.mirror_azimuth != 180)
-            throw azimuth->error(shortest(how.mirror_azimuth) + ": must be 0 or 180");
+        const double degrees = azimuth->number();
+        if (degrees != 0 && degrees != 180) throw azimuth->error(shortest(degrees) + ": must be 0 or 180");
+        how.mirror_azimuth = degrees;
     }
     const auto key = file.json["file"];
     BrdfFile found = spectral::located(key.place(), [&] { return read_brdf(file.folder / key.text(), how); });
+    if (!found.material.empty())
+        return spectral::material_from_text(found.material, file.folder / key.text());
     return material_of_file(found.brdf, std::move(found.notes), std::move(found.channels));
 }
 

@@ -30,6 +30,7 @@ struct Sidecar {
 struct Exported {
     std::vector<spectral::TextFile> files;
     Sidecar sidecar;
+    double mirror_azimuth = 180;  ///< of the files, where they leave it open [deg]
 };
 
 /// As JSON, with the specular reflectance of `brdf` [1] at every 2.5 degrees of its own wavelengths.

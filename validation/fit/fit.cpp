@@ -170,8 +170,9 @@ std::vector<FittedParameter> listed(const FitProblem& problem, const std::vector
         const Outcome outcome = place.role == Role::fixed  ? Outcome::fixed
                                 : place.role == Role::tied ? Outcome::tied
                                                            : Outcome::fitted;
-        result.push_back(
-            {place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest, outcome});
+        const bool own = !place.parameter.pointer.empty() && !place.parameter.channel;
+        result.push_back({place.parameter.name, range.unit, values[i], 0, range.lowest, range.highest,
+                          outcome, own ? place.parameter.pointer.substr(1) : ""});
     }
     return result;
 }

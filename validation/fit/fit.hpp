@@ -83,6 +83,7 @@ struct FittedParameter {
     double standard_error;  ///< in the value's unit; 0 unless fitted, infinity where the data say nothing
     double lowest, highest;
     Outcome outcome;
+    std::string key{};  ///< of the material file, places behind "/"; of "scale" and of channels empty
 };
 
 /// How far model and data are apart. Means over all data.

@@ -62,4 +62,16 @@ std::vector<Fit> fits_of(const std::vector<ModelChoice>& models, const CurveSet&
     return result;
 }
 
+std::vector<CrossValidation> cross_validations(const std::vector<Fit>& fits, const CurveSet& set,
+                                               const FitSelection& selection) {
+    std::vector<CrossValidation> result;
+    const spectral::Job job{"leaving out angles", fits.size()};
+    for (const Fit& fit : fits) {
+        result.push_back(
+            cross_validated(fit, {&set, 1}, has_index(fit.model) ? selection : without_bands(selection)));
+        job.done();
+    }
+    return result;
+}
+
 }  // namespace hts::validation

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/fit/cross_validation.hpp"
 #include "validation/fit/fit.hpp"
 #include "validation/fit/fit_curves.hpp"
 
@@ -35,5 +36,10 @@ struct ComparisonRequest {
                                        const ComparisonRequest& request);
 
 [[nodiscard]] ModelChoice choice_of(const Fit& fit);
+
+/// How each of those fits predicts angles of incidence that it has not seen.
+[[nodiscard]] std::vector<CrossValidation> cross_validations(const std::vector<Fit>& fits,
+                                                             const CurveSet& set,
+                                                             const FitSelection& selection);
 
 }  // namespace hts::validation

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "spectral/parallel.hpp"
+#include "validation/curves/quadrature.hpp"
 #include "validation/topography/deviance.hpp"
 
 namespace hts::validation {
@@ -123,6 +124,15 @@ SeenSpectrum::SeenSpectrum(const HeightMap& map, const MapWindow& window, const 
     spectral::parallel_for(bins_.size(), [&](std::size_t b) {
         nodes.add_row(lags, bins_[b].frequency, &kernel_[b * distances_.size()]);
     });
+    const GaussLegendre rule = gauss_legendre(24);
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+        const double u = rule.nodes[k],
+                     f = known_.first * u * u;  // closer where long scales have their power
+        taken_.push_back(f);
+        const double weight = rule.weights[k] * 2 * known_.first * u * 2 * std::numbers::pi * f;
+        for (const double r : distances_)
+            taken_kernel_.push_back(weight * ::j0(2 * std::numbers::pi * f * r));
+    }
 }
 
 /// One description and all maps: what is expected, how far off it is, what that leaves open.
@@ -178,6 +188,11 @@ class SpectrumFitter {
             std::vector<double> c;
             c.reserve(map.distances_.size());
             for (const double r : map.distances_) c.push_back(correlation(scales, r));
+            for (std::size_t k = 0; k < map.taken_.size(); ++k) {
+                const double power = hts::validation::spectrum(scales, map.taken_[k]);
+                for (std::size_t i = 0; i < c.size(); ++i)
+                    c[i] -= power * map.taken_kernel_[k * c.size() + i];
+            }
             for (std::size_t b = 0; b < map.bins_.size(); ++b) {
                 if (fitted_only && !map.bins_[b].fitted) continue;
                 double sum = 0;
@@ -275,7 +290,7 @@ class SpectrumFitter {
     [[nodiscard]] SpectrumFit described(const Minimum& minimum, const std::vector<Bounds>& bounds) const {
         const std::vector<double>& x = minimum.x;
         const auto freedom = static_cast<double>(power_.size()) - static_cast<double>(x.size());
-        SpectrumFit fit{model_.name, model_.title, model_.scales(x), 0, {}, 0, 0, 0, 0, {}};
+        SpectrumFit fit{model_.name, model_.title, model_.scales(x), 0, {}, 0, 0, {}, 0, 0, {}};
         fit.variance = (1 - x.back()) * variance_ / known_share(fit.scales);
         fit.deviance = 2 * minimum.cost / freedom;
         fit.aic = 2 * minimum.cost + 2 * static_cast<double>(x.size());
@@ -291,15 +306,18 @@ class SpectrumFitter {
             const RoughnessScales scales = model_.scales(at);
             std::vector<double> result{std::sqrt((1 - at.back()) / known_share(scales))};
             for (const RoughnessValue& value : model_.values(scales)) result.push_back(value.value);
+            result.push_back(std::sqrt((1 - at.back()) * band_share(scales) / known_share(scales)));
             return result;
         };
         const MatrixXd by_coordinates = log_slopes(x, values);
         const std::vector<double> found = values(x);
         std::vector<RoughnessValue> own = model_.values(fit.scales);
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            VectorXd along = VectorXd::Zero(spread.rows());
-            along.head(by_coordinates.cols()) = by_coordinates.row(static_cast<Index>(i)).transpose();
-            if (i == 0) along[along.size() - 1] = 0.5;
+        MatrixXd directions = MatrixXd::Zero(static_cast<Index>(found.size()), spread.rows());
+        directions.leftCols(by_coordinates.cols()) = by_coordinates;
+        directions(0, spread.rows() - 1) = directions(directions.rows() - 1, spread.rows() - 1) = 0.5;
+        fit.covariances = covariances(directions, spread);
+        for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+            const VectorXd along = directions.row(static_cast<Index>(i)).transpose();
             const double value = i == 0 ? std::sqrt(fit.variance) : own[i - 1].value;
             fit.values.push_back(
                 {i == 0 ? "rms_um" : own[i - 1].name, value, value * std::sqrt(along.dot(spread * along))});
@@ -315,6 +333,14 @@ class SpectrumFitter {
         fit.rms_of_rings = std::sqrt(ring_variance(x));
         fit.rms_of_band = std::sqrt(fit.variance * band_share(fit.scales));
         return fit;
+    }
+    /// Of the last value, the rms of the band, and of those between the first and it.
+    [[nodiscard]] static std::vector<double> covariances(const MatrixXd& directions, const MatrixXd& spread) {
+        const Index count = directions.rows() - 1;
+        MatrixXd rows(count, directions.cols());
+        rows << directions.row(count), directions.middleRows(1, count - 1);
+        const MatrixXd result = rows * spread * rows.transpose();
+        return {result.data(), result.data() + result.size()};
     }
     /// What is expected of all rings, and what was measured of the corners.
     [[nodiscard]] double ring_variance(const std::vector<double>& x) const {

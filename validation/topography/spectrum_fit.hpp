@@ -40,6 +40,9 @@ class SeenSpectrum {
     };
     std::vector<Bin> bins_;
     std::vector<double> distances_, kernel_;  // kernel: a row of all distances per bin
+    // Frequencies below known_, which levelling took off, and what each adds to the correlation at each
+    // distance per power: rows of frequencies.
+    std::vector<double> taken_, taken_kernel_;
     FrequencyBand known_;
     double corners_ = 0;  // variance at frequencies that are in no ring
     double area_, variance_, noise_unit_, inflation_, cell_, window_share_;
@@ -61,6 +64,8 @@ struct SpectrumFit {
     /// beyond the rings as they were measured. The third place where the rms of the heights must come back.
     double rms_of_rings;
     double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
+    /// Relative covariances of rms_of_band and of the model's own values in their order, row by row.
+    std::vector<double> covariances;
     /// per degree of freedom: 1 at most where the description holds; errors grow with its root
     double deviance;
     double aic;                          ///< Akaike's criterion, of all descriptions on the same data

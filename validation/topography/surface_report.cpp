@@ -133,6 +133,56 @@ void add_correlation(ordered_json& material, const SpectrumFit& fit, const Ellip
     if (ellipse.ratio != 1) material["azimuth_deg"] = ellipse.azimuth * degrees;
 }
 
+/// A number of the material and what its relative error is: a factor on one of SpectrumFit::covariances.
+struct ErrorOf {
+    std::string key;
+    std::size_t place;
+    double factor = 1;
+};
+
+std::vector<ErrorOf> errors_of(const SpectrumFit& fit, const Ellipse& ellipse) {
+    std::vector<ErrorOf> errors{{"rms_roughness_um", 0}};
+    const auto add_length = [&](const std::string& key, std::size_t place) {
+        if (ellipse.ratio == 1) return errors.push_back({key, place});
+        for (const char* which : {"/0", "/1"}) errors.push_back({key + which, place});
+    };
+    if (fit.model == "k_correlation") {
+        add_length("correlation/B_um", 3);
+        errors.push_back({"correlation/C", 4});
+    } else if (fit.model == "two_scales") {
+        errors.push_back({"correlation/of/0/1/length_um", 1});
+        errors.push_back({"correlation/of/1/1/length_um", 2});
+        // the other weight is held: the share changes by so much less
+        errors.push_back({"correlation/of/0/0", 3, 1 / (1 - fit.scales.front().weight)});
+    } else {
+        add_length("correlation_length_um", 1);
+    }
+    return errors;
+}
+
+/// The key "uncertainty" of a material; numbers that ended at a bound have none.
+void add_uncertainty(ordered_json& material, const SpectrumFit& fit, const Ellipse& ellipse) {
+    const std::size_t count = fit.scales.size() > 1 ? 4 : fit.model == "k_correlation" ? 5 : 2;
+    const auto covariance = [&](const ErrorOf& a, const ErrorOf& b) {
+        return a.factor * b.factor * fit.covariances[a.place * count + b.place];
+    };
+    std::vector<ErrorOf> known;
+    ordered_json uncertainty = ordered_json::object(), correlated = ordered_json::array();
+    for (const ErrorOf& error : errors_of(fit, ellipse)) {
+        const double relative = std::sqrt(covariance(error, error));
+        if (!(relative > 1e-9)) continue;
+        uncertainty[error.key] =
+            relative * material.at(ordered_json::json_pointer{"/" + error.key}).get<double>();
+        for (const ErrorOf& other : known) {
+            const double r = covariance(error, other) / (relative * std::sqrt(covariance(other, other)));
+            correlated.push_back({other.key, error.key, std::clamp(r, -1.0, 1.0)});
+        }
+        known.push_back(error);
+    }
+    uncertainty["correlated"] = correlated;
+    material["uncertainty"] = uncertainty;
+}
+
 /// The spectrum of the fit's noise, which the measured one has in it.
 double noise_power(const SurfaceStudy& study, const SpectrumFit& fit) {
     const HeightMap& map = study.maps.front().levelled.map;
@@ -264,6 +314,7 @@ std::string surface_material(const SurfaceStudy& study, const SpectrumFit& fit, 
         add_correlation(material, fit, study.ellipse);
     }
     material["index"] = ordered_json::parse(index);
+    if (!measured) add_uncertainty(material, fit, study.ellipse);
     return material.dump(2) + "\n";
 }
 

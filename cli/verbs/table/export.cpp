@@ -25,6 +25,7 @@ struct ExportOptions {
     bool json = false, colour = false;
     std::optional<std::string> basis;
     std::optional<int> depth;
+    std::optional<double> mirror_azimuth;
     OutsideOption outside;
 };
 
@@ -48,7 +49,8 @@ R, G, B.
 Examples:
   hts table export cli/data/rough-aluminium.json --format rgl --output aluminium.bsdf
   hts table export cli/data/rough-aluminium.json --format pbsdf --output aluminium.pbsdf
-  hts table export cli/data/rough-aluminium.json --format glsl --output aluminium.glsl)";
+  hts table export cli/data/rough-aluminium.json --format glsl --output aluminium.glsl
+  hts table export cli/data/rough-aluminium.json --format openmaterial --output aluminium.xomp)";
 }
 
 /// UsageError for what means nothing in the format.
@@ -57,6 +59,7 @@ tables::FileRequest request_of(const ExportOptions& options, const tables::Writt
                                 .colour = options.colour,
                                 .basis = options.basis,
                                 .depth = options.depth,
+                                .mirror_azimuth = options.mirror_azimuth,
                                 .pairs = options.pairs,
                                 .seed = options.seed};
     if (options.specular == "box") {
@@ -124,6 +127,10 @@ void add_table_export(CLI::App& table) {
                      "of the tree of radiance: halvings of each dimension, 1 ... 8, for\n"
                      "surfaces with a grain 6; more is finer (7, or 5)")
         ->check(whole_number(1, 8));
+    verb->add_option(
+            "--mirror-azimuth", options->mirror_azimuth,
+            "of openmaterial: where azimuths have the mirror direction [deg], 0 or 180 (the default)")
+        ->check(CLI::IsMember({0.0, 180.0}));
     verb->add_option(pairs_names, options->pairs, "pairs of directions to compare at, 1 ... 100000000")
         ->check(whole_number(1, 100'000'000))
         ->capture_default_str();

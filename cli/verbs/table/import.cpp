@@ -23,7 +23,7 @@ namespace {
 
 struct ImportOptions {
     std::string source, format, wavelengths, output, csv;
-    double mirror_azimuth = 0;
+    std::optional<double> mirror_azimuth;
     OutsideOption outside;
     bool json = false;
 };
@@ -39,7 +39,8 @@ at each wavelength [um]; nan where less than 98 % of the hemisphere was, unless
 --outside says what stands there. Scans of the plane of incidence alone are
 spread about the mirror direction: views beside the plane see what stands in it
 at the same angle from the mirror direction. --output writes a material file
-with the model "measured", which eval, polar, sample and the others take.
+with the model "measured", which eval, polar, sample and the others take; of an
+OpenMATERIAL file with roughness and optical constants one with the model "he".
 
 Examples:
   hts table export cli/data/rough-aluminium.json --format csv --wavelengths 0.633 --output scan.csv
@@ -52,13 +53,14 @@ std::optional<spectral::WavelengthGrid> wavelengths_of(const ImportOptions& opti
 }
 
 std::string material_text(const ImportOptions& options, const tables::BrdfFile& file) {
+    if (!file.material.empty()) return file.material;
     std::string text = "{\n  \"name\": ";
     text.append(json_string(std::filesystem::path{options.source}.stem().string()))
         .append(",\n  \"model\": \"measured\",\n  \"file\": ")
         .append(json_string(reference_from(options.output, options.source)));
     if (!options.format.empty()) text.append(",\n  \"format\": ").append(json_string(file.format));
-    if (options.mirror_azimuth != 0)
-        text.append(",\n  \"mirror_azimuth_deg\": ").append(shortest(options.mirror_azimuth));
+    if (options.mirror_azimuth)
+        text.append(",\n  \"mirror_azimuth_deg\": ").append(shortest(*options.mirror_azimuth));
     if (!options.wavelengths.empty()) {
         std::string list;
         for (const double um : file.brdf.wavelengths().micrometres())
@@ -116,9 +118,11 @@ void run(const ImportOptions& options) {
               << " wavelengths, " << (file.brdf.properties().isotropic ? "isotropic" : "not isotropic")
               << '\n';
     for (const std::string& note : file.notes) std::cerr << options.source << ": " << note << '\n';
-    const auto known = tables::material_of_file(file.brdf)
-                           .named(options.source, "measured", options.source)
-                           .at(file.brdf.wavelengths(), {.outside = options.outside.policy});
+    const auto known = file.material.empty()
+                           ? tables::material_of_file(file.brdf)
+                                 .named(options.source, "measured", options.source)
+                                 .at(file.brdf.wavelengths(), {.outside = options.outside.policy})
+                           : file.brdf;
     if (!options.output.empty())
         write_file(options.output, verified(options.output, material_text(options, file)));
     if (!options.csv.empty()) {
@@ -142,10 +146,11 @@ void add_table_import(CLI::App& table) {
     verb->add_option(wavelengths_names, options->wavelengths, "what the channels are called, a,b,c [um]");
     writes(verb->add_option("--output,-o", options->output, "material file to write (JSON)"));
     writes(verb->add_option("--csv", options->csv, "the BRDF on a grid of angles, as CSV"));
-    verb->add_option("--mirror-azimuth", options->mirror_azimuth,
-                     "where azimuths of FRED's tables have the mirror\ndirection [deg], 0 or 180")
-        ->check(CLI::IsMember({0.0, 180.0}))
-        ->capture_default_str();
+    verb->add_option(
+            "--mirror-azimuth", options->mirror_azimuth,
+            "where azimuths have the mirror direction [deg], 0 or 180:\nif not given, 0 in FRED's tables, "
+            "180 in OpenMATERIAL and BiRD")
+        ->check(CLI::IsMember({0.0, 180.0}));
     options->outside.add_to(*verb);
     verb->add_flag("--json", options->json, "what it holds as JSON");
     verb->footer(import_help());

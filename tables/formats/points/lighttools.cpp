@@ -220,4 +220,48 @@ ScatterPoints points_of_lighttools(std::string_view text, const std::string& nam
     return points;
 }
 
+std::string lighttools_text(const spectral::Reflectance& brdf, AngularGrid grid) {
+    grid.check();
+    if (!brdf.properties().isotropic)
+        throw Error{brdf.name() +
+                    ": depends on the azimuth of the light: must be isotropic in a LightTools file"};
+    const bool symmetric = is_plane_symmetric(brdf);
+    if (!symmetric) grid = without_symmetry(std::move(grid));
+    const auto um = brdf.wavelengths().micrometres();
+    const std::vector<double> values = values_on(grid, brdf);
+    std::string text = "# BRDF in 1/sr without the cosine, angles in degrees, written by hts\n";
+    text += symmetric ? "Symmetry PlaneSymmetrical\n" : "Symmetry Asymmetric\n";
+    text += "SpectralContent Monochrome\n";
+    const auto append_list = [&](const char* key, const std::vector<double>& list, double off) {
+        text.append(key).append(" ").append(std::to_string(list.size())).append("\n");
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            append_rounded(text, list[i] + off, 9);
+            text += i + 1 < list.size() ? ' ' : '\n';
+        }
+    };
+    append_list("ScatterAzimuth", grid.azimuth, azimuth_of_light);
+    append_list("ScatterRadial", grid.polar, 0);
+    text += "DataBegin\n";
+    for (std::size_t i = 0; i < grid.theta_i.size(); ++i) {
+        const Direction in = Direction::from_degrees(grid.theta_i[i], 0);
+        for (std::size_t w = 0; w < um.size(); ++w) {
+            text += "AOI ";
+            append_rounded(text, grid.theta_i[i], 9);
+            text += " POI 0 Side Front Wavelength ";
+            append_rounded(text, 1000 * um[w], 9);
+            const auto albedo = brdf.albedo(in, w);
+            text += " ScatterType BRDF TIS ";
+            append_rounded(text, albedo.total() - albedo.specular);
+            text += '\n';
+            for (std::size_t a = 0; a < grid.azimuth.size(); ++a)
+                for (std::size_t r = 0; r < grid.polar.size(); ++r) {
+                    const std::size_t node = (i * grid.azimuth.size() + a) * grid.polar.size() + r;
+                    append_rounded(text, values[node * um.size() + w]);
+                    text += r + 1 < grid.polar.size() ? ' ' : '\n';
+                }
+        }
+    }
+    return text + "DataEnd\n";
+}
+
 }  // namespace hts::tables

@@ -22,4 +22,9 @@ namespace hts::tables {
 [[nodiscard]] ScatterPoints points_of_lighttools(std::string_view text, const std::string& name,
                                                  const std::optional<spectral::WavelengthGrid>& wavelengths);
 
+/// A block of reflection at the front for each angle of incidence and wavelength.
+///   grid   axis normal
+/// hts::Error for surfaces with a grain, whose azimuths of light no description of the format explains.
+[[nodiscard]] std::string lighttools_text(const spectral::Reflectance& brdf, AngularGrid grid);
+
 }  // namespace hts::tables

@@ -290,10 +290,9 @@ TEST_CASE("a file is recognised by what it holds, or refused with the list of fo
         const auto path = folder.write("unknown.dat", text);
         return complaint(folder, [&] { static_cast<void>(read_brdf(path)); });
     };
-    CHECK(
-        message("Lorem ipsum") ==
-        "unknown.dat: of no format that is known: merl, rgl, pbsdf, radiance, zemax, lighttools, fred, astm, "
-        "csv");
+    CHECK(message("Lorem ipsum") ==
+          "unknown.dat: of no format that is known: merl, rgl, pbsdf, radiance, zemax, lighttools, fred, "
+          "openmaterial, bird, astm, csv");
     CHECK(message("") == "unknown.dat: file is empty");
     CHECK_THROWS_WITH(read_brdf(folder.path() / "none.dat"), Catch::Contains("no such file"));
     CHECK_THROWS_WITH(read_brdf(folder.path()), Catch::Contains("is a directory"));

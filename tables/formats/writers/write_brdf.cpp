@@ -64,6 +64,7 @@ std::optional<std::string> not_taken(const FileRequest& request, const WrittenFo
     if (request.colour && !takes(format, "colour")) return "colour";
     if (request.basis && !takes(format, "basis")) return "basis";
     if (request.depth && !takes(format, "depth")) return "depth";
+    if (request.mirror_azimuth && !takes(format, "mirror-azimuth")) return "mirror-azimuth";
     if (request.specular_spread && format.holds_specular) return "specular";
     return std::nullopt;
 }
@@ -107,6 +108,7 @@ RoundTrip write_brdf(const Source& source, const WrittenFormat& format, const Fi
                           .colour = request.colour};
     details.basis = request.basis.value_or(details.basis);
     details.depth = request.depth.value_or(details.depth);
+    details.mirror_azimuth = request.mirror_azimuth.value_or(details.mirror_azimuth);
     Exported exported = format.exported(patches ? held(source.brdf) : brdf, request.path, details);
     const auto report =
         round_trip(brdf, format.read(exported),

@@ -26,12 +26,14 @@ struct FileRequest {
     bool colour = false;                      ///< three channels where the format could hold others
     std::optional<std::string> basis{};       ///< of Klems: full, half or quarter
     std::optional<int> depth{};               ///< of a tensor tree, 1 ... 8
+    std::optional<double> mirror_azimuth{};   ///< of OpenMATERIAL [deg], 0 or 180
     std::optional<double> specular_spread{};  ///< of the specular term [sr]; without one it is left out
     std::size_t pairs = 100'000;              ///< to compare at
     std::uint64_t seed = 1;                   ///< of those pairs
 };
 
-/// The first of colour, basis, depth and specular_spread that is asked for and means nothing in the format.
+/// The first of colour, basis, depth, mirror_azimuth and specular_spread that is asked for and means nothing
+/// in the format.
 [[nodiscard]] std::optional<std::string> not_taken(const FileRequest& request, const WrittenFormat& format);
 
 /// A reflectance, and what its wavelengths stand for if they are none.

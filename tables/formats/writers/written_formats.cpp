@@ -5,6 +5,9 @@
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
+#include "tables/formats/points/bird.hpp"
+#include "tables/formats/points/lighttools.hpp"
+#include "tables/formats/points/open_material.hpp"
 #include "tables/formats/points/scatter_points.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/zemax.hpp"
@@ -50,6 +53,22 @@ Reflectance astm_as_read(const Exported& exported) {
 Reflectance csv_as_read(const Exported& exported) {
     const auto& [path, text] = only_file(exported);
     return brdf_from(path, points_of_csv(text, path)).brdf;
+}
+
+Reflectance lighttools_as_read(const Exported& exported) {
+    const auto& [path, text] = only_file(exported);
+    return brdf_from(path, points_of_lighttools(text, path, std::nullopt)).brdf;
+}
+
+// Its BRDF stands in the last of its files; azimuths as they were written.
+Reflectance open_material_as_read(const Exported& exported) {
+    const auto& [path, text] = exported.files.back();
+    return brdf_from(path, points_of_open_material(text, path, std::nullopt, exported.mirror_azimuth)).brdf;
+}
+
+Reflectance bird_as_read(const Exported& exported) {
+    const auto& [path, text] = only_file(exported);
+    return brdf_from(path, points_of_bird(text, path, std::nullopt)).brdf;
 }
 
 // One wavelength as it is, others as luminance.
@@ -158,6 +177,27 @@ Exported astm(const Reflectance& brdf, const std::string& path, const ExportDeta
             std::move(result)};
 }
 
+Exported lighttools(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
+    return {
+        {{path, lighttools_text(brdf, csv_grid())}},
+        sidecar("LightTools BSDF (.bsdf)",
+                {"the light's azimuth is 90 deg; azimuths of views 90 to 270 deg, the other side is the same",
+                 "blocks of BRDF Front, TIS: reflectance of the diffuse terms"})};
+}
+
+Exported open_material_files(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
+    return exported_open_material(brdf, path, details.mirror_azimuth);
+}
+
+Exported bird(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
+    return {
+        {{path, bird_text(brdf, csv_grid(brdf.properties().isotropic))}},
+        sidecar(
+            "BiRD, schema 1.0 (JSON)",
+            {"mirror direction at phi_r = phi_i + 180 deg; of surfaces symmetric to the plane of incidence "
+             "one side"})};
+}
+
 Exported pbsdf(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
     return exported_pbsdf(brdf, path);
 }
@@ -237,6 +277,17 @@ const std::vector<WrittenFormat>& written_formats() {
          Colour::rgb,
          false,
          {"colour"}},
+        {"lighttools", "BSDF text of LightTools, isotropic", "0.40:0.70:7", lighttools, lighttools_as_read},
+        {"openmaterial",
+         "ASAM OpenMATERIAL 3D: .xomp with tables of optical constants and BRDF beside it; isotropic",
+         "0.45,0.55,0.65",
+         open_material_files,
+         open_material_as_read,
+         nullptr,
+         Colour::rgb,
+         false,
+         {"mirror-azimuth"}},
+        {"bird", "BiRD, JSON of bidirectional reflectance data", "0.45,0.55,0.65", bird, bird_as_read},
         {"csv", "angles and a BRDF column per wavelength", "0.40:0.70:7", csv, csv_as_read},
         {"glsl",
          "shader functions for WebGL 2 and OpenGL: brdf, specular, sample, pdf, RGB; model he",

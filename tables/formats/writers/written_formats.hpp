@@ -23,10 +23,11 @@ enum class Colour { rgb, xyz };
 struct ExportDetails {
     /// Over which the specular term is spread in the reflectance or by the writer [sr]; 0 for none.
     double specular_solid_angle = 0;
-    double slope = 0;            ///< of the lobe without it (tables/formats/lobe.hpp)
-    bool colour = false;         ///< three channels where a format could hold others
-    std::string basis = "full";  ///< of Klems: full, half or quarter
-    int depth = 0;               ///< of a tensor tree, 0 for its default
+    double slope = 0;             ///< of the lobe without it (tables/formats/lobe.hpp)
+    bool colour = false;          ///< three channels where a format could hold others
+    std::string basis = "full";   ///< of Klems: full, half or quarter
+    int depth = 0;                ///< of a tensor tree, 0 for its default
+    double mirror_azimuth = 180;  ///< of OpenMATERIAL: where azimuths have the mirror direction [deg]
 };
 
 /// A format: what is written, and how programs that know it read it.
@@ -45,7 +46,7 @@ struct WrittenFormat {
     std::function<spectral::Reflectance(const spectral::Reflectance& brdf)> as_held{};
     Colour colour = Colour::rgb;  ///< which three channels a file of colour has
     bool colour_alone = false;    ///< whether it holds nothing else
-    /// What of FileRequest means something here: "colour", "basis", "depth".
+    /// What of FileRequest means something here: "colour", "basis", "depth", "mirror-azimuth".
     std::vector<std::string> takes{};
     /// How the specular term is spread, as the format's grid can hold it.
     SpecularSpread spread = SpecularSpread::facets;

@@ -1,4 +1,4 @@
-#include "validation/fit/fit_section.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -71,13 +71,17 @@ TEST_CASE("sandblasted aluminium: one roughness carries ten camera angles") {
     const auto sections = fits_sections(Effort::quick);
     const Section& fits = sections.front();
     REQUIRE(fits.tables.size() == 2);
-    CHECK(fits.tables[0].rows.size() > built_in_curve_names().size());
+    const auto names = built_in_curve_names();
+    const auto unseen = static_cast<std::size_t>(
+        std::ranges::count_if(names, [](const std::string& name) { return name.ends_with("-emissivity"); }));
+    CHECK(unseen == 8);
+    CHECK(fits.tables[0].rows.size() > names.size() - unseen);
     for (const auto& row : fits.tables[0].rows) CHECK(row.size() == fits.tables[0].columns.size());
 
-    CHECK(sections.size() == 1 + built_in_curve_names().size());
+    CHECK(sections.size() == 3 + names.size() - unseen);
     for (const Section& section : sections) {
         INFO(section.stem);
-        CHECK((section.stem == "fits" || section.figures.size() >= 2));
+        CHECK((section.stem == "fits" || section.stem == "emissivity" || section.figures.size() >= 2));
         CHECK((section.stem == "fits" || !section.checks.empty()));  // every surface has a verdict
         if (section.stem != "mwir-aluminium-sandblasted" && section.stem != "blue-acrylic") continue;
         for (const Check& check : section.checks) {
@@ -86,6 +90,18 @@ TEST_CASE("sandblasted aluminium: one roughness carries ten camera angles") {
         }
         CHECK(section.checks.size() == 2);
     }
+    const auto section_of = [&](const char* stem) {
+        return *std::ranges::find(sections, stem, &Section::stem);
+    };
+    // eight surfaces, one of them with two fits, at ten angles each; two coatings
+    CHECK(section_of("emissivity").checks.size() == 8);
+    REQUIRE(section_of("emissivity").tables.size() == 1);
+    CHECK(section_of("emissivity").tables[0].rows.size() == 9);
+    CHECK(section_of("predicted").checks.size() == 2);
+    CHECK(section_of("predicted").tables.size() == 2);
+    for (const Section& section : {section_of("emissivity"), section_of("predicted")})
+        for (const auto& table : section.tables)
+            for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
     CHECK(Record::kept().contradictions(sections, Effort::quick) == std::vector<std::string>{});
     CHECK(fits.learned.find(" of 15 measured surfaces have a median |ln(model / measured)|") !=
           std::string::npos);

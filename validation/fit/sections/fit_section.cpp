@@ -1,4 +1,4 @@
-#include "validation/fit/fit_section.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "spectral/text/text.hpp"
 #include "validation/curves/built_in_curves.hpp"
 #include "validation/curves/comparison_section.hpp"
-#include "validation/fit/fit_cases.hpp"
 #include "validation/fit/fit_curves.hpp"
 #include "validation/fit/fit_findings.hpp"
+#include "validation/fit/sections/case_result.hpp"
 #include "validation/report/prose.hpp"
 
 namespace hts::validation {
@@ -34,12 +34,6 @@ std::string cell(const Fit& fit, const std::string& name) {
     }
     return text;
 }
-
-struct CaseResult {
-    FitCase asked;
-    CurveSet set;
-    Fit fit;
-};
 
 CaseResult result_of(const FitCase& asked, Effort effort) {
     CurveSet set = built_in_curves(asked.set);
@@ -148,6 +142,10 @@ std::vector<Section> fits_sections(Effort effort) {
     }
     sections.front().learned = surfaces_text(surfaces);
     std::ranges::move(surfaces, std::back_inserter(sections));
+    for (Section& section : std::vector{predicted_section(results), emissivity_section(results)}) {
+        if (effort == Effort::quick) mark_as_quick(section.checks);
+        sections.push_back(std::move(section));
+    }
     return sections;
 }
 

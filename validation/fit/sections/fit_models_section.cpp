@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "validation/curves/built_in_curves.hpp"
-#include "validation/fit/fit_cases.hpp"
-#include "validation/fit/fit_section.hpp"
 #include "validation/fit/fit_table.hpp"
+#include "validation/fit/sections/fit_cases.hpp"
+#include "validation/fit/sections/fit_section.hpp"
 #include "validation/report/prose.hpp"
 
 namespace hts::validation {
@@ -19,6 +19,7 @@ const std::vector<std::string> models_of_the_paper{
 struct SetResult {
     std::string set;
     std::vector<Fit> l2, log;
+    std::vector<CrossValidation> unseen;  ///< of the fits to logarithms
 };
 
 std::string text_of(const char* format, double value) {
@@ -37,9 +38,10 @@ SetResult result_of(const std::string& set, Effort effort) {
                                             spectral::OutsideRange::hold},
                               .index = known_index(set),
                               .followed_starts = quick ? std::size_t{1} : 8};
-    SetResult result{set, fits_of(compared_models(), curves, request), {}};
+    SetResult result{set, fits_of(compared_models(), curves, request), {}, {}};
     request.residual = Residual::logarithmic;
     result.log = fits_of(compared_models(), curves, request);
+    result.unseen = cross_validations(result.log, curves, request.selection);
     return result;
 }
 
@@ -60,6 +62,47 @@ ReportTable table_of(std::string stem, std::string caption, const std::vector<Se
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+/// Which fit of a set predicts best.
+std::size_t best_predictor(const SetResult& result) {
+    const auto best = std::ranges::min_element(result.unseen, {},
+                                               [](const CrossValidation& each) { return each.all.rms_log; });
+    return static_cast<std::size_t>(best - result.unseen.begin());
+}
+
+/// Of each set and model, what a fit says of angles that it has not seen.
+ReportTable predicted_table(const std::vector<SetResult>& results) {
+    ReportTable table{
+        "predicted-errors",
+        "Rms of ln(model/measured) where each angle of incidence is predicted by a fit to the others' "
+        "logarithms; * the lowest",
+        {"data", "values"},
+        {}};
+    for (const ModelChoice& model : compared_models()) table.columns.push_back(model.label());
+    for (const SetResult& result : results) {
+        std::vector<std::string> row{result.set, std::to_string(result.log.front().statistics.data)};
+        const double lowest = result.unseen[best_predictor(result)].all.rms_log;
+        for (const CrossValidation& each : result.unseen)
+            row.push_back(text_of("%.3f", each.all.rms_log) + (each.all.rms_log <= lowest ? " *" : ""));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+/// In how many sets the model that fits best is not the one that predicts best.
+std::string predictors_text(const std::vector<SetResult>& results) {
+    std::size_t others = 0;
+    for (const SetResult& result : results) {
+        const auto fits_best =
+            std::ranges::min_element(result.log, {}, [](const Fit& fit) { return fit.statistics.rms_log; });
+        const auto predicts = static_cast<std::ptrdiff_t>(best_predictor(result));
+        if (fits_best - result.log.begin() != predicts) ++others;
+    }
+    return "Fitting is not predicting: with one angle of incidence left out at a time, another model than "
+           "the one that "
+           "fits best predicts what was left out best in " +
+           std::to_string(others) + " of " + std::to_string(results.size()) + " sets.";
 }
 
 double lowest_aic(const SetResult& result) {
@@ -120,11 +163,15 @@ std::string lobes_text(const std::vector<SetResult>& results) {
 
 Section models_section(Effort effort) {
     std::vector<SetResult> results;
-    for (const std::string& set : built_in_curve_names()) results.push_back(result_of(set, effort));
+    for (const std::string& set : built_in_curve_names()) {
+        if (built_in_curves(set).quantity != Quantity::hemispherical_reflectance)
+            results.push_back(result_of(set, effort));
+    }
     const auto median = [](const Fit& fit) { return fit.statistics.median_abs_log; };
     const auto l2 = [](const Fit& fit) { return fit.statistics.l2; };
     Section section{"models", "All models fitted to all measurements", "", {}, {}, {}, {}, {}};
-    section.text = prose("models") + "\n\n" + wins_text(results) + " " + lobes_text(results);
+    section.text = prose("models") + "\n\n" + wins_text(results) + " " + lobes_text(results) + "\n\n" +
+                   predictors_text(results);
     section.tables = {
         table_of("l2-errors",
                  "L2 error: rms of (model - measured) cos theta_i [1/sr] after a fit to it; * the lowest",
@@ -142,6 +189,7 @@ Section models_section(Effort effort) {
         }
     }
     section.tables.push_back(std::move(aic));
+    section.tables.push_back(predicted_table(results));
     return section;
 }
 
