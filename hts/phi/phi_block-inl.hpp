@@ -41,6 +41,8 @@ struct PhiBlock {
     static constexpr typename C::NarrowTag narrow{};
     static constexpr typename L::NarrowTag narrow_line{};
     static constexpr std::size_t lanes = hn::MaxLanes(d), size = 64;
+    // items for which a gather is quicker: no vector is loaded right after its numbers were stored one by one
+    static constexpr std::size_t few = 4 * lanes < size ? 4 * lanes : 0;
 
     const Items& items;
     bool inside = true;
@@ -58,6 +60,12 @@ struct PhiBlock {
     HWY_INLINE void prepare(std::size_t count) {
         const Items here = items;  // copies: no store below can change them
         const Table<Spec> table = phi_detail::table<Spec>();
+        if (count <= few) {
+            for (std::size_t i = 0; i < count; i += lanes)
+                store(i, place(Lanes{}, table, here.g(i), here.t(i), here.inverse_g(i)), here.scale(i));
+            add_pieces(table, count);
+            return;
+        }
         for (std::size_t i = 0; i < count; i += lanes) {
             const V inverse = here.inverse_g(i);
             const auto at = coordinates<Spec>(Lanes{}, here.g(i), here.t(i), inverse);
@@ -79,10 +87,7 @@ struct PhiBlock {
                                  hn::Load(Lanes::di, entry + i)),
                   here.scale(i));
         }
-        for (std::size_t i = 0; i < count; ++i) {
-            add_cell(table, i);
-            add_line(table, i);
-        }
+        add_pieces(table, count);
     }
 
     /// scale Phi of items i ... i + lanes - 1.
@@ -119,6 +124,12 @@ struct PhiBlock {
         hn::Store(C::narrow(p.x), narrow, x + i);
         hn::Store(C::narrow(p.z), narrow, z + i);
         inside = inside && hn::AllTrue(d, p.inside);
+    }
+    HWY_INLINE void add_pieces(const Table<Spec>& table, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            add_cell(table, i);
+            add_line(table, i);
+        }
     }
     HWY_INLINE void add_cell(const Table<Spec>& table, std::size_t i) {
         hn::Store(C::sums(table.cells + cell[i], x[i], z[i]), C::pack, sums + C::width * i);
