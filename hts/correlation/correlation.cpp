@@ -98,11 +98,13 @@ void require_spectrum(std::span<const double> frequency, std::span<const double>
         if (!(value > 0 && std::isfinite(value))) throw out_of_range("power spectrum", value, "", "> 0");
 }
 
-void require_integrable(std::span<const double> frequency, std::span<const double> density, double least) {
+void require_integrable(std::span<const double> frequency, std::span<const double> density, double least,
+                        double finite) {
     const double power = detail::LogCurve{frequency, density}.last_power();
     if (power < -least) return;
     throw Error{"power spectrum: ends as the power " + shortest(power) + " of the frequency: must be below " +
-                shortest(-least) + " to be continued, or the variance of heights is infinite"};
+                shortest(-least) + " to be continued, or the variance of heights is " +
+                (power < -finite ? "mostly that of frequencies beyond the table" : "infinite")};
 }
 
 }  // namespace
@@ -159,7 +161,7 @@ Correlation Correlation::sum(std::span<const Part> parts) {
 Correlation::Scaled Correlation::of_spectrum(std::span<const double> frequency,
                                              std::span<const double> density, bool continued) {
     require_spectrum(frequency, density);
-    if (continued) require_integrable(frequency, density, 2);
+    if (continued) require_integrable(frequency, density, 2.5, 2);
     const detail::ScaledShape made = detail::spectrum_shape(frequency, density, continued);
     return {Correlation{std::make_shared<Shared>(made.shape)}, made.length, std::sqrt(made.variance)};
 }
@@ -167,7 +169,7 @@ Correlation::Scaled Correlation::of_spectrum(std::span<const double> frequency,
 Correlation::Scaled Correlation::of_profile_spectrum(std::span<const double> frequency,
                                                      std::span<const double> density, bool continued) {
     require_spectrum(frequency, density);
-    require_integrable(frequency, density, 1);
+    require_integrable(frequency, density, 1, 1);
     const std::vector<double> surface = detail::abel_transform(frequency, density);
     for (std::size_t i = 0; i < surface.size(); ++i) {
         if (surface[i] > 0) continue;

@@ -199,8 +199,9 @@ UncertainMaterial::UncertainMaterial(const std::string& text, std::filesystem::p
                         ": must be > 0"};
     }
     const auto place = [&](const std::string& name) {
-        return static_cast<std::size_t>(std::ranges::find(numbers_, name, &UncertainNumber::name) -
-                                        numbers_.begin());
+        return static_cast<std::size_t>(
+            std::ranges::find_if(numbers_, [&](const auto& each) { return each.name == name; }) -
+            numbers_.begin());
     };
     const auto stated = read.find("uncertainty");
     if (stated) {

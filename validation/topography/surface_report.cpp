@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "hts/correlation/correlation.hpp"
+#include "hts/error.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
 
@@ -293,13 +295,29 @@ std::string spectrum_file(const SurfaceStudy& study, const SpectrumFit& fit) {
     return text;
 }
 
+/// Whether the power of frequency with which the known spectrum ends may be that of all higher frequencies.
+static bool continues(const SurfaceStudy& study, const SpectrumFit& fit) {
+    std::vector<double> frequency, density;
+    for (const RadialBin& ring : trusted(study, fit)) {
+        frequency.push_back(ring.frequency);
+        density.push_back(ring.power);
+    }
+    try {
+        static_cast<void>(Correlation::of_spectrum(frequency, density, true));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 std::string surface_material(const SurfaceStudy& study, const SpectrumFit& fit, const std::string& index,
                              const std::string& spectrum_path) {
     std::string title = study.maps.front().levelled.map.name();
     if (study.maps.size() > 1) title.append(" and ").append(count_of(study.maps.size() - 1, "more map"));
     const bool measured = !spectrum_path.empty();
     title.append(": ").append(measured ? "measured" : fit.title).append(" spectrum, known for periods ");
-    title.append(periods(study.known)).append(", extrapolated beyond");
+    const bool extrapolated = !measured || continues(study, fit);
+    title.append(periods(study.known)).append(extrapolated ? ", extrapolated beyond" : ", smooth below");
     if (study.ellipse.ratio != 1 && (measured || fit.scales.size() > 1)) {
         throw Error{title +
                     ": the directions of the surface differ, and this description has one length for all; "
@@ -307,7 +325,8 @@ std::string surface_material(const SurfaceStudy& study, const SpectrumFit& fit, 
     }
     ordered_json material{{"name", title}, {"model", "he"}};
     if (measured) {
-        material["correlation"] = {{"type", "psd"}, {"file", spectrum_path}, {"outside", "power_law"}};
+        material["correlation"] = {{"type", "psd"}, {"file", spectrum_path}};
+        if (extrapolated) material["correlation"]["outside"] = "power_law";
     } else {
         material["rms_roughness_um"] = fit.rms_of_band;
         material["rms_band_um"] = band_json(study.known);

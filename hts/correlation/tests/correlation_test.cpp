@@ -344,6 +344,13 @@ TEST_CASE("Correlation: what no surface has is refused") {
     refuses([&] { return Correlation::of_spectrum(up, flat, true); }, "variance of heights is infinite");
     refuses([&] { return Correlation::of_profile_spectrum(up, flat, false); },
             "variance of heights is infinite");
+    std::vector<double> frequency, nearly_flat;
+    for (double f = 0.01; f < 2; f *= 1.2) {
+        frequency.push_back(f);
+        nearly_flat.push_back(1e-3 * std::pow(1 + f * f / 0.0025, -1.2));
+    }
+    refuses([&] { return Correlation::of_spectrum(frequency, nearly_flat, true); },
+            "must be below -2.5 to be continued, or the variance of heights is mostly that of frequencies");
     const std::vector<double> far{1, 5, 50}, hill{1, 9, 0.01};
     refuses([&] { return Correlation::of_profile_spectrum(far, hill, false); },
             "Abel transform is not positive at 1/um");
