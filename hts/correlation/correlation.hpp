@@ -66,8 +66,8 @@ class Correlation {
     /// Of a power spectrum that is known at some frequencies. Between, powers of f; below the first it is
     /// held; beyond the last it is 0, or goes on as the power of f with which it ends.
     ///   frequency   > 0, increasing, at least 3 [1/um]      density   S2 > 0 [um^4]; else hts::Error
-    ///   continued   where the power at the end is not below -2.5: hts::Error. Above -2 the variance is infinite;
-    ///               below, it is mostly that of frequencies that nobody knows, and the tables do not hold it
+    ///   continued   where the power at the end is not below -2.5: hts::Error. Above -2 the variance is
+    ///               infinite; below, it is mostly of unknown frequencies, and the tables do not hold it
     [[nodiscard]] static Scaled of_spectrum(std::span<const double> frequency,
                                             std::span<const double> density, bool continued);
     /// The same of a profile's one-sided spectrum S1 [um^3], by Abel's transform. hts::Error
