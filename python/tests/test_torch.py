@@ -30,7 +30,7 @@ def test_values(material):
     matrix = hts.torch.mueller(material, *(double(x) for x in WHERE))
     np.testing.assert_allclose(matrix.numpy(), material.mueller(*WHERE), rtol=1e-12, atol=1e-15)
     assert hts.torch.specular_reflectance(material, 2.0, 0.3).dtype == torch.float32
-    assert hts.torch.brdf(material, 0.5, 0.3, torch.tensor([1, 2]), 3.0).dtype == torch.float32
+    assert hts.torch.brdf(material, 0.5, 0.3, torch.tensor([0, 1]), 3.0).dtype == torch.float32
 
 
 @pytest.mark.parametrize("name", [*PARAMETERS, "theta_i", "theta_r", "phi"])
