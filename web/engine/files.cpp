@@ -17,6 +17,14 @@ std::filesystem::path path_to_read(const std::filesystem::path& path) {
 
 }  // namespace hts::spectral
 
-extern "C" int omp_in_parallel() {
+extern "C" {
+int omp_in_parallel() {
     return 0;
+}
+int omp_get_level() {
+    return 0;
+}
+int omp_get_thread_num() {
+    return 0;
+}
 }
