@@ -1,4 +1,5 @@
-// One lane at a time single precision saves nothing, so the page computes in double precision at every tolerance.
+// One lane at a time single precision saves nothing, so the page computes in double precision at every
+// tolerance.
 #include "hts/evaluation/single_simd.hpp"
 
 namespace hts::evaluation_detail {
