@@ -59,6 +59,18 @@ std::string export_source(const tables::Source& source, const tables::WrittenFor
     return tables::write_brdf(source, format, request).json();
 }
 
+tables::FileRequest request_of(const std::string& path, bool colour, const std::optional<std::string>& basis,
+                               std::optional<int> depth, std::optional<double> specular_spread,
+                               std::size_t pairs, std::uint64_t seed) {
+    return {.path = path,
+            .colour = colour,
+            .basis = basis,
+            .depth = depth,
+            .specular_spread = specular_spread,
+            .pairs = pairs,
+            .seed = seed};
+}
+
 std::string export_material(const PyMaterial& material, const std::string& path, const std::string& format,
                             const std::optional<std::vector<double>>& wavelengths, bool colour,
                             const std::optional<std::string>& basis, std::optional<int> depth,
@@ -70,14 +82,15 @@ std::string export_material(const PyMaterial& material, const std::string& path,
     const auto otherwise = tables::wavelengths_to_write(material.material(), written, colour);
     const tables::Source source{material.at(grid.value_or(otherwise), how_from(1e-6, outside, false)),
                                 material.material().properties().channels};
-    return export_source(source, written, {path, colour, basis, depth, specular_spread, pairs, seed});
+    return export_source(source, written,
+                         request_of(path, colour, basis, depth, specular_spread, pairs, seed));
 }
 
 std::string export_table(const PyTable& table, const std::string& path, const std::string& format,
                          bool colour, const std::optional<std::string>& basis, std::optional<int> depth,
                          std::optional<double> specular_spread, std::size_t pairs, std::uint64_t seed) {
     return export_source({table.table.reflectance()}, tables::written_format(format),
-                         {path, colour, basis, depth, specular_spread, pairs, seed});
+                         request_of(path, colour, basis, depth, specular_spread, pairs, seed));
 }
 
 }  // namespace
