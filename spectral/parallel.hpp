@@ -34,7 +34,7 @@ void parallel_for(std::size_t count, Function&& f, int chunk = 1) {
                 failure = std::current_exception();
             }
         }
-        if (job.asked_to_stop()) stopped = true;
+        if (asked_to_stop()) stopped = true;
     }
     if (stopped) throw Stopped{};
     if (failure) std::rethrow_exception(failure);

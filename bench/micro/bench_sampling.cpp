@@ -45,16 +45,17 @@ void sample(benchmark::State& state, const Model& model, const Draw& draw) {
     report_items(state, 1);
 }
 
-/// The same of what pbrt-v4 does.
-void sample_pbrt(benchmark::State& state, Compilation compilation) {
-    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+/// The same in single precision.
+///   draw   model.sample of a view, its numbers and the BRDF that it gives
+template <class Model, class Draw>
+void sample_single(benchmark::State& state, const Model& model, const Draw& draw) {
     const auto& pairs = bench_vectors();
     const auto& uniforms = bench_uniforms();
     std::vector<float> weights(model.size());
     Cycle cycle{pairs.size()};
     for (auto _ : state) {
         const std::size_t i = cycle.next();
-        const auto drawn = model.sample(pairs[i].in, {uniforms[i][1], uniforms[i][2]}, weights);
+        const auto drawn = draw(pairs[i].in, uniforms[i], weights);
         if (drawn.pdf > 0) {
             const float factor = drawn.out.z / drawn.pdf;
             for (float& weight : weights) weight *= factor;
@@ -65,27 +66,21 @@ void sample_pbrt(benchmark::State& state, Compilation compilation) {
     report_items(state, 1);
 }
 
-/// The same in single precision, by the mixture of three wavelengths.
-void sample_single(benchmark::State& state) {
+/// What pbrt-v4 does.
+void sample_pbrt(benchmark::State& state, Compilation compilation) {
+    const PbrtConductor model = bench_pbrt_conductor(4, compilation);
+    sample_single(state, model, [&](const Vector3f& in, const Uniforms& u, std::span<float> brdf) {
+        return model.sample(in, {u[1], u[2]}, brdf);
+    });
+}
+
+/// By the mixture of three wavelengths.
+void sample_he_single(benchmark::State& state) {
     const HeTorranceRendering model{bench_surface(), bench_samples(4)};
-    const auto& pairs = bench_vectors();
-    const auto& uniforms = bench_uniforms();
-    std::vector<float> weights(model.size());
-    Cycle cycle{pairs.size()};
-    for (auto _ : state) {
-        const std::size_t i = cycle.next();
-        const auto& u = uniforms[i];
+    sample_single(state, model, [&](const Vector3f& in, const Uniforms& u, std::span<float> brdf) {
         const auto single = [](double x) { return std::min(static_cast<float>(x), 0x1.fffffep-1F); };
-        const auto drawn =
-            model.sample(pairs[i].in, {single(u[0]), single(u[1]), single(u[2]), single(u[0])}, weights);
-        if (drawn.pdf > 0) {
-            const float factor = drawn.out.z / drawn.pdf;
-            for (float& weight : weights) weight *= factor;
-        }
-        benchmark::DoNotOptimize(weights.data());
-        benchmark::ClobberMemory();
-    }
-    report_items(state, 1);
+        return model.sample(in, {single(u[0]), single(u[1]), single(u[2]), single(u[0])}, brdf);
+    });
 }
 
 void draw_pbrt(benchmark::State& state, Compilation compilation) {
@@ -159,7 +154,7 @@ void register_sampling() {
         benchmark::RegisterBenchmark((name + "/pbrt_without_errno" + after).c_str(), run,
                                      Compilation::without_errno);
     };
-    add("sample/he_single/4", sample_single);
+    add("sample/he_single/4", sample_he_single);
     both("sample", "/4", sample_pbrt);
     both("draw", "", draw_pbrt);
     both("pdf", "", pdf_pbrt);

@@ -65,9 +65,11 @@ void evaluate_with_density(benchmark::State& state) {
     report_items(state, 1);
 }
 
-void evaluate_many_vectors(benchmark::State& state, const HeTorranceSingle& model) {
-    const std::span pairs{bench_vectors()};
-    std::vector<float> result(bench_block * model.size());
+/// A block of pairs per iteration.
+template <class Value = double, class Model, class Pair>
+void evaluate_batch(benchmark::State& state, const Model& model, const std::vector<Pair>& all) {
+    const std::span pairs{all};
+    std::vector<Value> result(bench_block * model.size());
     Cycle cycle{pairs.size(), bench_block};
     for (auto _ : state) {
         model.brdf(pairs.subspan(cycle.next(), bench_block), std::span{result});
@@ -77,18 +79,13 @@ void evaluate_many_vectors(benchmark::State& state, const HeTorranceSingle& mode
     report_items(state, bench_block);
 }
 
-/// A block of pairs per iteration.
 template <class Model>
 void evaluate_batch(benchmark::State& state, const Model& model) {
-    const std::span pairs{bench_pairs()};
-    std::vector<double> result(bench_block * model.size());
-    Cycle cycle{pairs.size(), bench_block};
-    for (auto _ : state) {
-        model.brdf(pairs.subspan(cycle.next(), bench_block), std::span{result});
-        benchmark::DoNotOptimize(result.data());
-        benchmark::ClobberMemory();
-    }
-    report_items(state, bench_block);
+    evaluate_batch(state, model, bench_pairs());
+}
+
+void evaluate_batch(benchmark::State& state, const HeTorranceSingle& model) {
+    evaluate_batch<float>(state, model, bench_vectors());
 }
 
 HeTorranceSingle bench_single(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full) {
@@ -137,7 +134,7 @@ void register_spectral() {
         });
         add("eval/he_single", n, [](benchmark::State& s, int w) { evaluate_vectors(s, bench_single(w)); });
         add("eval_batch/he_single", n,
-            [](benchmark::State& s, int w) { evaluate_many_vectors(s, bench_single(w)); });
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_single(w)); });
         add("eval_batch/he", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w)); });
         add("eval_batch/ggx", n, [](benchmark::State& s, int w) { evaluate_batch(s, bench_conductor(w)); });
         add("eval/ggx_lanes", n,
@@ -156,9 +153,8 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w, Tolerance{1e-3})); });
         add("eval_batch/he_1e-3", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w, Tolerance{1e-3})); });
-        add("eval_batch/he_single_rough_limit", n, [](benchmark::State& s, int w) {
-            evaluate_many_vectors(s, bench_single(w, DiffuseLobe::rough_limit));
-        });
+        add("eval_batch/he_single_rough_limit", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_single(w, DiffuseLobe::rough_limit)); });
     }
     benchmark::RegisterBenchmark("eval_pdf/he_single/4", evaluate_with_density);
     add("eval/he_first_order", 4, [](benchmark::State& s, int w) {

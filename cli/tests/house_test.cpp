@@ -154,6 +154,10 @@ std::size_t columns(const std::string& text) {
     return longest;
 }
 
+TEST_CASE("the README has at most 150 lines") {
+    CHECK(std::ranges::count(read(root / "README.md"), '\n') <= 150);
+}
+
 TEST_CASE("no folder has more than 30 files, no file more than 400 lines, no line more than 110 columns") {
     auto all = folders;
     all.push_back({"python", {}});

@@ -30,8 +30,7 @@ Job::Job(std::string step, std::size_t parts)
     : step_{std::move(step)},
       parts_{parts},
       begun_{std::chrono::steady_clock::now()},
-      watched_{watcher.load() != nullptr && omp_in_parallel() == 0},
-      stoppable_{stop.load() != nullptr && omp_in_parallel() == 0} {
+      watched_{watcher.load() != nullptr && omp_in_parallel() == 0} {
     if (!watched_) return;
     const std::scoped_lock lock{jobs().mutex};
     jobs().all.push_back(this);
@@ -58,10 +57,6 @@ void Job::restart(const std::string& step) {
     step_ = step;
     done_ = 0;
     begun_ = std::chrono::steady_clock::now();
-}
-
-bool Job::asked_to_stop() const {
-    return stoppable_ && spectral::asked_to_stop();
 }
 
 std::optional<JobState> job_state() {

@@ -42,8 +42,6 @@ class Job {
     void done(std::size_t parts = 1) const noexcept {
         if (watched_) done_ += parts;
     }
-    /// Whether what is left is to be given up: for the thread that made the job outside of parallel regions.
-    [[nodiscard]] bool asked_to_stop() const;
     /// So many are done in all.
     void set_done(std::size_t parts) const noexcept { done_ = parts; }
     /// What is done now has another name.
@@ -58,7 +56,7 @@ class Job {
     std::size_t parts_;
     mutable std::atomic<std::size_t> done_{0};
     std::chrono::steady_clock::time_point begun_;
-    bool watched_, stoppable_;
+    bool watched_;
 };
 
 /// What a job throws that was asked to stop.

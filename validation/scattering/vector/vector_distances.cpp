@@ -11,8 +11,6 @@
 namespace hts::validation {
 namespace {
 
-constexpr std::size_t case_columns = 6;
-
 VectorModel other(std::size_t index) {
     return vector_models[index];
 }
@@ -59,25 +57,23 @@ output::Rows lobe_rows(const ComparedLobe& lobe, const LobeColumn& column) {
 
 }  // namespace
 
+std::vector<double> case_row(const VectorCase& of, const VectorSettings& settings) {
+    const VectorSurface& surface = of.surface;
+    return {surface.rms_roughness, surface.lengths.along, surface.lengths.across,
+            of.azimuth_deg,        of.theta_i_deg,        settings.length};
+}
+
 FigureTable vector_lobe_table(const std::vector<VectorResult>& results, const VectorSettings& settings) {
-    FigureTable table{"vector-lobes",
-                      {"sigma0_over_lambda", "tau_x_over_lambda", "tau_y_over_lambda", "azimuth_deg",
-                       "theta_i_deg", "length_over_lambda", "theta_r_deg", "phi_deg"},
-                      {}};
+    FigureTable table{"vector-lobes", case_columns, {}};
+    table.columns.insert(table.columns.end(), {"theta_r_deg", "phi_deg"});
     for (const char* what : {"", "_error"}) {
         for (const Channel c : channels) table.columns.push_back(std::string{name(c)} + what);
     }
     for (const VectorResult& result : results) {
         for (const VectorBin& bin : result.bins) {
-            const VectorSurface& surface = result.of.surface;
-            std::vector<double> row{surface.rms_roughness,
-                                    surface.lengths.along,
-                                    surface.lengths.across,
-                                    result.of.azimuth_deg,
-                                    result.of.theta_i_deg,
-                                    settings.length,
-                                    (bin.theta_deg + bin.most_theta_deg) / 2,
-                                    (bin.phi_deg + bin.most_phi_deg) / 2};
+            std::vector<double> row = case_row(result.of, settings);
+            row.push_back((bin.theta_deg + bin.most_theta_deg) / 2);
+            row.push_back((bin.phi_deg + bin.most_phi_deg) / 2);
             row.insert(row.end(), bin.exact.values.begin(), bin.exact.values.end());
             row.insert(row.end(), bin.error.values.begin(), bin.error.values.end());
             table.rows.push_back(std::move(row));
@@ -94,7 +90,7 @@ std::vector<ComparedLobe> compared(const FigureTable& lobes) {
         const auto& head = lobes.rows[first];
         ComparedLobe lobe{{{head[0], {head[1], head[2]}}, head[3], head[4]}, bins, {}};
         VectorSettings settings;
-        settings.length = head[case_columns - 1];
+        settings.length = head[case_columns.size() - 1];
         for (std::size_t bin = 0; bin < bins.size(); ++bin) {
             const auto& row = lobes.rows[first + bin];
             for (std::size_t c = 0; c < channels.size(); ++c) {

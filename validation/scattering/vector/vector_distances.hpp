@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "validation/scattering/vector/vector_results.hpp"
@@ -19,6 +20,12 @@ struct ComparedLobe {
         return distance(exact, model[static_cast<std::size_t>(from)], light, region);
     }
 };
+
+/// What begins each row of the tables that are kept: the case.
+inline const std::vector<std::string> case_columns{"sigma0_over_lambda", "tau_x_over_lambda",
+                                                   "tau_y_over_lambda",  "azimuth_deg",
+                                                   "theta_i_deg",        "length_over_lambda"};
+[[nodiscard]] std::vector<double> case_row(const VectorCase& of, const VectorSettings& settings);
 
 /// The table of lobes that is kept, and what it holds.
 [[nodiscard]] FigureTable vector_lobe_table(const std::vector<VectorResult>& results,

@@ -1,6 +1,7 @@
 #include "validation/scattering/vector/vector_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,6 +14,8 @@
 namespace hts::validation {
 namespace {
 
+/// The models that say how much a mirror keeps.
+constexpr std::array mirror_models{VectorModel::kirchhoff, VectorModel::he, VectorModel::he_unified};
 constexpr double degree = std::numbers::pi / 180, drawn_theta_i_deg = 40;
 
 /// The short correlation lengths by more points.
@@ -39,40 +42,27 @@ std::vector<VectorRealisation> solved(const std::filesystem::path& parts, const 
 }
 
 FigureTable map_table(const std::vector<VectorResult>& results, const VectorSettings& settings) {
-    FigureTable table{"vector-map",
-                      {"sigma0_over_lambda", "tau_x_over_lambda", "tau_y_over_lambda", "azimuth_deg",
-                       "theta_i_deg", "length_over_lambda", "points_per_wavelength", "realisations",
-                       "iterations", "energy_s", "energy_p", "energy_error_s", "energy_error_p", "mirror_s",
-                       "mirror_p", "kirchhoff_against_closed_form_db", "gain_of_control"},
-                      {}};
-    for (const VectorModel model : {VectorModel::kirchhoff, VectorModel::he, VectorModel::he_unified}) {
+    FigureTable table{"vector-map", case_columns, {}};
+    table.columns.insert(
+        table.columns.end(),
+        {"points_per_wavelength", "realisations", "iterations", "energy_s", "energy_p", "energy_error_s",
+         "energy_error_p", "mirror_s", "mirror_p", "kirchhoff_against_closed_form_db", "gain_of_control"});
+    for (const VectorModel model : mirror_models) {
         for (const char* state : {"_s", "_p"})
             table.columns.push_back("mirror_" + std::string{name(model)} + state);
     }
     for (const VectorResult& result : results) {
         const VectorSurface& surface = result.of.surface;
-        std::vector<double> row{surface.rms_roughness,
-                                surface.lengths.along,
-                                surface.lengths.across,
-                                result.of.azimuth_deg,
-                                result.of.theta_i_deg,
-                                settings.length,
-                                static_cast<double>(surface.points_per_wavelength),
-                                static_cast<double>(result.realisations),
-                                result.iterations,
-                                result.energy[0],
-                                result.energy[1],
-                                result.energy_error[0],
-                                result.energy_error[1],
-                                result.mirror[0],
-                                result.mirror[1],
-                                result.kirchhoff_db,
-                                result.gain};
+        std::vector<double> row = case_row(result.of, settings);
+        row.insert(row.end(), {static_cast<double>(surface.points_per_wavelength),
+                               static_cast<double>(result.realisations), result.iterations, result.energy[0],
+                               result.energy[1], result.energy_error[0], result.energy_error[1],
+                               result.mirror[0], result.mirror[1], result.kirchhoff_db, result.gain});
         const double width = settings.beam_width();
         const PlaneWaveBeam beam{result.of.theta_i_deg * degree, result.of.azimuth_deg * degree, width,
                                  4 * width, 0.03};
         const auto mirrors = ClosedForms{surface.surface()}.mirrors(beam);
-        for (const VectorModel model : {VectorModel::kirchhoff, VectorModel::he, VectorModel::he_unified}) {
+        for (const VectorModel model : mirror_models) {
             const auto& of = mirrors[static_cast<std::size_t>(model)];
             row.insert(row.end(), of.begin(), of.end());
         }
