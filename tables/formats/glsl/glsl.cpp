@@ -181,8 +181,8 @@ std::string head(const spectral::Reflectance& brdf, const char* language, const 
         << "// in " << language << " Written by hts " << HTS_VERSION << ", hts table export --format "
         << format << R"(.
 //
-// Directions are unit vectors about the normal (0, 0, 1), both away from the surface, wi towards the light and
-// wo towards the viewer; lengths are in micrometres. Error of the BRDF: at most )"
+// Directions are unit vectors about the normal (0, 0, 1), both away from the surface, wi towards the light
+// and wo towards the viewer; lengths are in micrometres. Error of the BRDF: at most )"
         << accuracy::shader << " of the model's value, where that exceeds " << accuracy::shader_floor
         << R"( of its peak for that
 // light, 0.003 <= sigma0/tau <= 1, and both polar angles are at most 89 degrees. Data: 35 coefficients

@@ -1,8 +1,9 @@
-/// A material as functions of a shading language, GLSL ES 3.00 for WebGL 2, OpenGL ES 3 and OpenGL 3.3, or WGSL for
-/// WebGPU: text that needs no texture, no buffer and no other file.
+/// A material as functions of a shading language, GLSL ES 3.00 for WebGL 2, OpenGL ES 3 and OpenGL 3.3, or
+/// WGSL for WebGPU: text that needs no texture, no buffer and no other file.
 ///
-/// The text holds the whole model in single precision (he_torrance.glsl: Phi by its terms below g = 6, above by 35
-/// coefficients about its saddle point), then the constants of one material at its wavelengths. Of the model alone:
+/// The text holds the whole model in single precision (he_torrance.glsl: Phi by its terms below g = 6, above
+/// by 35 coefficients about its saddle point), then the constants of one material at its wavelengths. Of the
+/// model alone:
 ///
 ///     float hts_he_brdf(vec3 wi, vec3 wo, float wavelength, float sigma0, float tau, float n, float k,
 ///                       float albedo)
@@ -16,8 +17,8 @@
 ///     HtsDraw hts_sample(vec3 wi, vec3 u, int w)      float hts_pdf(vec3 wi, vec3 wo, int w)
 ///     vec3 hts_brdf_rgb(vec3 wi, vec3 wo)             vec3 hts_specular_rgb(vec3 wi)
 ///
-/// The last two, linear sRGB under D65, are there where the wavelengths have a colour: three as blue, green and red,
-/// or those that cover 0.40 ... 0.70 um.
+/// The last two, linear sRGB under D65, are there where the wavelengths have a colour: three as blue, green
+/// and red, or those that cover 0.40 ... 0.70 um.
 #pragma once
 
 #include <string>
