@@ -15,7 +15,7 @@
 #include "validation/report/recorded.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"
 #include "validation/scattering/exact_scattering.hpp"
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 #include "validation/scattering/further_studies.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 #include "validation/scattering/twins/model_distances.hpp"
