@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -190,8 +191,10 @@ ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex
     return expected;
 }
 
-ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample, double theta_i_deg) {
+ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
+                                   const Direction& in) {
     const double lambda = sample.wavelength.micrometres();
+    const double theta_i_deg = std::acos(std::fmin(1, in.cos_theta())) * 180 / std::numbers::pi;
     ExpectedDistance expected = expected_distance(
         {surface.rms_roughness() / lambda, surface.shortest_correlation_length() / lambda, theta_i_deg},
         sample.index.substrate());

@@ -19,6 +19,7 @@ enum class TwinModel {
     he,                 ///< the published model
     he_unified,         ///< its successor
     he_unified_mixing,  ///< with "polarisation_mixing": true
+    he_unified_shortcut,  ///< with "conductor_shortcut": true, in unpolarised light; TE and TM mean nothing
     he_first_order,     ///< the published model with the first term of Phi
     he_rough_limit,     ///< with exp(-t/g)/sqrt(g) in place of Phi
     kirchhoff,          ///< sigma_0, not shadowed
