@@ -166,9 +166,8 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, coarse)); });
         add("eval_batch/he_unified_1e-3", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w, coarse)); });
-        add("eval/he_unified_shortcut", n, [](benchmark::State& s, int w) {
-            evaluate(s, bench_he_unified(w, bench_tolerance, shortcut));
-        });
+        add("eval/he_unified_shortcut", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, bench_tolerance, shortcut)); });
         add("eval_batch/he_unified_shortcut", n, [](benchmark::State& s, int w) {
             evaluate_batch(s, bench_he_unified(w, bench_tolerance, shortcut));
         });

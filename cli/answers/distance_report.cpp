@@ -88,8 +88,7 @@ std::string distance_verdict(const MaterialInfo& info) {
     const std::string of = " from exact scattering in unpolarised light";
     const std::string at = " at " + std::to_string(as_bad) + " of " + std::to_string(points.size()) +
                            " points (wavelengths x angles)";
-    const std::string fine = shortest(spectral::fine_distance),
-                      most = shortest(spectral::greatest_distance);
+    const std::string fine = shortest(spectral::fine_distance), most = shortest(spectral::greatest_distance);
     if (worst == Severity::fine)
         return "Inside the model's validity: at most " + fine + " dB" + of + " is expected" + at + "\n";
     if (worst == Severity::caution)

@@ -200,7 +200,8 @@ std::string angles_text(const MaterialInfo& info) {
         text << "  " << std::setw(9) << shortest(info.theta[i]) + " deg" << std::setw(22)
              << range_of(points, phase_variance).text() << std::setw(24)
              << range_of(points, mirror_share).text() << std::setw(10) << name(severity)
-             << (spectral::judged_by_distance(info.surface) ? error_text(unified_distances(info, points)) : error_text(error))
+             << (spectral::judged_by_distance(info.surface) ? error_text(unified_distances(info, points))
+                                                            : error_text(error))
              << '\n';
     }
     return text.str();

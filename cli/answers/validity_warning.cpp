@@ -97,8 +97,7 @@ void ValidityWarning::note(const spectral::RoughSurface& surface, const Spectral
     const std::array of{surface.rms_roughness(),         surface.shortest_correlation_length(),
                         sample.wavelength.micrometres(), sample.index.substrate().n(),
                         sample.index.substrate().k(),    in.cos_theta()};
-    if (of != last.of)
-        last = {of, spectral::judgement(spectral::expected_distance(surface, sample, in))};
+    if (of != last.of) last = {of, spectral::judgement(spectral::expected_distance(surface, sample, in))};
     Verdicts& mine = verdicts_.mine();
     ++mine.count;
     if (last.judgement.severity != Severity::outside) return;
@@ -148,8 +147,7 @@ void ValidityWarning::print(const std::string& source) const {
     };
     for (std::size_t i = 0; i < sum.broken.size(); ++i)
         add(sum.broken[i], std::string{name(static_cast<spectral::Criterion>(i))});
-    add(sum.far,
-        "more than " + shortest(spectral::greatest_distance) + " dB from exact scattering expected");
+    add(sum.far, "more than " + shortest(spectral::greatest_distance) + " dB from exact scattering expected");
     add(sum.not_studied, "nothing like it was solved exactly");
     std::cerr << "hts: " << sum.outside << " of " << sum.count << " values "
               << (sum.count == 1 ? "is" : "are") << " outside the model's validity (" << reasons

@@ -187,8 +187,7 @@ TEST_CASE("values of he_unified are judged by their distance from exact scatteri
     // at the horizon nothing was solved; the assumptions of he say "shadowing" there
     const std::string grazing = "eval --wavelength 0.55 --theta-i 80 --theta-r 40 --phi 170";
     const std::string unknown = said(grazing, "near.json");
-    CHECK(unknown.find(warning + " (nothing like it was solved exactly): see hts info") !=
-          std::string::npos);
+    CHECK(unknown.find(warning + " (nothing like it was solved exactly): see hts info") != std::string::npos);
     CHECK(unknown.find("shadowing") == std::string::npos);
     // the same verdict in hts info and in eval, angle by angle
     std::string points = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";

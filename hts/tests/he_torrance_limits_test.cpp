@@ -120,8 +120,8 @@ TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhe
     CHECK(white.pdf(in, Direction::from_degrees(90, 0)) == 0);
 }
 
-TEMPLATE_TEST_CASE("the same numbers draw the same direction, and a copy draws as the original", "", HeTorrance,
-                   hts::HeUnified) {
+TEMPLATE_TEST_CASE("the same numbers draw the same direction, and a copy draws as the original", "",
+                   HeTorrance, hts::HeUnified) {
     const TestType one{{0.28, 1.77}, metal(), Tolerance{1e-6}};
     const TestType other{{0.28, 1.77}, metal(), Tolerance{1e-6}};
     const TestType copy = one;

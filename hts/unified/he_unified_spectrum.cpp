@@ -156,11 +156,10 @@ void require_metals(std::span<const SpectralSample> samples) {
     for (const SpectralSample& sample : samples) {
         const double reflectance = sample.index.amplitudes(1).unpolarised_reflectance();
         if (reflectance >= accuracy::least_of_conductors) continue;
-        throw Error{
-            "conductor_shortcut at " + shortest(sample.wavelength.micrometres()) + " um: " +
-            out_of_range("reflectance of the flat surface along the normal", reflectance, "",
-                         ">= " + shortest(accuracy::least_of_conductors) + ", that of a metal")
-                .what()};
+        throw Error{"conductor_shortcut at " + shortest(sample.wavelength.micrometres()) + " um: " +
+                    out_of_range("reflectance of the flat surface along the normal", reflectance, "",
+                                 ">= " + shortest(accuracy::least_of_conductors) + ", that of a metal")
+                        .what()};
     }
 }
 
@@ -268,8 +267,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
-                      conductors_.size() * sizeof(UnifiedWave) +
-                      seen_.size() * sizeof(Seen);
+                      conductors_.size() * sizeof(UnifiedWave) + seen_.size() * sizeof(Seen);
     if (lanes_) {
         sum += sizeof(Lanes) +
                (lanes_->prepared.data.size() + lanes_->prepared.seen.size()) * sizeof(double) +

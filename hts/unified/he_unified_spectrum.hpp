@@ -98,7 +98,7 @@ class HeUnifiedSpectrum {
     ReturnFactor return_factor_;
     double mixed_;
     std::vector<UnifiedWave> waves_;
-    std::vector<UnifiedWave> conductors_;  // the same with a perfect conductor's index, for the shortcut
+    std::vector<UnifiedWave> conductors_;     // the same with a perfect conductor's index, for the shortcut
     std::vector<SecondOrderMirror> mirrors_;  // none where the closed form is asked for
     std::shared_ptr<const Lanes> lanes_;      // null where the exact path takes everything
 };

@@ -7,8 +7,8 @@ namespace hts {
 namespace accuracy {
 /// Least reflectance of the flat surface along the normal.
 inline constexpr double least_of_conductors = 0.5;
-/// Most distance from the whole lobe, rms over directions with the weight of the light [dB]: of metals (silver
-/// to chromium), sigma_0/tau 0.05 to 0.5, for tau of 1 to 4 lambda and light up to 60 degrees; 0.5 and 75.
+/// From the whole lobe, rms over directions with the weight of light [dB]: silver to chromium, sigma_0/tau
+/// 0.05 to 0.5; for tau of 1 to 4 lambda and light up to 60 degrees, and for tau from 0.5 and up to 75.
 inline constexpr double conductor_shortcut_gentle_db = 1.5, conductor_shortcut_db = 3.5;
 }  // namespace accuracy
 

@@ -19,8 +19,8 @@ namespace hts::unified_detail::HWY_NAMESPACE {
 ///   f      of the facet
 ///   mean   H of kicks_table.hpp
 template <class Lanes, class V>
-HWY_INLINE V conductor_scale(const Lanes& o, const UnifiedPair<V>& pair,
-                             const evaluation::FresnelTerms<V>& f, V horizon, V lift, V returned, V mean) {
+HWY_INLINE V conductor_scale(const Lanes& o, const UnifiedPair<V>& pair, const evaluation::FresnelTerms<V>& f,
+                             V horizon, V lift, V returned, V mean) {
     const V one = o.real(1), all = one + mean;  // beta = 1/all, w = mean/all
     const V in_horizon = fourth_power_less_one(o, horizon * pair[cos_in]);
     const V out_horizon = fourth_power_less_one(o, horizon * pair[cos_out]);

@@ -1,4 +1,4 @@
-// The specular term of he_unified in lanes, hts/unified/unified_mirror.hpp; included once per instruction set.
+// The specular term of he_unified in lanes, unified_mirror.hpp; included once per instruction set.
 #if defined(HTS_UNIFIED_MIRROR_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HTS_UNIFIED_MIRROR_INL
 #undef HTS_UNIFIED_MIRROR_INL

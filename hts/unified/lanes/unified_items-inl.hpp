@@ -230,9 +230,8 @@ struct Scaled : Items {
     HWY_INLINE V scale(std::size_t i, V mean) const {
         constexpr typename Items::Lanes o{};
         if constexpr (what == Kept::share) {
-            const ShareLanes<V> of =
-                kirchhoff_share(o, this->pair(i), this->load(Prepared::horizon, i),
-                                this->load(Prepared::returned, i), mean);
+            const ShareLanes<V> of = kirchhoff_share(o, this->pair(i), this->load(Prepared::horizon, i),
+                                                     this->load(Prepared::returned, i), mean);
             hn::Store(of.share, this->d, kept[0] + i);
             return this->load(Prepared::weight, i) * of.shadowing;
         } else if (what == Kept::nothing && this->p.conductor) {

@@ -40,11 +40,11 @@ struct Prepared {
         inverse_wave_squared,
         d_real,  // of d = N^2 - 1
         d_imaginary,
-        weight,    // (k tau)^2 |d|^2 / 4 pi
-        horizon,   // 1.25 k sigma_0
-        lift,      // Z
-        returned,  // R'
-        uniform,   // uniform-diffuse BRDF
+        weight,          // (k tau)^2 |d|^2 / 4 pi
+        horizon,         // 1.25 k sigma_0
+        lift,            // Z
+        returned,        // R'
+        uniform,         // uniform-diffuse BRDF
         mirror_slant,    // a^2 = slant s in x_s
         mirror_grazing,  // 0.65 (k tau)^(-3/2)
         impedance_real,  // 1/N

@@ -79,9 +79,8 @@ TEST_CASE("the shortcut of a perfect conductor is its lobe") {
                 const Direction in = drawn(random), out = drawn(random);
                 const double exact = brdf(whole, in, out);
                 if (exact < 1e-280) continue;
-                worst.note(hts::testing::relative_error(brdf(quick, in, out), exact), [&] {
-                    return std::to_string(slope) + ", " + std::to_string(roughness);
-                });
+                worst.note(hts::testing::relative_error(brdf(quick, in, out), exact),
+                           [&] { return std::to_string(slope) + ", " + std::to_string(roughness); });
             }
         }
     }
@@ -93,12 +92,13 @@ TEST_CASE("the shortcut is as near to the whole lobe of metals as it says") {
         const char* name;
         RefractiveIndex index;
     };
-    const std::vector<Metal> metals{{"silver 0.63", {0.135, 3.99}}, {"the study's", {0.16, 3.6}},
-                                    {"gold 0.6", {0.25, 2.9}},      {"copper 0.63", {0.24, 3.42}},
+    const std::vector<Metal> metals{{"silver 0.63", {0.135, 3.99}},  {"the study's", {0.16, 3.6}},
+                                    {"gold 0.6", {0.25, 2.9}},       {"copper 0.63", {0.24, 3.42}},
                                     {"aluminium 0.5", {0.77, 6.08}}, {"aluminium 10", {25, 90}},
-                                    {"nickel 0.6", {1.98, 3.7}},    {"chromium 0.6", {3.18, 3.31}}};
+                                    {"nickel 0.6", {1.98, 3.7}},     {"chromium 0.6", {3.18, 3.31}}};
     using namespace hts::accuracy;
-    WorstCase gentle{"the shortcut's distance, tau >= lambda, up to 60 deg [dB]", conductor_shortcut_gentle_db};
+    WorstCase gentle{"the shortcut's distance, tau >= lambda, up to 60 deg [dB]",
+                     conductor_shortcut_gentle_db};
     WorstCase worst{"the shortcut's distance [dB]", conductor_shortcut_db};
     double squares = 0, gentle_squares = 0;
     for (const auto& [name, index] : metals) {
@@ -138,8 +138,8 @@ TEST_CASE("the shortcut leaves Mueller matrices as they are, and is refused of w
     whole.specular_reflectance(in, {&mirror, 1});
     quick.specular_reflectance(in, {&same, 1});
     CHECK(mirror == same);
-    CHECK_THROWS_WITH(model({0.1, 1}, {1.5, 0}, shortcut),
-                      Catch::Contains("conductor_shortcut at 1 um") && Catch::Contains("0.04") &&
-                          Catch::Contains(">= 0.5"));
+    CHECK_THROWS_WITH(model({0.1, 1}, {1.5, 0}, shortcut), Catch::Contains("conductor_shortcut at 1 um") &&
+                                                               Catch::Contains("0.04") &&
+                                                               Catch::Contains(">= 0.5"));
     CHECK_THROWS_WITH(hts::require_theory_of_films(shortcut), Catch::Contains("conductor_shortcut"));
 }

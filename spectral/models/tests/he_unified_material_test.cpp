@@ -178,7 +178,8 @@ TEST_CASE("what a perfect conductor of he_unified returns is what its formulas s
     }
 }
 
-TEST_CASE("the albedo of unpolarised light by the shortcut is that of its lobe, of polarised light the whole") {
+TEST_CASE(
+    "the albedo of unpolarised light by the shortcut is that of its lobe, of polarised light the whole") {
     const auto whole = material_of(file_with()).at(green),
                quick = material_of(file_with(R"(, "conductor_shortcut": true)")).at(green);
     const Direction in = Direction::from_degrees(50, 0);

@@ -322,7 +322,7 @@ const std::vector<KeptSet>& kept_sets() {
         {"metal", "metal 0.16 + 3.6i", {0.16, 3.6}, TwinModel::he_unified},
         {"grazing", "conductor, long profiles", perfect_conductor(), TwinModel::he_unified, true},
         {"k-correlation", "conductor, K-correlated", perfect_conductor(), TwinModel::he_unified, true},
-        {"metal", "the metal, conductor_shortcut", {0.16, 3.6}, TwinModel::he_unified_shortcut, true}};
+        {"metal", "metal, conductor_shortcut", {0.16, 3.6}, TwinModel::he_unified_shortcut, true}};
     return sets;
 }
 
