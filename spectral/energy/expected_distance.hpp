@@ -39,7 +39,7 @@ struct ExpectedDistance {
 [[nodiscard]] ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index);
 /// Of a surface at a wavelength. Neither films nor heights of another correlation were studied.
 [[nodiscard]] ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
-                                                 double theta_i_deg);
+                                                 const Direction& in);
 
 /// What stands behind it.
 struct DistanceStudy {
