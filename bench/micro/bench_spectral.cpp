@@ -157,8 +157,8 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_single(w, DiffuseLobe::rough_limit)); });
     }
     for (const int n : {4, 31}) {
-        constexpr UnifiedChoices shortcut{.conductor_shortcut = true};
-        constexpr Tolerance coarse{1e-3};
+        static constexpr UnifiedChoices shortcut{.conductor_shortcut = true};
+        static const Tolerance coarse{1e-3};
         add("eval/he_unified", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w)); });
         add("eval_batch/he_unified", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w)); });
