@@ -14,6 +14,7 @@ an ``hts.Error`` with the message that the command ``hts`` prints.
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from . import _core  # before NumPy, which a subinterpreter had better not import
@@ -57,9 +58,9 @@ __all__ = [
 __version__: str = _core._version
 
 
-def refractive_index(substance: str, wavelength: ArrayLike) -> Any:
-    """n + ik of built-in optical constants (`substances()`) at wavelengths [um]."""
-    return _core._refractive_index(substance, wavelength)
+def refractive_index(substance: str | os.PathLike[str], wavelength: ArrayLike) -> Any:
+    """n + ik of built-in optical constants (a name of `substances()`), or of a file (a pathlib.Path), at wavelengths [um]."""
+    return _core._refractive_index(os.fspath(substance), not isinstance(substance, str), wavelength)
 
 
 def bidirectional_reflectance_factor(brdf: ArrayLike) -> Any:

