@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "hts/error.hpp"
 #include "spectral/text/suggestion.hpp"
@@ -124,11 +125,17 @@ void FitProblem::assign_roles() {
     for (const std::string& name : request_.freed) {
         for (const std::size_t i : named(name)) places_[i].role = Role::searched;
     }
+    std::map<std::size_t, std::string> fixed_as;
     for (const auto& [name, value] : request_.fixed) {
         for (const std::size_t i : named(name)) {
             require_within(places_[i].parameter, "fixed at", value);
-            if (std::ranges::find(request_.freed, name) != request_.freed.end())
-                throw RequestError{name + ": freed and fixed: must be one of both"};
+            for (const std::string& freed : request_.freed) {
+                const auto places = named(freed);
+                if (std::ranges::find(places, i) != places.end())
+                    throw RequestError{name + ": freed and fixed: must be one of both"};
+            }
+            if (const auto [other, fresh] = fixed_as.emplace(i, name); !fresh)
+                throw RequestError{other->second + " and " + name + " are one parameter: must be fixed once"};
             places_[i].role = Role::fixed;
             places_[i].value = value;
         }
