@@ -8,12 +8,32 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._core import Error
 
 Index = Callable[[Any], Any]
+Floats = NDArray[np.float64]
 
 _SAMPLED = "the index that a function gives"
+
+
+def numbers(name: str, values: Any) -> Floats:
+    """An array of numbers; hts.Error that names what they are otherwise, where some are masked too."""
+    if np.ma.is_masked(values):
+        raise Error(f"{name}: holds masked values: must be numbers alone")
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise Error(f"{name}: must be a number or an array of numbers: {error}") from None
+
+
+def number(name: str, value: Any) -> float:
+    """The same of one number."""
+    found = numbers(name, value)
+    if found.size != 1:
+        raise Error(f"{name}: must be one number, not {found.shape}")
+    return float(found.reshape(()))
 
 
 def _numbers(value: Any) -> Any:
@@ -97,7 +117,10 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     if source is not None and keywords:
         raise Error("material: must be either a file, a dict or keywords")
     if isinstance(source, (str, os.PathLike)):
-        return "", os.fspath(source), None
+        path = os.fspath(source)
+        if "\0" in path:
+            raise Error(f"material: {path!r}: must be a path without NUL")
+        return "", path, None
     if source is None and not keywords:
         raise Error("material: must be a file, a dict or keywords")
     if source is not None and not isinstance(source, Mapping):
@@ -115,14 +138,18 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     try:
         text = json.dumps(description, default=_numbers, allow_nan=False)
     except ValueError as error:
-        raise Error(f"material: {error}") from None
+        nested = "Circular" in str(error)
+        raise Error(f"material: must not hold {'itself' if nested else 'what is no finite number'}") from None
     return text, "a description in Python", function
 
 
 def with_sampled_index(text: str, function: Index, wavelengths: np.ndarray[Any, Any]) -> str:
     """The description with the index of a function as a table at exactly these wavelengths [um]."""
-    values = np.asarray(function(wavelengths), dtype=complex)
-    values = np.broadcast_to(values, wavelengths.shape)
+    given = function(wavelengths)
+    try:
+        values = np.broadcast_to(np.asarray(given, dtype=complex), wavelengths.shape)
+    except (TypeError, ValueError):
+        raise Error(f"index: {_SAMPLED}: must be {wavelengths.size} numbers, one per wavelength") from None
     description = json.loads(text)
     if wavelengths.size == 1:
         description["index"] = {"n": values[0].real, "k": values[0].imag}
