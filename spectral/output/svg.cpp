@@ -308,10 +308,10 @@ std::string without_unused_shapes(std::string_view svg) {
     }
     std::string used, picture{svg.substr(end + close.size())};
     for (std::size_t i = shapes.size(); i-- > 0;) {
-        const std::size_t name = shapes[i].find(named) + named.size();
-        if (const auto of = shapes[i].substr(name, shapes[i].find('\'', name) - name);
-            refers_to(picture, of) || refers_to(used, of))
-            used.insert(0, std::string{shapes[i]} + "\n");
+        const std::size_t at = std::min(shapes[i].find(named), shapes[i].size() - 1);
+        const std::string_view from = shapes[i].substr(std::min(at + named.size(), shapes[i].size()));
+        const std::string_view of = from.substr(0, from.find('\''));
+        if (refers_to(picture, of) || refers_to(used, of)) used.insert(0, std::string{shapes[i]} + "\n");
     }
     if (!used.empty()) used = std::string{open}.append("\n").append(used).append(close);
     return std::string{svg.substr(0, begin)}.append(used).append(picture);
