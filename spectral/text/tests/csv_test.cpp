@@ -212,7 +212,7 @@ TEST_CASE("files that cannot be read are refused with their path") {
     CHECK(read("empty.csv") == "empty.csv: file is empty");
     CHECK(read("blank.csv") == "blank.csv: file is empty");
     CHECK(read("latin.csv") == "latin.csv:1: not UTF-8 text");
-    CHECK(read("utf16.csv") == "utf16.csv:1: not UTF-8 text");
+    CHECK(read("utf16.csv") == "utf16.csv:1: UTF-16: must be UTF-8 text");
     CHECK(read("null.csv") == "null.csv:2: not UTF-8 text");
     CHECK(read("cut.csv") == "cut.csv:3: not UTF-8 text");
     CHECK(read("overlong.csv") == "overlong.csv:2: not UTF-8 text");

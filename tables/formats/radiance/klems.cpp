@@ -45,9 +45,10 @@ class PatchPoints {
   public:
     static constexpr std::size_t block = 256, most = std::size_t{1} << 15;
 
-    explicit PatchPoints(const KlemsBasis& basis) : basis_{basis} {
+    explicit PatchPoints(const KlemsBasis& basis)
+        : basis_{basis}, each_{std::min(16 * block, (std::size_t{1} << 20) / basis.size() / block * block)} {
         for (std::size_t patch = 0; patch < basis.size(); ++patch) {
-            for (std::size_t i = 0; i < kept; ++i) kept_.push_back({light(patch, i), view(patch, i)});
+            for (std::size_t i = 0; i < each_; ++i) kept_.push_back({light(patch, i), view(patch, i)});
         }
     }
     /// Those of a block from `first` on.
@@ -55,8 +56,8 @@ class PatchPoints {
               std::vector<DirectionPair>& pairs) const {
         pairs.clear();
         for (std::size_t i = first; i < first + block; ++i) {
-            if (i < kept) {
-                pairs.push_back({kept_[of_light * kept + i].in, kept_[of_view * kept + i].out});
+            if (i < each_) {
+                pairs.push_back({kept_[of_light * each_ + i].in, kept_[of_view * each_ + i].out});
             } else {
                 pairs.push_back({light(of_light, i), view(of_view, i)});
             }
@@ -64,7 +65,6 @@ class PatchPoints {
     }
 
   private:
-    static constexpr std::size_t kept = 2 * block;
     [[nodiscard]] Direction point(std::size_t patch, std::size_t i, double across, double along) const {
         const auto at = [&](double step) { return std::fmod(0.5 + static_cast<double>(i + 1) * step, 1.0); };
         return basis_.point(patch, at(across), at(along));
@@ -77,7 +77,8 @@ class PatchPoints {
     }
 
     const KlemsBasis& basis_;
-    std::vector<DirectionPair> kept_;  // of each patch as light and as view
+    std::size_t each_;                 // points kept of each patch
+    std::vector<DirectionPair> kept_;  // as light and as view
 };
 
 /// Means over a pair of patches, one per channel, each of twice as many points until it changes by 1 % at most.
