@@ -76,11 +76,13 @@ TEST_CASE("what cannot be imported is refused by name") {
 namespace {
 
 /// 0.05 + 2 exp(-(delta/5 deg)^2) about the mirror direction of light from 30 deg, in its plane.
-std::string in_plane_scan() {
+///   mirror   what the file calls the mirror direction's azimuth, 180 or 0 [deg]
+std::string in_plane_scan(const std::string& mirror = "180") {
+    const std::string light = mirror == "180" ? "0" : "180";
     std::string text = "theta_i_deg,theta_r_deg,phi_r_deg,brdf\n";
     for (int theta = -88; theta <= 88; ++theta) {
         const double delta = (theta - 30) / 5.0;
-        text += "30," + std::to_string(std::abs(theta)) + (theta < 0 ? ",0," : ",180,") +
+        text += "30," + std::to_string(std::abs(theta)) + "," + (theta < 0 ? light : mirror) + "," +
                 std::to_string(0.05 + 2 * std::exp(-delta * delta)) + "\n";
     }
     return text;
@@ -173,15 +175,8 @@ TEST_CASE("a material file leads back to what it was made of, from wherever it s
 
 TEST_CASE("azimuths that seem to be counted from the mirror direction are asked about") {
     const Workplace place;
-    std::string turned = in_plane_scan();
-    place.file("scan.csv", turned);
-    for (std::size_t at = turned.find(",0,"); at != std::string::npos; at = turned.find(",0,", at + 3))
-        turned.replace(at, 3, ",x,");
-    for (std::size_t at = turned.find(",180,"); at != std::string::npos; at = turned.find(",180,", at + 3))
-        turned.replace(at, 5, ",0,");
-    for (std::size_t at = turned.find(",x,"); at != std::string::npos; at = turned.find(",x,", at + 3))
-        turned.replace(at, 3, ",180,");
-    place.file("turned.csv", turned);
+    place.file("scan.csv", in_plane_scan());
+    place.file("turned.csv", in_plane_scan("0"));
     const std::string question = "are azimuths counted from the mirror direction?";
     CHECK(place.hts("table import turned.csv --wavelengths 0.55").errors.find(question) != std::string::npos);
     CHECK(place.hts("table import scan.csv --wavelengths 0.55").errors.find(question) == std::string::npos);
@@ -227,8 +222,8 @@ TEST_CASE("channels of a colour are no spectrum") {
     }
     const std::string point = "eval xyz.json --theta-i 0 --theta-r 0 --phi 0 --wavelength ";
     CHECK(number_in_column(place.hts(point + "0.55"), "brdf") == Approx(0.15));
-    for (const std::string between : {point + "0.5", point + "0.7", std::string{"albedo xyz.json"},
-                                      std::string{"polar xyz.json --wavelength 0.5 --theta-i 0 -o p.svg"}}) {
+    for (const std::string& between : {point + "0.5", point + "0.7", std::string{"albedo xyz.json"},
+                                       std::string{"polar xyz.json --wavelength 0.5 --theta-i 0 -o p.svg"}}) {
         const Result refused = place.hts(between);
         INFO(between << ": " << refused.errors);
         CHECK(refused.exit_code == 1);
