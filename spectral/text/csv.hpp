@@ -55,8 +55,8 @@ class CsvHeader {
 
     /// Position of a column, none if the table lacks it; hts::Error "path:line: column "n": stands twice".
     [[nodiscard]] std::optional<std::size_t> find_column(std::string_view column) const;
-    /// Position of a column; hts::Error "path:line: column "n": missing" if the table lacks it, too, with what
-    /// stands there in other letters, or the character between the names that separates none.
+    /// Position of a column; hts::Error "path:line: column "n": missing" if the table lacks it, too, with
+    /// what stands there in other letters, or the character between the names that separates none.
     [[nodiscard]] std::size_t column(std::string_view column) const;
     /// The column wavelength_um or wavelength_nm, none if there is neither; hts::Error if there are both.
     [[nodiscard]] std::optional<WavelengthColumn> find_wavelength() const;

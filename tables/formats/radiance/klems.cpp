@@ -81,7 +81,8 @@ class PatchPoints {
     std::vector<DirectionPair> kept_;  // as light and as view
 };
 
-/// Means over a pair of patches, one per channel, each of twice as many points until it changes by 1 % at most.
+/// Means over a pair of patches, one per channel, each of twice as many points until it changes by 1 % at
+/// most.
 std::vector<double> means_of(const spectral::Reflectance& brdf, const PatchPoints& points, std::size_t light,
                              std::size_t view) {
     const std::size_t channels = brdf.size();
