@@ -174,7 +174,9 @@ json catalogue(const json& /*request*/, const Numbers& /*numbers*/) {
 }
 
 json shader(const json& request, const Numbers& /*numbers*/) {
-    return {{"text", tables::glsl_text(reflectance_of(request))}};
+    const auto reflectance = reflectance_of(request);
+    const bool wgsl = request.at("language").get<std::string>() == "wgsl";
+    return {{"text", wgsl ? tables::wgsl_text(reflectance) : tables::glsl_text(reflectance)}};
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ std::string export_help() {
         text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
 The source is a material file or a table (.htst), which has its own wavelengths. The file
-holds the diffuse terms; the specular term is left out (but of glsl) and its reflectance written
-beside the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
+holds the diffuse terms; the specular term is left out (but of glsl and wgsl) and its reflectance
+written beside the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
 --solid-angle instead: about the mirror direction, or of formats on half vectors over facets
 of as little tilt; a box that the grid of a format cannot hold is refused. Before anything is
 written, the files are read as the programs read them that know the format, and compared with
