@@ -52,6 +52,15 @@ bool has_line_vars(std::string_view text) {
     return false;
 }
 
+/// A header of points, whatever the case of its names: the reader says what is wrong with them.
+bool has_word_theta(std::string_view line) {
+    constexpr std::string_view word = "theta_";
+    for (std::size_t at = 0; at + word.size() <= line.size(); ++at) {
+        if (spectral::same_letters(line.substr(at, word.size()), word)) return true;
+    }
+    return false;
+}
+
 bool is_text_file(std::string_view bytes) {
     return spectral::is_text(bytes.substr(0, bytes.find_last_of('\n') + 1));
 }
@@ -228,8 +237,7 @@ const std::vector<BrdfFormat>& readable_formats() {
         {"csv", "CSV with theta_i_deg, theta_r_deg, phi_r_deg and brdf",
          [](std::string_view bytes, const Path& path) {
              return path.extension() == ".csv" || path.extension() == ".tsv" ||
-                    (first_line(without_mark(bytes)).find("theta_") != std::string_view::npos &&
-                     is_text_file(bytes)) ||
+                    (has_word_theta(first_line(without_mark(bytes))) && is_text_file(bytes)) ||
                     first_line(without_mark(bytes)).starts_with("sep=");
          },
          [](std::string bytes, const Path& path, const BrdfReading& how) {
@@ -252,6 +260,8 @@ BrdfFile read_brdf(const Path& path, const BrdfReading& how) {
     if (!how.format.empty())
         throw Error{"format " + spectral::in_quotes(how.format) + ": must be one of " +
                     spectral::joined(known)};
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+        throw Error{path.string() + ": " + spectral::no_text(bytes)};
     throw Error{path.string() + ": of no format that is known: " + spectral::joined(known)};
 }
 
