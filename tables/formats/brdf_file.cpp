@@ -16,6 +16,7 @@
 #include "tables/formats/points/lighttools.hpp"
 #include "tables/formats/points/open_material.hpp"
 #include "tables/formats/points/scatter_points.hpp"
+#include "tables/formats/points/tracepro.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/whole_file.hpp"
 #include "tables/formats/zemax.hpp"
@@ -216,6 +217,16 @@ const std::vector<BrdfFormat>& readable_formats() {
              return file_of_points(
                  path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(0)),
                  "fred");
+         }},
+        {"tracepro", "surface property of TracePro, text with Table_BSDF_Data or ABg coefficients",
+         [](std::string_view bytes, const Path&) { return is_tracepro_file(without_mark(bytes)); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             if (how.wavelengths)
+                 throw Error{path.string() + ": says its wavelengths, which must not be given"};
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             TraceProFile found =
+                 tracepro_file(without_mark(text), path.string(), how.mirror_azimuth.value_or(0));
+             return BrdfFile{std::move(found.brdf), "tracepro", std::move(found.notes)};
          }},
         {"openmaterial", "ASAM OpenMATERIAL 3D, a material (.xomp) or the table of its BRDF (_brdf.xompt)",
          [](std::string_view bytes, const Path&) { return is_open_material(without_mark(bytes)); },
