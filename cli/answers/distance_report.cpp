@@ -69,10 +69,7 @@ bool judged_by_distance(const MaterialInfo& info) {
 
 Severity severity_at(const MaterialInfo& info, const Point& point) {
     if (!judged_by_distance(info)) return point.validity.severity();
-    const auto expected = distance_at(info, point);
-    const double distance = expected.distance.unified.unpolarised;
-    if (!expected.studied || distance > greatest_distance) return Severity::outside;
-    return distance > fine_distance ? Severity::caution : Severity::fine;
+    return spectral::unified_severity(distance_at(info, point));
 }
 
 std::optional<spectral::Decibels> unified_distances(const MaterialInfo& info, std::span<const Point> points) {
@@ -95,7 +92,7 @@ std::string distance_verdict(const MaterialInfo& info) {
     const std::string of = " from exact scattering in unpolarised light";
     const std::string at = " at " + std::to_string(as_bad) + " of " + std::to_string(points.size()) +
                            " points (wavelengths x angles)";
-    const std::string fine = shortest(fine_distance), most = shortest(greatest_distance);
+    const std::string fine = shortest(spectral::fine_distance), most = shortest(spectral::greatest_distance);
     if (worst == Severity::fine)
         return "Inside the model's validity: at most " + fine + " dB" + of + " is expected" + at + "\n";
     if (worst == Severity::caution)

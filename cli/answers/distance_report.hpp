@@ -19,9 +19,6 @@ inline constexpr std::string_view judged_model = "he";
 /// Whether the limits are those of the distance itself: of he_unified, which makes fewer assumptions than the
 /// criteria judge.
 [[nodiscard]] bool judged_by_distance(const MaterialInfo& info);
-/// Of he_unified, in unpolarised light: fine up to the first, outside above the second and where nothing
-/// like it was solved exactly [dB].
-inline constexpr double fine_distance = 0.5, greatest_distance = 1;
 /// By the criteria of he, or by the distance.
 [[nodiscard]] spectral::Severity severity_at(const MaterialInfo& info,
                                              const spectral::MaterialValidity::Point& point);

@@ -199,6 +199,12 @@ ExpectedDistance expected_distance(const Surface& surface, const SpectralSample&
     return expected;
 }
 
+Severity unified_severity(const ExpectedDistance& expected) noexcept {
+    const double distance = expected.distance.unified.unpolarised;
+    if (!expected.studied || distance > greatest_distance) return Severity::outside;
+    return distance > fine_distance ? Severity::caution : Severity::fine;
+}
+
 const DistanceStudy& distance_study(const RefractiveIndex& index) {
     return study_for(index).summary();
 }

@@ -11,6 +11,7 @@
 #include "hts/version.hpp"
 #include "spectral/colour/colour.hpp"
 #include "spectral/colour/display_colour.hpp"
+#include "spectral/energy/expected_distance.hpp"
 #include "spectral/energy/validity.hpp"
 #include "spectral/materials/optical_constants.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
@@ -67,6 +68,7 @@ json describe(const json& request, const Numbers& numbers) {
                 {"polarised", properties.polarised},
                 {"specular_term", properties.specular_term},
                 {"rough_surface", properties.surface.has_value()},
+                {"rms_roughness_um", properties.surface ? properties.surface->rms_roughness() : 0},
                 {"n", json::array()},
                 {"k", json::array()}};
     for (const SpectralSample& sample : brdf.samples()) {
@@ -97,6 +99,26 @@ json verdict(const spectral::Validity& validity) {
     return result;
 }
 
+json decibels_of(const spectral::TrueDecibels& of) {
+    return {{"te", of.te}, {"tm", of.tm}, {"unpolarised", of.unpolarised}};
+}
+
+// What hts info says of the distance from exact scattering.
+json distance(const spectral::RoughSurface& surface, const SpectralSample& sample, double theta_i_deg) {
+    const auto expected = spectral::expected_distance(surface, sample, theta_i_deg);
+    const auto& study = spectral::distance_study(sample.index.substrate());
+    json result{{"studied", expected.studied},
+                {"he", decibels_of(expected.distance.he)},
+                {"he_unified", decibels_of(expected.distance.unified)},
+                {"substance", study.substance},
+                {"cases", study.cases},
+                {"range", study.range},
+                {"fine", spectral::fine_distance},
+                {"greatest", spectral::greatest_distance}};
+    if (surface.unified()) result["severity"] = spectral::name(spectral::unified_severity(expected));
+    return result;
+}
+
 // "detail": what one value is made of, and whether the model can be believed there; the first wavelength.
 json detail(const json& request, const Numbers& numbers) {
     const Reflectance& brdf = reflectance_of(request);
@@ -117,7 +139,9 @@ json detail(const json& request, const Numbers& numbers) {
     result["fresnel"] = first.fresnel;
     result["method"] = name(first.method);
     result["regime"] = spectral::name(spectral::regime(first.phase_variance));
-    result["validity"] = verdict(spectral::validity(*brdf.properties().surface, pair, brdf.samples()[0]));
+    const auto& surface = *brdf.properties().surface;
+    result["validity"] = verdict(spectral::validity(surface, pair, brdf.samples()[0]));
+    result["distance"] = distance(surface, brdf.samples()[0], numbers.in[0]);
     return result;
 }
 
@@ -193,9 +217,14 @@ json answer(const json& request, const Numbers& numbers) {
         {"index", index},
         {"catalogue", catalogue},
         {"shader", shader},
+        {"picture", picture},
+        {"forget", [](const json&, const Numbers&) { return forget(); }},
         {"fit", fit},
         {"match", [](const json& r, const Numbers&) { return match(r); }},
-        {"curve", [](const json& r, const Numbers&) { return curve(r); }}};
+        {"curve", [](const json& r, const Numbers&) { return curve(r); }},
+        {"is_scatter_file", [](const json& r, const Numbers&) -> json {
+             return {{"is", is_scatter_file(r.at("text"))}};
+         }}};
     const auto found = requests.find(request.at("do"));
     if (found == requests.end()) throw Error{"request " + request.at("do").dump() + ": not known"};
     return found->second(request, numbers);
