@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t points = 8192;
 constexpr double step = 80.0 / points;
-constexpr double edge = 0.05;  // ln f over which a spectrum falls to 0
+constexpr std::ptrdiff_t ends = 600;  // of its points a transform feels its own ends
+constexpr double edge = 0.05;         // ln f over which a spectrum falls to 0
 using Complexes = std::vector<std::complex<double>>;
 
 /// Spectrum W of unit variance over q = k length.
@@ -62,7 +63,20 @@ class TabulatedSpectrum final : public HeightShape {
             const double far = least_q * std::exp(log_x) / 60;
             correlation[i] *= std::exp(-far * far);
         }
-        return on(grid, centre, correlation, log_complement);
+        // towards x = 0 the transform of 1 - C falls into its rounding
+        constexpr double sound = 1e-8;
+        const auto real = [](const std::complex<double>& a, const std::complex<double>& b) {
+            return a.real() < b.real();
+        };
+        const auto greatest = std::max_element(rest.begin(), rest.end(), real);
+        auto first = greatest;
+        while (first - rest.begin() > ends && first->real() > sound * greatest->real()) --first;
+        const auto begin = first - rest.begin();
+        const auto half = std::find_if(log_complement.begin() + begin, log_complement.end(),
+                                       [](double log) { return log > -std::numbers::ln2; });
+        return on(grid, centre,
+                  {static_cast<double>(begin), static_cast<double>(half - log_complement.begin())},
+                  correlation, log_complement);
     }
     [[nodiscard]] std::string name() const override { return "tabulated"; }
     [[nodiscard]] std::vector<double> identity() const override {
@@ -85,9 +99,15 @@ class TabulatedSpectrum final : public HeightShape {
     }
 
   private:
-    [[nodiscard]] Heights on(const LogGrid& grid, double centre, const std::vector<double>& correlation,
-                             const std::vector<double>& log_complement) const {
-        constexpr double first = 600, last = points - 600;  // beyond, a transform feels its own ends
+    /// Points from which 1 - C is known, and where it has come to a half.
+    struct Rise {
+        double first, half;
+    };
+    [[nodiscard]] static Heights on(const LogGrid& grid, double centre, const Rise& rise,
+                                    const std::vector<double>& correlation,
+                                    const std::vector<double>& log_complement) {
+        const auto [first, half] = rise;
+        constexpr double last = points - ends;
         // near x = 0 a power of x, no steeper than the square
         const double log_rise =
             (interpolated(log_complement, first + 40) - interpolated(log_complement, first)) / (40 * step);
@@ -99,10 +119,12 @@ class TabulatedSpectrum final : public HeightShape {
             if (position < first) {
                 rest = std::exp(interpolated(log_complement, first) + power * (position - first) * step);
                 c = 1 - rest;
+            } else if (position < half) {
+                rest = std::exp(interpolated(log_complement, position));
+                c = 1 - rest;
             } else if (position < last) {
                 c = interpolated(correlation, position);
-                rest = c < 0.5 ? 1 - c : std::exp(interpolated(log_complement, position));
-                if (c >= 0.5) c = 1 - rest;
+                rest = 1 - c;
             }
             result.correlation[i] = c;
             result.complement[i] = rest;

@@ -42,7 +42,8 @@ struct Numbers {
 ///   in   theta_i, theta_r, phi_r [deg], wavelength [um], BRDF [1/sr] of each point
 [[nodiscard]] json fit(const json& request, const Numbers& numbers);
 /// "match": the width with which the lobe of the material "beside" is nearest to that of "material", for
-/// light at "theta_i_deg"; "keys" point to where it holds its width. The distance is the rms difference of f
+/// light at "theta_i_deg"; "keys" point to where it holds its width, and "exponents" to where an
+/// exponent n of the cosine says it, 2/width^2. The distance is the rms difference of f
 /// cos theta_r over that of the lobe itself.
 [[nodiscard]] json match(const json& request);
 /// "curve": the points of a file of measured values, "text", of "file": a table of FRED, whose azimuths have

@@ -172,6 +172,8 @@ json match(const json& request) {
     json beside = request.at("beside");
     const auto reflectance = [&](double width) {
         for (const auto& key : request.at("keys")) beside[json::json_pointer{key.get<std::string>()}] = width;
+        for (const auto& key : request.at("exponents"))
+            beside[json::json_pointer{key.get<std::string>()}] = 2 / (width * width);
         return spectral::material_from_text(beside.dump(), "/beside.json").at(brdf.wavelengths());
     };
     const auto distance = [&](double log_width) {

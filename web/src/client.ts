@@ -3,7 +3,7 @@
 import packedEngine from "@engine/engine.bin?url";
 import EngineWorker from "./worker?worker&inline";
 import type { Answer, Call } from "./worker";
-import type { Material } from "./material";
+import type { Facets, Material } from "./material";
 
 export class EngineError extends Error {}
 
@@ -155,8 +155,8 @@ export class Engine {
   catalogue = async () => (await this.request<{ version: string; indices: string[] }>({ do: "catalogue" })).answer;
   shader = async (setting: Setting, language: "glsl" | "wgsl") =>
     (await this.request<{ text: string }>({ do: "shader", language, ...setting })).answer.text;
-  match = async (setting: Setting, beside: { material: Material; keys: string[] }, theta_i_deg: number) =>
-    (await this.request<Match>({ do: "match", beside: beside.material, keys: beside.keys, theta_i_deg, ...setting })).answer;
+  match = async (setting: Setting, beside: Facets, theta_i_deg: number) =>
+    (await this.request<Match>({ do: "match", beside: beside.material, keys: beside.keys, exponents: beside.exponents ?? [], theta_i_deg, ...setting })).answer;
   // Whether a text is a scatter file of another program, CSV apart.
   isScatterFile = async (text: string) => (await this.request<{ is: boolean }>({ do: "is_scatter_file", text })).answer.is;
   curve = async (file: string, text: string, wavelength_um: number, mirror_azimuth_deg: number) =>

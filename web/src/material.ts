@@ -151,20 +151,36 @@ export function stateOf(name: string, material: Material): Partial<State> {
   return part;
 }
 
-// A model without waves, whose width is to be matched, and where it holds that width.
-export function microfacet(state: State, f0: number): { material: Material; keys: string[] } | null {
+// A model without waves whose width is to be matched, and where it holds that width, or an exponent in its place.
+export interface Facets {
+  material: Material;
+  keys: string[];
+  exponents?: string[];
+}
+export function microfacet(state: State, f0: number): Facets | null {
   const index = indexOf(state);
   switch (state.beside) {
     case "ggx":
     case "beckmann":
       return { material: { model: "walter", distribution: state.beside, alpha: 0.3, index }, keys: ["/alpha"] };
+    case "phong":
+      return { material: { model: "walter", distribution: "phong", exponent: 20, index }, keys: [], exponents: ["/exponent"] };
     case "ward":
-      return {
-        material: { model: "ward", kd: 0, lobes: [{ ks: f0, mx: 0.3, my: 0.3 }] },
-        keys: ["/lobes/0/mx", "/lobes/0/my"],
-      };
+    case "ward_duer":
+      return { material: { model: state.beside, kd: 0, lobes: [{ ks: f0, mx: 0.3, my: 0.3 }] }, keys: ["/lobes/0/mx", "/lobes/0/my"] };
     case "cook_torrance":
       return { material: { model: "cook_torrance", kd: 0, lobes: [{ ks: 1, f0, m: 0.3 }] }, keys: ["/lobes/0/m"] };
+    case "kurt":
+      return { material: { model: "kurt", kd: 0, lobes: [{ ks: 1, f0, mx: 0.3, my: 0.3, alpha: 0 }] }, keys: ["/lobes/0/mx", "/lobes/0/my"] };
+    case "blinn_phong":
+      return { material: { model: "blinn_phong", kd: 0, lobes: [{ ks: f0, exponent: 20 }] }, keys: [], exponents: ["/lobes/0/exponent"] };
+    case "ashikhmin_shirley":
+      return { material: { model: "ashikhmin_shirley", rd: 0, f0, nx: 20, ny: 20 }, keys: [], exponents: ["/nx", "/ny"] };
+    case "ashikhmin":
+      return {
+        material: { model: "ashikhmin", normals: { type: "gaussian", sigma_x: 0.2, sigma_y: 0.2 }, f0, diffuse_albedo: 0 },
+        keys: ["/normals/sigma_x", "/normals/sigma_y"],
+      };
     default:
       return null;
   }

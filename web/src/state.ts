@@ -2,7 +2,8 @@
 
 export type Model = "he" | "he_unified";
 export type Polarisation = "none" | "s" | "p" | "plus" | "minus" | "right" | "left";
-export type Beside = "none" | "ggx" | "beckmann" | "ward" | "cook_torrance" | "he" | "he_unified";
+const besides = ["none", "ggx", "beckmann", "phong", "ward", "ward_duer", "cook_torrance", "kurt", "blinn_phong", "ashikhmin_shirley", "ashikhmin", "he", "he_unified"] as const;
+export type Beside = (typeof besides)[number];
 export type Radius = "relative" | "absolute" | "log";
 export type Shape = "sphere" | "plate" | "cylinder";
 export type Correlation = "gaussian" | "exponential" | "matern" | "k_correlation" | "psd" | "autocorrelation";
@@ -81,7 +82,7 @@ const choices: { [key in keyof State]?: readonly (string | number)[] } = {
   light: ["white", "one"],
   in: polarisations,
   out: polarisations,
-  beside: ["none", "ggx", "beckmann", "ward", "cook_torrance", "he", "he_unified"],
+  beside: besides,
   radius: ["relative", "absolute", "log"],
   shape: ["sphere", "plate", "cylinder"],
 };

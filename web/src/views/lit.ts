@@ -407,13 +407,14 @@ export function litView() {
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (calm) {
       stage.begin(byShader ? size : size / 2);
-      while (stage.passes < 4) if (!(await pass())) return;
+      while (stage.passes < (byShader ? 4 : 2)) if (!(await pass())) return;
       return shown();
     }
     stage.begin(byShader ? size : size / 4);
     if (!(await pass())) return;
     shown();
-    void (byShader ? refine(turn, pass, 2) : refineOfEngine(turn, pass));
+    // a file that is replaced meanwhile ends it: the views say what is wrong with that
+    (byShader ? refine(turn, pass, 2) : refineOfEngine(turn, pass)).catch(() => {});
   }
 
   // The first pass made ready what the others use; by the time of the second the grid is chosen.
