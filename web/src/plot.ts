@@ -35,7 +35,7 @@ export function linear(from: number, to: number, title: string, most = 6): Axis 
   return { from, to, ticks, title };
 }
 
-const width = 480, height = 310, left = 78, right = 18, top = 12, bottom = 54; // room for letters that are read in a narrow card
+const width = 480, height = 316, left = 78, right = 18, top = 12, bottom = 62; // room for letters that are read in a narrow card
 
 export function plot(label: string, x: Axis, y: Axis, curves: Curve[]): SVGSVGElement {
   const px = (v: number) => left + ((v - x.from) / (x.to - x.from)) * (width - left - right);
@@ -43,7 +43,7 @@ export function plot(label: string, x: Axis, y: Axis, curves: Curve[]): SVGSVGEl
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label });
   for (const tick of x.ticks) {
     root.append(svg("line", { class: "grid", x1: px(tick.at), x2: px(tick.at), y1: top, y2: height - bottom }));
-    root.append(svg("text", { class: "tick", x: px(tick.at), y: height - bottom + 20, "text-anchor": "middle" }, tick.label));
+    root.append(svg("text", { class: "tick", x: px(tick.at), y: height - bottom + 24, "text-anchor": "middle" }, tick.label));
   }
   for (const tick of y.ticks) {
     root.append(svg("line", { class: "grid", x1: left, x2: width - right, y1: py(tick.at), y2: py(tick.at) }));

@@ -308,48 +308,6 @@ TEST_CASE("Correlation: a spectrum that ends is 0 beyond") {
     CHECK(scaled.shape.variance_below(2 * pi * scaled.length * 1.3) > 1 - 1e-6);
 }
 
-TEST_CASE("Correlation: spectra that end scatter all the light, wherever they end") {
-    struct Reach {
-        double first, last;
-        int count;
-    };
-    for (const Reach& reach : {Reach{0.002, 2.8, 77},
-                               {0.02, 2.4, 20},
-                               {0.002, 2.96, 370},
-                               {0.01, 1, 26},
-                               {0.1, 300, 165},
-                               {1e-5, 0.01, 73},
-                               {0.5, 0.9, 30}}) {
-        const Table table = tabulated(reach.first, reach.last, reach.count,
-                                      [](double f) { return std::pow(1 + square(5 * f), -1.5); });
-        const auto scaled = Correlation::of_spectrum(table.x, table.values, false);
-        const Correlation& shape = scaled.shape;
-        const std::string name = "spectrum from " + shortest(reach.first) + " to " + shortest(reach.last);
-        WorstCase sum_rule{name + ", integral of D q dq", 5e-4};
-        for (const double g : {1e-3, 0.1, 1.0, 40.0}) {
-            constexpr double step = 0.01;
-            double sum = 0;
-            for (double log_q = -16; log_q < 16; log_q += step) {
-                const double q = std::exp(log_q);
-                sum += shape.lobe(g, q).value / 2 * q * q * step;
-            }
-            sum_rule.note(relative_error(sum, -std::expm1(-g)), [&] { return "g = " + shortest(g); });
-        }
-        sum_rule.check();
-        // of small g the lobe is the spectrum
-        WorstCase first_order{name + ", first order", 2e-3};
-        const double g = 1e-4, turn = 2 * std::numbers::pi * scaled.length;
-        for (double f = 1.3 * reach.first; f < 0.7 * reach.last; f *= 1.1) {
-            const double q = turn * f;
-            if (std::pow(1 + square(5 * f), -1.5) < 1e-4) continue;
-            first_order.note(
-                relative_error(shape.lobe(g, q).value, 2 * g * std::exp(-g + shape.log_spectrum(q))),
-                [&] { return place(g, q); });
-        }
-        if (reach.last > 3 * reach.first) first_order.check();
-    }
-}
-
 TEST_CASE("Correlation: a table of exp(-x) scatters as the exponential") {
     const double length = 3;
     const Table table = tabulated(0.01, 45, 400, [&](double x) { return std::exp(-x / length); });
