@@ -156,6 +156,24 @@ void register_spectral() {
         add("eval_batch/he_single_rough_limit", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_single(w, DiffuseLobe::rough_limit)); });
     }
+    for (const int n : {4, 31}) {
+        static constexpr UnifiedChoices shortcut{.conductor_shortcut = true};
+        static const Tolerance coarse{1e-3};
+        add("eval/he_unified", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w)); });
+        add("eval_batch/he_unified", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w)); });
+        add("eval/he_unified_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, coarse)); });
+        add("eval_batch/he_unified_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w, coarse)); });
+        add("eval/he_unified_shortcut", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, bench_tolerance, shortcut)); });
+        add("eval_batch/he_unified_shortcut", n, [](benchmark::State& s, int w) {
+            evaluate_batch(s, bench_he_unified(w, bench_tolerance, shortcut));
+        });
+        add("mueller/he_unified", n, [](benchmark::State& s, int w) { mueller(s, bench_he_unified(w)); });
+        add("specular/he_unified", n, [](benchmark::State& s, int w) { specular(s, bench_he_unified(w)); });
+    }
     benchmark::RegisterBenchmark("eval_pdf/he_single/4", evaluate_with_density);
     add("eval/he_first_order", 4, [](benchmark::State& s, int w) {
         evaluate(s, bench_he_torrance(w, bench_tolerance, DiffuseLobe::first_order));

@@ -116,6 +116,11 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         set(Prepared::lift, wave.lift);
         set(Prepared::returned, wave.returned);
         set(Prepared::uniform, s.uniform_diffuse);
+        set(Prepared::mirror_slant, std::sqrt(0.229) / wave.k_tau);
+        set(Prepared::mirror_grazing, 0.65 / (wave.k_tau * std::sqrt(wave.k_tau)));
+        const std::complex<double> impedance = wave.index.normal_impedance();
+        set(Prepared::impedance_real, impedance.real());
+        set(Prepared::impedance_imaginary, impedance.imag());
         // N sqrt(1 - x), x = s^2/e, by the binomial series
         std::complex<double> term{n, k};
         for (std::size_t j = 0; j < unified_detail::root_terms; ++j) {
@@ -147,6 +152,17 @@ Mueller with_uniform(const Mueller& lobe, const SpectralSample& sample) {
     return sample.uniform_diffuse == 0 ? lobe : lobe + Mueller::depolariser(sample.uniform_diffuse);
 }
 
+void require_metals(std::span<const SpectralSample> samples) {
+    for (const SpectralSample& sample : samples) {
+        const double reflectance = sample.index.amplitudes(1).unpolarised_reflectance();
+        if (reflectance >= accuracy::least_of_conductors) continue;
+        throw Error{"conductor_shortcut at " + shortest(sample.wavelength.micrometres()) + " um: " +
+                    out_of_range("reflectance of the flat surface along the normal", reflectance, "",
+                                 ">= " + shortest(accuracy::least_of_conductors) + ", that of a metal")
+                        .what()};
+    }
+}
+
 /// What is known of isotropic surfaces alone.
 void require_theory(const Surface& surface, const UnifiedChoices& choices) {
     if (surface.isotropic() && !surface.correlation()) return;
@@ -168,6 +184,8 @@ void require_theory_of_films(const UnifiedChoices& choices) {
         throw Error{"mirror second_order: must be closed where there are films"};
     if (choices.polarisation_mixing)
         throw Error{"polarisation_mixing true: must be false where there are films"};
+    if (choices.conductor_shortcut)
+        throw Error{"conductor_shortcut true: must be false where there are films"};
 }
 
 struct HeUnifiedSpectrum::Lanes {
@@ -211,6 +229,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     const bool coated =
         std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
     if (coated) require_theory_of_films(choices);
+    if (choices.conductor_shortcut) require_metals(samples_);
     require_theory(surface, choices);
     waves_.reserve(samples_.size());
     for (const Surface& seen : evaluation_detail::seen_surfaces(surface_, samples_, lobe_))
@@ -218,6 +237,10 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     for (const SpectralSample& sample : samples_) {
         const ReturnFactor& m = seen_.empty() ? return_factor_ : seen_[waves_.size()].return_factor;
         waves_.emplace_back(surface_, m, sample.wavelength, sample.index);
+        if (choices_.conductor_shortcut) {
+            conductors_.push_back(waves_.back());
+            conductors_.back().index = CoatedIndex{perfect_conductor()};
+        }
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
             mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
@@ -231,6 +254,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     const Forms forms = unified_detail::forms(tolerance, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
     Prepared prepared = prepare(surface_, return_factor_, mixed_, samples_, waves_);
+    prepared.conductor = choices_.conductor_shortcut;
     if (!seen_.empty()) {
         prepared.correlation = &surface_.correlation()->table();
         set_seen(prepared, seen_);
@@ -243,7 +267,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
-                      seen_.size() * sizeof(Seen);
+                      conductors_.size() * sizeof(UnifiedWave) + seen_.size() * sizeof(Seen);
     if (lanes_) {
         sum += sizeof(Lanes) +
                (lanes_->prepared.data.size() + lanes_->prepared.seen.size()) * sizeof(double) +
@@ -293,8 +317,19 @@ void HeUnifiedSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> 
             in = view(pair.in, i);
             out = view(pair.out, i);
         }
-        result[i] = samples_[i].uniform_diffuse + unified_lobe(in, out, waves_[i], lobe_, tolerance_).brdf();
+        result[i] = samples_[i].uniform_diffuse + unpolarised_lobe(in, out, i);
     }
+}
+
+double HeUnifiedSpectrum::unpolarised_lobe(const UnifiedView& in, const UnifiedView& out, std::size_t sample,
+                                           std::optional<double> lobe_argument) const noexcept {
+    const auto lobe = [&](const UnifiedWave& wave) {
+        return unified_lobe(in, out, wave, lobe_, tolerance_, lobe_argument).brdf();
+    };
+    if (conductors_.empty()) return lobe(waves_[sample]);
+    const double cos_theta_d = wave_vector_change(in.direction, out.direction).cos_theta_d();
+    return samples_[sample].index.amplitudes(cos_theta_d).unpolarised_reflectance() *
+           lobe(conductors_[sample]);
 }
 
 void HeUnifiedSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
@@ -315,6 +350,11 @@ FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sam
 
 void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
+    if (lanes_ && lanes_->films.empty() && mirrors_.empty()) {
+        const double stretch =
+            surface_.isotropic() ? 1 : surface_.correlation_length() / surface_.correlation_length(in);
+        if (lanes_->forms.specular_one(lanes_->prepared, in, stretch, result.data())) return;
+    }
     for (std::size_t i = 0; i < samples_.size(); ++i) result[i] = mirror(in, i).unpolarised_reflectance();
 }
 

@@ -9,7 +9,7 @@
 
 #include "hts/error.hpp"
 #include "hts/he_torrance_gradient.hpp"
-#include "spectral/energy/validity.hpp"
+#include "spectral/energy/judgement.hpp"
 
 namespace hts::python::quantity {
 namespace {
@@ -147,11 +147,10 @@ const Quantity validity{"validity",
                             constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
                             auto to = values.begin();
                             for (const SpectralSample& at : of.samples()) {
-                                const auto verdict = spectral::validity(*of.properties().surface, pair, at);
-                                const auto error = spectral::decibels(verdict.error);
-                                *to++ = static_cast<double>(verdict.severity());
-                                *to++ = error ? error->least : unknown;
-                                *to++ = error ? error->most : unknown;
+                                const auto judged = spectral::judgement(*of.properties().surface, pair, at);
+                                *to++ = static_cast<double>(judged.severity);
+                                *to++ = judged.error ? judged.error->least : unknown;
+                                *to++ = judged.error ? judged.error->most : unknown;
                             }
                         }),
                         {}};

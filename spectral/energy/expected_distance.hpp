@@ -16,7 +16,6 @@
 #include <string>
 
 #include "hts/he_torrance_spectrum.hpp"
-#include "spectral/energy/validity.hpp"
 
 namespace hts::spectral {
 
@@ -40,13 +39,7 @@ struct ExpectedDistance {
 [[nodiscard]] ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index);
 /// Of a surface at a wavelength. Neither films nor heights of another correlation were studied.
 [[nodiscard]] ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
-                                                 double theta_i_deg);
-
-/// The verdict on he_unified, which makes fewer assumptions than the criteria of validity.hpp judge: by its
-/// distance in unpolarised light, fine up to the first [dB], outside above the second and where nothing like
-/// it was solved exactly.
-inline constexpr double fine_distance = 0.5, greatest_distance = 1;
-[[nodiscard]] Severity unified_severity(const ExpectedDistance& expected) noexcept;
+                                                 const Direction& in);
 
 /// What stands behind it.
 struct DistanceStudy {

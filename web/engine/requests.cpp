@@ -11,8 +11,7 @@
 #include "hts/version.hpp"
 #include "spectral/colour/colour.hpp"
 #include "spectral/colour/display_colour.hpp"
-#include "spectral/energy/expected_distance.hpp"
-#include "spectral/energy/validity.hpp"
+#include "spectral/energy/judgement.hpp"
 #include "spectral/materials/optical_constants.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/reflected_terms.hpp"
@@ -79,23 +78,26 @@ json describe(const json& request, const Numbers& numbers) {
     return result;
 }
 
-json verdict(const spectral::Validity& validity) {
-    json findings = json::array();
+json verdict(const spectral::RoughSurface& surface, const DirectionPair& pair, const SpectralSample& sample) {
+    const auto judged = spectral::judgement(surface, pair, sample);
+    json result{{"severity", spectral::name(judged.severity)},
+                {"findings", json::array()},
+                {"perturbation_advised", false}};
+    if (judged.error) result["decibels"] = {judged.error->least, judged.error->most};
+    if (spectral::judged_by_distance(surface)) return result;
+    const auto validity = spectral::validity(surface, pair, sample);
     for (const auto& finding : validity.findings) {
         const auto limits = spectral::limits(finding.criterion);
-        findings.push_back({{"criterion", spectral::name(finding.criterion)},
-                            {"quantity", spectral::quantity(finding.criterion)},
-                            {"reason", spectral::reason(finding.criterion)},
-                            {"measured", finding.measured},
-                            {"caution", limits.caution},
-                            {"outside", limits.outside},
-                            {"least", limits.least()},
-                            {"severity", spectral::name(finding.severity())}});
+        result["findings"].push_back({{"criterion", spectral::name(finding.criterion)},
+                                      {"quantity", spectral::quantity(finding.criterion)},
+                                      {"reason", spectral::reason(finding.criterion)},
+                                      {"measured", finding.measured},
+                                      {"caution", limits.caution},
+                                      {"outside", limits.outside},
+                                      {"least", limits.least()},
+                                      {"severity", spectral::name(finding.severity())}});
     }
-    json result{{"severity", spectral::name(validity.severity())},
-                {"findings", findings},
-                {"perturbation_advised", validity.perturbation_advised}};
-    if (const auto db = spectral::decibels(validity.error)) result["decibels"] = {db->least, db->most};
+    result["perturbation_advised"] = validity.perturbation_advised;
     return result;
 }
 
@@ -104,8 +106,8 @@ json decibels_of(const spectral::TrueDecibels& of) {
 }
 
 // What hts info says of the distance from exact scattering.
-json distance(const spectral::RoughSurface& surface, const SpectralSample& sample, double theta_i_deg) {
-    const auto expected = spectral::expected_distance(surface, sample, theta_i_deg);
+json distance(const spectral::RoughSurface& surface, const SpectralSample& sample, const Direction& in) {
+    const auto expected = spectral::expected_distance(surface, sample, in);
     const auto& study = spectral::distance_study(sample.index.substrate());
     json result{{"studied", expected.studied},
                 {"he", decibels_of(expected.distance.he)},
@@ -115,7 +117,8 @@ json distance(const spectral::RoughSurface& surface, const SpectralSample& sampl
                 {"range", study.range},
                 {"fine", spectral::fine_distance},
                 {"greatest", spectral::greatest_distance}};
-    if (surface.unified()) result["severity"] = spectral::name(spectral::unified_severity(expected));
+    if (spectral::judged_by_distance(surface))
+        result["severity"] = spectral::name(spectral::judgement(expected).severity);
     return result;
 }
 
@@ -140,8 +143,8 @@ json detail(const json& request, const Numbers& numbers) {
     result["method"] = name(first.method);
     result["regime"] = spectral::name(spectral::regime(first.phase_variance));
     const auto& surface = *brdf.properties().surface;
-    result["validity"] = verdict(spectral::validity(surface, pair, brdf.samples()[0]));
-    result["distance"] = distance(surface, brdf.samples()[0], numbers.in[0]);
+    result["validity"] = verdict(surface, pair, brdf.samples()[0]);
+    result["distance"] = distance(surface, brdf.samples()[0], pair.in);
     return result;
 }
 
