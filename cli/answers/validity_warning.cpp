@@ -81,6 +81,12 @@ void GainWarning::print(const std::string& source) const {
     warn_of_gain(source, std::max(least[0], least[1]));
 }
 
+void warn_of_gain_of(const spectral::Reflectance& reflectance, const std::string& source) {
+    GainWarning gain;
+    for (const double theta : {0.0, 60.0}) gain.note(reflectance, Direction::from_degrees(theta, 0));
+    gain.print(source);
+}
+
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     Verdicts& mine = verdicts_.mine();
     ++mine.count;

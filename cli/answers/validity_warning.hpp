@@ -34,6 +34,9 @@ class GainWarning {
     PerThread<Places> places_;
 };
 
+/// The same of a reflectance that is used as a whole: light along the normal and from 60 deg.
+void warn_of_gain_of(const spectral::Reflectance& reflectance, const std::string& source);
+
 /// Counts verdicts, from any thread; what it says does not depend on their order.
 class ValidityWarning {
   public:

@@ -71,7 +71,7 @@ void add_info(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("info", "a material's regime and where the model is valid for it");
     auto options = std::make_shared<InfoOptions>();
-    reads(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
+    reads_whole(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     comma_list(*verb, theta_i_names, options->theta,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -306,6 +307,27 @@ TEST_CASE("Correlation: a spectrum that ends is 0 beyond") {
     CHECK(relative_error(square(scaled.rms_roughness), expected) < 3e-3);
     CHECK(scaled.shape.log_spectrum(2 * pi * scaled.length * 2) < -1e300);
     CHECK(scaled.shape.variance_below(2 * pi * scaled.length * 1.3) > 1 - 1e-6);
+}
+
+TEST_CASE("Correlation: the lobe of a spectrum that begins and ends is the spectrum in first order") {
+    // a corner at the first frequency, a cliff at the last: C oscillates far out, and D falls off a step
+    for (const double rows : {11., 33., 161.}) {
+        const double pi = std::numbers::pi, g = 1e-3;
+        const Table table = tabulated(0.05, 5, static_cast<int>(rows),
+                                      [](double f) { return 2e-3 / (1 + std::pow(f / 0.2, 3)); });
+        const auto scaled = Correlation::of_spectrum(table.x, table.values, false);
+        double worst = 0, where = 0;
+        for (double f = 0.01; f < 4; f *= 1.1) {
+            const double q = 2 * pi * f * scaled.length;
+            const double first = 2 * g * std::exp(-g + scaled.shape.log_spectrum(q));
+            const double off = relative_error(scaled.shape.lobe(g, q).value, first);
+            if (off > worst) worst = off, where = f;
+        }
+        std::cout << "spectrum of " << rows << " rows that ends, first order: worst " << worst << " at "
+                  << where << "/um\n";
+        CHECK(worst < 0.02);
+        CHECK(scaled.shape.lobe(g, 2 * pi * 8 * scaled.length).value < 1e-6 * g);
+    }
 }
 
 TEST_CASE("Correlation: a table of exp(-x) scatters as the exponential") {
