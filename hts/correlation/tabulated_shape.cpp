@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t points = 8192;
 constexpr double step = 80.0 / points;
-constexpr std::ptrdiff_t ends = 600;  // of its points a transform feels its own ends
-constexpr double edge = 0.05;         // ln f over which a spectrum falls to 0
+constexpr std::ptrdiff_t margin = 600;  // of its points a transform feels its own ends
+constexpr double edge = 0.05;           // ln f over which a spectrum falls to 0
 using Complexes = std::vector<std::complex<double>>;
 
 /// Spectrum W of unit variance over q = k length.
@@ -70,7 +70,7 @@ class TabulatedSpectrum final : public HeightShape {
         };
         const auto greatest = std::max_element(rest.begin(), rest.end(), real);
         auto first = greatest;
-        while (first - rest.begin() > ends && first->real() > sound * greatest->real()) --first;
+        while (first - rest.begin() > margin && first->real() > sound * greatest->real()) --first;
         const auto begin = first - rest.begin();
         const auto half = std::find_if(log_complement.begin() + begin, log_complement.end(),
                                        [](double log) { return log > -std::numbers::ln2; });
@@ -101,7 +101,8 @@ class TabulatedSpectrum final : public HeightShape {
     }
 
   private:
-    /// Points from which 1 - C is known, and where it has come to a half.
+    /// Points from which 1 - C is known, and where it has come to a half: each transform has its digits on its
+    /// side of that, farther on it may say anything.
     struct Rise {
         double first, half;
     };
@@ -109,14 +110,11 @@ class TabulatedSpectrum final : public HeightShape {
                                     const std::vector<double>& correlation,
                                     const std::vector<double>& log_complement) {
         const auto [first, half] = rise;
-        constexpr double last = points - ends;
+        constexpr double last = points - margin;
         // near x = 0 a power of x, no steeper than the square
         const double log_rise =
             (interpolated(log_complement, first + 40) - interpolated(log_complement, first)) / (40 * step);
         const double power = std::clamp(log_rise, 0.0, 2.0);
-        // each transform has its digits on its side of a half; farther on it may say anything
-        auto half = static_cast<std::size_t>(first);
-        while (half < static_cast<std::size_t>(last) && log_complement[half] < std::log(0.5)) ++half;
         Heights result{std::vector<double>(grid.count), std::vector<double>(grid.count)};
         for (std::size_t i = 0; i < grid.count; ++i) {
             const double position = (grid[i] + centre) / step + points / 2.0;
@@ -124,11 +122,7 @@ class TabulatedSpectrum final : public HeightShape {
             if (position < first) {
                 rest = std::exp(interpolated(log_complement, first) + power * (position - first) * step);
                 c = 1 - rest;
-<<<<<<< HEAD
             } else if (position < half) {
-=======
-            } else if (position < static_cast<double>(half)) {
->>>>>>> main
                 rest = std::exp(interpolated(log_complement, position));
                 c = 1 - rest;
             } else if (position < last) {
