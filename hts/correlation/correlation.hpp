@@ -36,8 +36,8 @@ inline constexpr double correlation_lobe = 1e-6;
 inline constexpr double correlation_two_scales = 5e-5;
 /// The same from there down to 1e-8.
 inline constexpr double correlation_tail = 1e-4;
-/// Of derivatives of ln D, absolute beside 1 plus the derivative; of two-scale shapes ten times as much.
-inline constexpr double correlation_slopes = 1e-4;
+/// Of derivatives of ln D, absolute beside 1 plus the derivative; of the exponential, where D is over 1e-3.
+inline constexpr double correlation_slopes = 9e-6;
 /// Of `variance_below` and `slope_variance_below`, relative.
 inline constexpr double correlation_moments = 1e-8;
 }  // namespace accuracy

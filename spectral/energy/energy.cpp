@@ -87,7 +87,7 @@ HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface
         };
         if (surface.isotropic()) return at(0)[0];
         return mean_over_azimuths(surface.azimuth(), right_angle, 4,
-                                  accuracy::bihemispherical_reflectance / 10, at)[0];
+                                  accuracy::bihemispherical_reflectance / 2, at)[0];
     };
     // the rule's error is relative; beside 1 it is absolute, as that of a mean over azimuths
     const double beside = surface.isotropic() ? 0 : 1;
