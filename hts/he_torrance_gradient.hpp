@@ -21,8 +21,8 @@
 ///   sigma_0 = 0    the lobe grows as sigma_0^2, the specular term falls so:
 ///                  derivatives by both lengths are 0
 ///   k = 0          one-sided; negative where n < sin theta_d, total reflection
-///   films          n and k of the gradient are those of the substrate; what is asked for in `films`, outermost
-///                  first, is by each film's own numbers
+///   films          n and k of the gradient are those of the substrate; what is asked for in `films`,
+///                  outermost first, is by each film's own numbers
 ///   correlation    of a shape that is not Gaussian: by its length, the shape being kept; D's derivatives are
 ///                  those of its table, accuracy::correlation_slopes
 ///   n = sin theta_d (with k = 0)   the critical angle: Fresnel's amplitudes have no derivative, 0 is taken
@@ -89,7 +89,8 @@ struct ByFilm {
 struct ViewGradient {
     Direction direction;
     VisibilityGradient visibility;
-    /// Of the logarithm of the slope width along it, by the axes and, negative, by ln tau with tau_x/tau_y kept.
+    /// Of the logarithm of the slope width along it, by the axes and, negative, by ln tau with tau_x/tau_y
+    /// kept.
     ByAxes slope_by_axes;
     double slope_by_length;
 

@@ -120,7 +120,7 @@ ByAxes log_slope_by_axes(const Surface& surface, const Direction& along) noexcep
 CorrelationLengths seen_by_lengths(const Surface& surface, const Wavelength& wavelength) noexcept {
     const auto& shape = surface.correlation();
     if (!shape) return {1, 1};
-    // tau = length (2/v)^(1/2), v the variance of slopes below q = 2 pi length/lambda, half the integral of W q^3
+    // tau = length (2/v)^(1/2), v the variance of slopes below q = 2 pi length/lambda, half that of W q^3 dq
     const auto along = [&](double length) {
         const double q = 2 * std::numbers::pi * length / wavelength.micrometres();
         return 1 - std::exp(shape->log_spectrum(q) + 4 * std::log(q)) / (4 * shape->slope_variance_below(q));

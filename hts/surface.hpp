@@ -95,8 +95,8 @@ struct ByAxes {
 [[nodiscard]] constexpr ByAxes operator+(const ByAxes& a, const ByAxes& b) noexcept {
     return {a.x + b.x, a.y + b.y, a.azimuth + b.azimuth};
 }
-/// Of the logarithm of slope_width along a direction; that by the azimuth of the direction is the negative of the
-/// last.
+/// Of the logarithm of slope_width along a direction; that by the azimuth of the direction is the negative of
+/// the last.
 [[nodiscard]] ByAxes log_slope_by_axes(const Surface& surface, const Direction& along) noexcept;
 /// How the lengths of what is `seen_by` go with those of the surface, d ln tau/d ln length along both axes: 1
 /// where the correlation is Gaussian.

@@ -82,6 +82,13 @@ spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance, Di
     return bench_material().at(bench_wavelengths(wavelengths), {.tolerance = tolerance, .lobe = lobe});
 }
 
+spectral::Reflectance bench_he_unified(int wavelengths, Tolerance tolerance, const UnifiedChoices& choices) {
+    const spectral::RoughSurface surface{bench_surface(), choices};
+    return spectral::he_torrance_material("rough aluminium", surface,
+                                          spectral::built_in_optical_constants("Al"))
+        .at(bench_wavelengths(wavelengths), {.tolerance = tolerance});
+}
+
 HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths) {
     return {bench_surface(), bench_samples(wavelengths), bench_tolerance};
 }

@@ -9,6 +9,7 @@
 #include "bench/rivals/ggx.hpp"
 #include "bench/rivals/pbrt_conductor.hpp"
 #include "hts/rendering/he_torrance_single.hpp"
+#include "hts/unified/unified_choices.hpp"
 #include "spectral/models/material.hpp"
 
 namespace hts::bench {
@@ -48,6 +49,9 @@ inline constexpr Tolerance bench_tolerance{1e-6};
 [[nodiscard]] spectral::Reflectance bench_he_torrance(int wavelengths, Tolerance tolerance = bench_tolerance,
                                                       DiffuseLobe lobe = DiffuseLobe::full);
 [[nodiscard]] HeTorranceSpectrum bench_he_torrance_spectrum(int wavelengths);
+/// The same surface by the successor.
+[[nodiscard]] spectral::Reflectance bench_he_unified(int wavelengths, Tolerance tolerance = bench_tolerance,
+                                                     const UnifiedChoices& choices = {});
 
 /// The metal's refractive indices at those wavelengths.
 struct MetalIndices {

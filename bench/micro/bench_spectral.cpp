@@ -1,5 +1,8 @@
 // Benchmarks of whole BRDFs: this project's model and a GGX conductor of the same metal.
 
+#include <omp.h>
+
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -7,6 +10,8 @@
 #include "bench/micro/bench_inputs.hpp"
 #include "bench/micro/bench_registrations.hpp"
 #include "bench/rivals/ggx_lanes.hpp"
+#include "hts/sampling/random.hpp"
+#include "spectral/parallel.hpp"
 
 namespace hts::bench {
 namespace {
@@ -88,6 +93,40 @@ void evaluate_batch(benchmark::State& state, const HeTorranceSingle& model) {
     evaluate_batch<float>(state, model, bench_vectors());
 }
 
+/// As a caller with arrays has it: angles [degrees] in, values out, a million pairs, so many threads.
+void evaluate_arrays(benchmark::State& state, int wavelengths, int threads) {
+    constexpr std::size_t count = 1000000, block = 256;
+    static const auto angles = [] {
+        Random random{20240604};
+        std::vector<std::array<double, 3>> drawn(count);
+        for (auto& [theta_i, theta_r, phi] : drawn) {
+            theta_i = random.uniform(0, 89);
+            theta_r = random.uniform(0, 89);
+            phi = random.uniform(0, 360);
+        }
+        return drawn;
+    }();
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    const auto model = bench_he_torrance(wavelengths);
+    std::vector<double> result(count * model.size());
+    for (auto _ : state) {
+        spectral::parallel_blocks(count, block, [&](std::size_t first, std::size_t number) {
+            thread_local std::vector<spectral::DirectionPair> pairs;
+            pairs.clear();
+            for (std::size_t i = first; i < first + number; ++i) {
+                const auto [theta_i, theta_r, phi] = angles[i];
+                pairs.push_back({Direction::from_degrees(theta_i, 0), Direction::from_degrees(theta_r, phi)});
+            }
+            model.evaluator().brdf_batch(
+                pairs, std::span{result}.subspan(first * model.size(), number * model.size()));
+        });
+        benchmark::ClobberMemory();
+    }
+    omp_set_num_threads(before);
+    report_items(state, count);
+}
+
 HeTorranceSingle bench_single(int wavelengths, DiffuseLobe lobe = DiffuseLobe::full) {
     return {bench_surface(), bench_samples(wavelengths), lobe};
 }
@@ -144,6 +183,10 @@ void register_spectral() {
         add("specular/he", n, [](benchmark::State& s, int w) { specular(s, bench_he_torrance(w)); });
         add("mueller/he", n, [](benchmark::State& s, int w) { mueller(s, bench_he_torrance(w)); });
     }
+    for (const int n : {1, 4, 31}) {
+        add("arrays/he/threads:1", n, [](benchmark::State& s, int w) { evaluate_arrays(s, w, 1); });
+        add("arrays/he/threads:2", n, [](benchmark::State& s, int w) { evaluate_arrays(s, w, 2); });
+    }
     for (const int n : {4, 31}) {
         add("reflectance/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance(w)); });
         add("spectrum/he", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_torrance_spectrum(w)); });
@@ -155,6 +198,24 @@ void register_spectral() {
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_torrance(w, Tolerance{1e-3})); });
         add("eval_batch/he_single_rough_limit", n,
             [](benchmark::State& s, int w) { evaluate_batch(s, bench_single(w, DiffuseLobe::rough_limit)); });
+    }
+    for (const int n : {4, 31}) {
+        static constexpr UnifiedChoices shortcut{.conductor_shortcut = true};
+        static const Tolerance coarse{1e-3};
+        add("eval/he_unified", n, [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w)); });
+        add("eval_batch/he_unified", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w)); });
+        add("eval/he_unified_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, coarse)); });
+        add("eval_batch/he_unified_1e-3", n,
+            [](benchmark::State& s, int w) { evaluate_batch(s, bench_he_unified(w, coarse)); });
+        add("eval/he_unified_shortcut", n,
+            [](benchmark::State& s, int w) { evaluate(s, bench_he_unified(w, bench_tolerance, shortcut)); });
+        add("eval_batch/he_unified_shortcut", n, [](benchmark::State& s, int w) {
+            evaluate_batch(s, bench_he_unified(w, bench_tolerance, shortcut));
+        });
+        add("mueller/he_unified", n, [](benchmark::State& s, int w) { mueller(s, bench_he_unified(w)); });
+        add("specular/he_unified", n, [](benchmark::State& s, int w) { specular(s, bench_he_unified(w)); });
     }
     benchmark::RegisterBenchmark("eval_pdf/he_single/4", evaluate_with_density);
     add("eval/he_first_order", 4, [](benchmark::State& s, int w) {

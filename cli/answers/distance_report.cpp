@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -63,25 +62,18 @@ Json json_of(const TrueDecibels& of) {
 
 }  // namespace
 
-bool judged_by_distance(const MaterialInfo& info) {
-    return info.surface.unified().has_value();
-}
-
-Severity severity_at(const MaterialInfo& info, const Point& point) {
-    if (!judged_by_distance(info)) return point.validity.severity();
-    const auto expected = distance_at(info, point);
-    const double distance = expected.distance.unified.unpolarised;
-    if (!expected.studied || distance > greatest_distance) return Severity::outside;
-    return distance > fine_distance ? Severity::caution : Severity::fine;
+spectral::Judgement judgement_at(const MaterialInfo& info, const Point& point) {
+    if (spectral::judged_by_distance(info.surface)) return spectral::judgement(distance_at(info, point));
+    return {point.validity.severity(), spectral::decibels(point.validity.error)};
 }
 
 std::optional<spectral::Decibels> unified_distances(const MaterialInfo& info, std::span<const Point> points) {
     spectral::Decibels range{std::numeric_limits<double>::infinity(), 0};
     for (const Point& point : points) {
-        const auto expected = distance_at(info, point);
-        if (!expected.studied) return std::nullopt;
-        range.least = std::fmin(range.least, expected.distance.unified.unpolarised);
-        range.most = std::fmax(range.most, expected.distance.unified.unpolarised);
+        const auto error = judgement_at(info, point).error;
+        if (!error) return std::nullopt;
+        range.least = std::fmin(range.least, error->least);
+        range.most = std::fmax(range.most, error->most);
     }
     return range;
 }
@@ -89,13 +81,14 @@ std::optional<spectral::Decibels> unified_distances(const MaterialInfo& info, st
 std::string distance_verdict(const MaterialInfo& info) {
     const auto points = info.validity.points();
     auto worst = Severity::fine;
-    for (const Point& point : points) worst = std::max(worst, severity_at(info, point));
-    const auto as_bad = std::count_if(points.begin(), points.end(),
-                                      [&](const Point& point) { return severity_at(info, point) == worst; });
+    for (const Point& point : points) worst = std::max(worst, judgement_at(info, point).severity);
+    const auto as_bad = std::count_if(points.begin(), points.end(), [&](const Point& point) {
+        return judgement_at(info, point).severity == worst;
+    });
     const std::string of = " from exact scattering in unpolarised light";
     const std::string at = " at " + std::to_string(as_bad) + " of " + std::to_string(points.size()) +
                            " points (wavelengths x angles)";
-    const std::string fine = shortest(fine_distance), most = shortest(greatest_distance);
+    const std::string fine = shortest(spectral::fine_distance), most = shortest(spectral::greatest_distance);
     if (worst == Severity::fine)
         return "Inside the model's validity: at most " + fine + " dB" + of + " is expected" + at + "\n";
     if (worst == Severity::caution)
@@ -106,8 +99,7 @@ std::string distance_verdict(const MaterialInfo& info) {
 
 spectral::ExpectedDistance distance_at(const MaterialInfo& info,
                                        const spectral::MaterialValidity::Point& point) {
-    return spectral::expected_distance(
-        info.surface, point.sample, std::acos(std::fmin(1, point.in.cos_theta())) * 180 / std::numbers::pi);
+    return spectral::expected_distance(info.surface, point.sample, point.in);
 }
 
 void add_distance(TableWriter::Row& row, const MaterialInfo& info,
@@ -139,7 +131,7 @@ std::string distance_text(const MaterialInfo& info) {
          << study.substance << ".\nA case that is left out is met within a factor of "
          << three(study.left_out.he) << " (he), " << three(study.left_out.unified) << " (he_unified), rms.\n";
     if (outside) text << "Studied are " << study.range << ";\nof what is outside nothing is known.\n";
-    if (judged_by_distance(info))
+    if (spectral::judged_by_distance(info.surface))
         text << "The validity above is by this distance. The assumptions of " << judged_model
              << " are not those of " << info.material.model_name()
              << ": its mirror is not shadowed, light that is\nreflected again returns, and where "

@@ -9,25 +9,19 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/answers/info_report.hpp"
-#include "spectral/energy/expected_distance.hpp"
+#include "spectral/energy/judgement.hpp"
 
 namespace hts::cli {
 
 /// The model whose assumptions the criteria of validity judge.
 inline constexpr std::string_view judged_model = "he";
 
-/// Whether the limits are those of the distance itself: of he_unified, which makes fewer assumptions than the
-/// criteria judge.
-[[nodiscard]] bool judged_by_distance(const MaterialInfo& info);
-/// Of he_unified, in unpolarised light: fine up to the first, outside above the second and where nothing
-/// like it was solved exactly [dB].
-inline constexpr double fine_distance = 0.5, greatest_distance = 1;
-/// By the criteria of he, or by the distance.
-[[nodiscard]] spectral::Severity severity_at(const MaterialInfo& info,
-                                             const spectral::MaterialValidity::Point& point);
+/// At a point of the material, in its mirror direction.
+[[nodiscard]] spectral::Judgement judgement_at(const MaterialInfo& info,
+                                               const spectral::MaterialValidity::Point& point);
 /// What stands in place of the criteria: at how many points it is how bad.
 [[nodiscard]] std::string distance_verdict(const MaterialInfo& info);
-/// Least and greatest of he_unified in unpolarised light over points, none where one is not studied.
+/// Least and greatest expected error over points that are judged by distance, none where one is not studied.
 [[nodiscard]] std::optional<spectral::Decibels> unified_distances(
     const MaterialInfo& info, std::span<const spectral::MaterialValidity::Point> points);
 

@@ -194,13 +194,14 @@ std::string angles_text(const MaterialInfo& info) {
         auto error = spectral::ModelError::none;
         for (std::size_t j = i; j < info.validity.points().size(); j += info.theta.size()) {
             points.push_back(info.validity.points()[j]);
-            severity = std::max(severity, severity_at(info, points.back()));
+            severity = std::max(severity, judgement_at(info, points.back()).severity);
             error = std::max(error, points.back().validity.error);
         }
         text << "  " << std::setw(9) << shortest(info.theta[i]) + " deg" << std::setw(22)
              << range_of(points, phase_variance).text() << std::setw(24)
              << range_of(points, mirror_share).text() << std::setw(10) << name(severity)
-             << (judged_by_distance(info) ? error_text(unified_distances(info, points)) : error_text(error))
+             << (spectral::judged_by_distance(info.surface) ? error_text(unified_distances(info, points))
+                                                            : error_text(error))
              << '\n';
     }
     return text.str();
@@ -275,7 +276,7 @@ std::string info_text(const MaterialInfo& info) {
          << brief(prepared_tolerance.relative_error()) << ", and " << info.phi_table_bytes
          << " bytes of Phi that all materials share\n"
          << angles_text(info) << '\n'
-         << (judged_by_distance(info) ? distance_verdict(info) : criteria_text(info))
+         << (spectral::judged_by_distance(info.surface) ? distance_verdict(info) : criteria_text(info))
          << length_note(info.surface);
     text << distance_text(info);
     return text.str();
@@ -287,11 +288,11 @@ std::string info_json(const MaterialInfo& info) {
     const Surface steepest = steepest_of(info);
     const Range g = range_of(points, phase_variance);
     Json findings = Json::array();
-    const bool by_distance = judged_by_distance(info);
+    const bool by_distance = spectral::judged_by_distance(info.surface);
     for (const Criterion criterion : criteria())
         if (!by_distance) findings.push_back(finding_json(info, criterion));
     auto severity = Severity::fine;
-    for (const Point& point : points) severity = std::max(severity, severity_at(info, point));
+    for (const Point& point : points) severity = std::max(severity, judgement_at(info, point).severity);
     const Json wavelengths = wavelengths_of(info);
     Json result{{"name", info.material.name()},
                 {"model", info.material.model_name()},
@@ -358,15 +359,14 @@ void write_info_table(Output& output, const MaterialInfo& info) {
     std::string text;
     for (const Point& point : info.validity.points()) {
         const double g = phase_variance(point);
-        const auto known =
-            judged_by_distance(info) ? unified_distances(info, {&point, 1}) : decibels(point.validity.error);
-        const auto error = known.value_or(spectral::Decibels{nan, nan});
+        const spectral::Judgement judged = judgement_at(info, point);
+        const auto error = judged.error.value_or(spectral::Decibels{nan, nan});
         TableWriter::Row row{table, text};
         row.field(shortest(micrometres(point))).field(shortest(degrees_of(info, point)));
         row.field(shortest(n(point))).field(shortest(k(point))).number(albedo(point));
         row.number(g).word(name(spectral::regime(g))).number(mirror_share(point));
         for (const Finding& finding : point.validity.findings) row.number(finding.measured);
-        row.word(name(severity_at(info, point))).number(error.least).number(error.most);
+        row.word(name(judged.severity)).number(error.least).number(error.most);
         add_distance(row, info, point);
         row.end();
     }

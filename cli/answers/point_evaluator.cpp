@@ -30,17 +30,6 @@ const std::vector<std::string> known_columns{"wavelength_um",
                                              "azimuth_deg",
                                              "albedo"};
 
-// The column of wavelengths, in either unit.
-std::optional<std::size_t> wavelength_column(const CsvReader& points, bool needed) {
-    const auto um = points.find_column("wavelength_um"), nm = points.find_column("wavelength_nm");
-    if (um && nm) {
-        throw Error{points.where_header() +
-                    R"(columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
-    }
-    if (nm) return nm;
-    return needed ? points.column("wavelength_um") : um;
-}
-
 double cell(const CsvRow& row, std::size_t column, const char* name) {
     return row.number(column, name);
 }
@@ -80,8 +69,7 @@ DirectionPair PairColumns::pair(const CsvRow& row) const {
 
 PointEvaluator::Columns::Columns(const CsvReader& points, bool needs_wavelength)
     : directions{points},
-      wavelength{wavelength_column(points, needs_wavelength)},
-      wavelength_unit{points.find_column("wavelength_nm") ? 1e-3 : 1},
+      wavelength{needs_wavelength ? points.wavelength() : points.find_wavelength()},
       n{points.find_column("n")},
       k{points.find_column("k")},
       rms_roughness{points.find_column("rms_roughness_um")},
@@ -106,7 +94,7 @@ PointEvaluator::PointEvaluator(const CsvReader& points, const std::optional<spec
       by_wavelength_{std::make_shared<WavelengthCache<spectral::Reflectance>>()} {
     if (wavelengths_ && columns_.wavelength) {
         throw UsageError{"wavelength given twice: must be either the column " +
-                         points.columns()[*columns_.wavelength] + " or an option"};
+                         points.columns()[columns_.wavelength->place] + " or an option"};
     }
     require_whole_surfaces(points);
     if (!material) require_material(points);
@@ -275,9 +263,9 @@ spectral::RoughSurfaceValues PointEvaluator::own_values(const CsvRow& row) const
 }
 
 double PointEvaluator::wavelength(const CsvRow& row) const {
-    const double number =
-        cell(row, *columns_.wavelength, columns_.wavelength_unit == 1 ? "wavelength_um" : "wavelength_nm");
-    return Wavelength::from_micrometres(columns_.wavelength_unit * number).micrometres();
+    const auto& column = *columns_.wavelength;
+    const double number = cell(row, column.place, column.name());
+    return Wavelength::from_micrometres(column.micrometres(number)).micrometres();
 }
 
 }  // namespace hts::cli

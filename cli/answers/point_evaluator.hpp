@@ -90,8 +90,7 @@ class PointEvaluator {
         explicit Columns(const CsvReader& points, bool needs_wavelength);
         [[nodiscard]] bool any_of_material() const noexcept;
         PairColumns directions;
-        Column wavelength;
-        double wavelength_unit = 1;  ///< of the column [um]
+        std::optional<spectral::WavelengthColumn> wavelength;
         Column n, k, rms_roughness, correlation_length, correlation_length_x, correlation_length_y, azimuth,
             albedo;
     };

@@ -9,7 +9,7 @@
 #include "validation/pictures/renders_section.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"
 #include "validation/scattering/exact_scattering.hpp"
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 #include "validation/scattering/vector/vector_report.hpp"
 

@@ -81,6 +81,12 @@ void GainWarning::print(const std::string& source) const {
     warn_of_gain(source, std::max(least[0], least[1]));
 }
 
+void warn_of_gain_of(const spectral::Reflectance& reflectance, const std::string& source) {
+    GainWarning gain;
+    for (const double theta : {0.0, 60.0}) gain.note(reflectance, Direction::from_degrees(theta, 0));
+    gain.print(source);
+}
+
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     Verdicts& mine = verdicts_.mine();
     ++mine.count;
@@ -92,11 +98,31 @@ void ValidityWarning::note(const spectral::Validity& verdict) noexcept {
     }
 }
 
+void ValidityWarning::note(const spectral::RoughSurface& surface, const SpectralSample& sample,
+                           const Direction& in, Judged& last) {
+    const std::array of{surface.rms_roughness(),         surface.shortest_correlation_length(),
+                        sample.wavelength.micrometres(), sample.index.substrate().n(),
+                        sample.index.substrate().k(),    in.cos_theta()};
+    if (of != last.of) last = {of, spectral::judgement(spectral::expected_distance(surface, sample, in))};
+    Verdicts& mine = verdicts_.mine();
+    ++mine.count;
+    if (last.judgement.severity != Severity::outside) return;
+    ++mine.outside;
+    (last.judgement.error ? mine.far : mine.not_studied) = true;
+}
+
 void ValidityWarning::note(const spectral::Reflectance& reflectance, const DirectionPair& pair) {
     gain_.note(reflectance, pair.in);
     const auto& surface = reflectance.properties().surface;
     if (!surface) return;
-    for (const SpectralSample& sample : reflectance.samples()) {
+    const auto samples = reflectance.samples();
+    if (spectral::judged_by_distance(*surface)) {
+        auto& last = verdicts_.mine().last;
+        if (last.size() < samples.size()) last.resize(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) note(*surface, samples[i], pair.in, last[i]);
+        return;
+    }
+    for (const SpectralSample& sample : samples) {
         if (spectral::surely_valid(*surface, pair, sample.wavelength)) {
             ++verdicts_.mine().count;
         } else {
@@ -110,6 +136,8 @@ ValidityWarning::Verdicts ValidityWarning::all() const {
     verdicts_.for_each([&sum](const Verdicts& each) {
         sum.count += each.count;
         sum.outside += each.outside;
+        sum.far = sum.far || each.far;
+        sum.not_studied = sum.not_studied || each.not_studied;
         for (std::size_t i = 0; i < sum.broken.size(); ++i) sum.broken[i] = sum.broken[i] || each.broken[i];
     });
     return sum;
@@ -119,13 +147,16 @@ void ValidityWarning::print(const std::string& source) const {
     gain_.print(source);
     const Verdicts sum = all();
     if (sum.outside == 0) return;
-    std::string criteria;
-    for (std::size_t i = 0; i < sum.broken.size(); ++i) {
-        if (!sum.broken[i]) continue;
-        criteria.append(criteria.empty() ? "" : ", ").append(name(static_cast<spectral::Criterion>(i)));
-    }
+    std::string reasons;
+    const auto add = [&reasons](bool broken, const std::string& reason) {
+        if (broken) reasons.append(reasons.empty() ? "" : ", ").append(reason);
+    };
+    for (std::size_t i = 0; i < sum.broken.size(); ++i)
+        add(sum.broken[i], std::string{name(static_cast<spectral::Criterion>(i))});
+    add(sum.far, "more than " + shortest(spectral::greatest_distance) + " dB from exact scattering expected");
+    add(sum.not_studied, "nothing like it was solved exactly");
     std::cerr << "hts: " << sum.outside << " of " << sum.count << " values "
-              << (sum.count == 1 ? "is" : "are") << " outside the model's validity (" << criteria
+              << (sum.count == 1 ? "is" : "are") << " outside the model's validity (" << reasons
               << "): see hts info\n";
 }
 

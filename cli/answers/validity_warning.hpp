@@ -6,9 +6,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/io/per_thread.hpp"
-#include "spectral/energy/validity.hpp"
+#include "spectral/energy/judgement.hpp"
 #include "spectral/models/reflectance.hpp"
 
 namespace hts::cli {
@@ -33,22 +34,35 @@ class GainWarning {
     PerThread<Places> places_;
 };
 
+/// The same of a reflectance that is used as a whole: light along the normal and from 60 deg.
+void warn_of_gain_of(const spectral::Reflectance& reflectance, const std::string& source);
+
 /// Counts verdicts, from any thread; what it says does not depend on their order.
 class ValidityWarning {
   public:
-    void note(const spectral::Validity& verdict) noexcept;
-    /// Verdicts at one pair and every wavelength, of rough surfaces; of others their gain alone is asked.
+    /// Verdicts at one pair and every wavelength, of rough surfaces, by spectral/energy/judgement.hpp; of
+    /// others their gain alone is asked.
     void note(const spectral::Reflectance& reflectance, const DirectionPair& pair);
-    /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info"; nothing if
-    /// none is. The same of a gain.
+    /// "hts: 3 of 10 values are outside the model's validity (curvature, slope): see hts info", or in place
+    /// of criteria the distance from exact scattering; nothing if none is. The same of a gain.
     ///   source   the material's file
     void print(const std::string& source) const;
 
   private:
+    /// What was judged by its distance, and how; the view does not matter, and light seldom changes.
+    struct Judged {
+        std::array<double, 6> of{-1};
+        spectral::Judgement judgement{};
+    };
     struct Verdicts {
         std::size_t count = 0, outside = 0;
         std::array<bool, spectral::criterion_count> broken{};
+        bool far = false, not_studied = false;  // of those that are judged by distance
+        std::vector<Judged> last;               // by sample
     };
+    void note(const spectral::Validity& verdict) noexcept;
+    void note(const spectral::RoughSurface& surface, const SpectralSample& sample, const Direction& in,
+              Judged& last);
     [[nodiscard]] Verdicts all() const;
 
     PerThread<Verdicts> verdicts_;

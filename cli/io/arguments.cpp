@@ -119,7 +119,13 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !verb->remaining().empty())
         return spectral::in_quotes(verb->remaining().front()) + ": not expected (see " + command + " --help)";
-    return error.what();
+    const std::string said = error.what();
+    if (const auto most = said.find(": At Most 1 required"); most != std::string::npos)
+        return said.substr(0, most) + ": given more than once: must be given once (see " + command +
+               " --help)";
+    if (const auto needed = said.find(": 1 required"); needed != std::string::npos)
+        return said.substr(0, needed) + ": must have a value (see " + command + " --help)";
+    return said;
 }
 
 }  // namespace hts::cli

@@ -163,6 +163,11 @@ CLI::Option* more_columns(CLI::App& verb, std::vector<std::string>& columns, std
     return offers(list_option(verb, "--columns", columns, description, checked), std::move(known));
 }
 
+CLI::Option* reads_whole(CLI::Option* option) {
+    return reads(option->transform(
+        [](const std::string& path) { return path == "-" ? std::string{"/dev/stdin"} : path; }));
+}
+
 CLI::Option* reads(CLI::Option* option) {
     return option->each([](const std::string& path) { run_files().will_read(path); });
 }
@@ -241,7 +246,7 @@ void OutsideOption::add_to(CLI::App& verb) {
 
 CLI::Option* MaterialOptions::add_to(CLI::App& verb) {
     outside.add_to(verb);
-    return reads(verb.add_option(material_names, path, "material file (JSON)"));
+    return reads_whole(verb.add_option(material_names, path, "material file (JSON)"));
 }
 
 std::pair<std::string, double> assignment(const std::string& option, const std::string& text) {

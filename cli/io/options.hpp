@@ -126,6 +126,8 @@ inline constexpr auto pairs_names = "--pairs,--samples,--count";
 
 /// Files that are read.
 CLI::Option* reads(CLI::Option* option);
+/// The same of a file that is read as a whole; "-" is standard input.
+CLI::Option* reads_whole(CLI::Option* option);
 /// A file that is written, and others beside it.
 CLI::Option* writes(CLI::Option* option, Beside beside = nullptr);
 /// A picture PATH.svg, with its script PATH.gnuplot.

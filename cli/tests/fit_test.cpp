@@ -135,7 +135,12 @@ TEST_CASE("hts fit refuses what cannot be fitted, and leaves no file") {
     };
     refused("nowhere.json", 1, "nowhere.json");
     refused("curet-sandpaper --most-points 3", 1, "free parameters: must be more");
-    refused("curet-sandpaper --largest-theta 1", 1, "no point");
+    refused("curet-sandpaper --largest-theta 1", 1, "up to 1 deg: must be at least one");
+    refused("curet-sandpaper --fix a=0 --fix a=1", 2, "--fix: a: must be given once");
+    refused("curet-sandpaper --start tau=1 --start tau=2", 2, "--start: tau: must be given once");
+    refused("curet-sandpaper --fix tau=1 --fix correlation_length_um=2", 2,
+            "correlation_length_um and tau are one parameter: must be fixed once");
+    refused("curet-sandpaper --free rms_roughness_um --fix sigma0=2", 2, "sigma0: freed and fixed");
     refused("--all-models '" HTS_SOURCE_DIR "/cli/tests'", 1, "cli/tests: no curve sets (*.json)");
 }
 

@@ -190,3 +190,43 @@ TEST_CASE("hts info expects of K-correlated metals what exact scattering by such
     CHECK(info(shape(7, 0.8))["by_angle"][0]["studied"] == 0);  // nu 5/2
     CHECK(info(shape(5, 0.8), R"({"n": 1.5, "k": 0})")["by_angle"][0]["studied"] == 0);
 }
+
+TEST_CASE("values of he_unified are judged by their distance from exact scattering, whoever is asked") {
+    const Workplace place;
+    const std::string unified = R"({"model": "he_unified", "rms_roughness_um": )";
+    place.file("near.json", unified + R"(0.14, "correlation_length_um": 1.1, "index": "Al"})");
+    place.file("far.json", unified + R"(0.055, "correlation_length_um": 0.1925, "index": "Al"})");
+    place.file("smooth.json", unified + R"(0.002, "correlation_length_um": 0.1925, "index": "Al"})");
+    const auto said = [&](const std::string& command, const std::string& file) {
+        const auto answer = place.hts(command + " --material " + file);
+        CHECK(answer.exit_code == 0);
+        return answer.errors;
+    };
+    const std::string pair = " --theta-i 30 --theta-r 40 --phi 170";
+    for (const std::string& command :
+         {"eval --wavelength 0.55" + pair, "spectrum --wavelengths 0.5:0.6:3" + pair,
+          std::string{"polar --wavelength 0.55 --theta-i 15,30"}}) {
+        INFO(command);
+        CHECK(said(command, "near.json").find(warning) == std::string::npos);
+        CHECK(said(command, "smooth.json").find("nothing like it was solved exactly") != std::string::npos);
+    }
+    // at the horizon nothing was solved; the assumptions of he say "shadowing" there
+    const std::string grazing = "eval --wavelength 0.55 --theta-i 80 --theta-r 40 --phi 170";
+    const std::string unknown = said(grazing, "near.json");
+    CHECK(unknown.find(warning + " (nothing like it was solved exactly): see hts info") != std::string::npos);
+    CHECK(unknown.find("shadowing") == std::string::npos);
+    // the same verdict in hts info and in eval, angle by angle
+    std::string points = "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n";
+    for (int theta = 0; theta <= 85; theta += 5) {
+        points.append("0.55,").append(std::to_string(theta)).append(",0,20,180\n");
+        place.file("one.csv", points.substr(0, points.find('\n') + 1) + points.substr(points.rfind("0.55,")));
+        for (const std::string file : {"near.json", "far.json", "smooth.json"}) {
+            INFO(file << ' ' << theta);
+            const auto info = nlohmann::json::parse(
+                place.hts("info " + file + " --wavelengths 0.55 --theta " + std::to_string(theta) + " --json")
+                    .output);
+            const auto warned = said("eval --points one.csv", file).find(warning) != std::string::npos;
+            CHECK(warned == (info["validity"] == "outside"));
+        }
+    }
+}

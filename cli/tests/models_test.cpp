@@ -198,6 +198,11 @@ TEST_CASE("a material that reflects more than falls in is named") {
           place.hts("eval -m bright.json --points points.csv", "OMP_NUM_THREADS=1").errors);
     named(place.hts("sample -m bright.json --wavelength 0.5 --theta-i 30 --count 20000 -o a.csv"));
     named(place.hts("render sphere -m bright.json --size 16 --samples 1 -o a.png"));
+    named(place.hts("scatter bright.json --wavelength 0.5"));
+    named(place.hts("table export bright.json --format csv --wavelengths 0.5 --pairs 10 -o b.csv"));
+    named(place.hts("table build bright.json --wavelengths 0.5 --tolerance 0.3 -o b.htst"));
+    CHECK(place.hts("compare mwir-brass bright.json").errors.find("bright.json: WARNING: reflects ") !=
+          std::string::npos);
     place.file("white.json",
                R"({"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 2, "index": "Al",
                                 "diffuse_albedo": 1})");

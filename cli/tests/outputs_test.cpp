@@ -96,6 +96,21 @@ TEST_CASE("an output is no input, by whatever name") {
     }
 }
 
+TEST_CASE("an output is no input where a shell opens either of them") {
+    const Inputs inputs;
+    check_complaint(inputs.place.hts("eval m.json --points - -o p.csv < p.csv"), 2,
+                    {"p.csv: is the same file as the input standard input: an output must be another file"});
+    for (const std::string command : {"phi --points gt.csv", "phi --points - < gt.csv"}) {
+        static_cast<void>(inputs.place.hts(command + " >> gt.csv 2> ../said; true"));
+        INFO(command);
+        CHECK(inputs.place.read("../said").find("hts: standard output: is the same file as the input ") == 0);
+    }
+    check_complaint(inputs.place.hts("table import - --wavelengths 0.5 -o twin.json < m.json"), 2,
+                    {"twin.json: is the same file as the input /dev/stdin"});
+    inputs.check_untouched();
+    CHECK(inputs.place.hts("phi --points - < gt.csv").exit_code == 0);
+}
+
 TEST_CASE("an output is no other output, by whatever name") {
     const Inputs inputs;
     const std::string of = "spectrum -m m.json --wavelengths 0.5,0.6" + pair;

@@ -76,11 +76,13 @@ TEST_CASE("what cannot be imported is refused by name") {
 namespace {
 
 /// 0.05 + 2 exp(-(delta/5 deg)^2) about the mirror direction of light from 30 deg, in its plane.
-std::string in_plane_scan() {
+///   mirror   what the file calls the mirror direction's azimuth, 180 or 0 [deg]
+std::string in_plane_scan(const std::string& mirror = "180") {
+    const std::string light = mirror == "180" ? "0" : "180";
     std::string text = "theta_i_deg,theta_r_deg,phi_r_deg,brdf\n";
     for (int theta = -88; theta <= 88; ++theta) {
         const double delta = (theta - 30) / 5.0;
-        text += "30," + std::to_string(std::abs(theta)) + (theta < 0 ? ",0," : ",180,") +
+        text += "30," + std::to_string(std::abs(theta)) + "," + (theta < 0 ? light : mirror) + "," +
                 std::to_string(0.05 + 2 * std::exp(-delta * delta)) + "\n";
     }
     return text;
@@ -160,6 +162,7 @@ TEST_CASE("a material file leads back to what it was made of, from wherever it s
         place.hts("table import /dev/stdin --wavelengths 0.55 --output s.json < scan.csv");
     INFO(redirected.errors);
     CHECK(redirected.exit_code == 0);
+    CHECK(place.hts("table import - --wavelengths 0.55 < scan.csv").output == redirected.output);
     CHECK(number_in_column(place.hts("eval --material s.json" + point), "brdf") == Approx(2.05));
     // a pipe is read, but no file can name it
     CHECK(place.hts("table import /dev/stdin --wavelengths 0.55", "cat scan.csv |").exit_code == 0);
@@ -168,6 +171,34 @@ TEST_CASE("a material file leads back to what it was made of, from wherever it s
     CHECK(piped.exit_code == 1);
     CHECK(piped.errors.find("/dev/stdin: no file that p.json could name") != std::string::npos);
     CHECK_FALSE(fs::exists(place.folder() / "p.json"));
+}
+
+TEST_CASE("azimuths that seem to be counted from the mirror direction are asked about") {
+    const Workplace place;
+    place.file("scan.csv", in_plane_scan());
+    place.file("turned.csv", in_plane_scan("0"));
+    const std::string question = "are azimuths counted from the mirror direction?";
+    CHECK(place.hts("table import turned.csv --wavelengths 0.55").errors.find(question) != std::string::npos);
+    CHECK(place.hts("table import scan.csv --wavelengths 0.55").errors.find(question) == std::string::npos);
+    place.file("r.json",
+               R"({"format": "csv", "sweep": "outgoing", "kind": "measured", "surface": "x", "by": "b",
+        "source": "s", "licence": "CC0-1.0", "quantity": "brdf", "scale": "absolute",
+        "columns": {"theta_i": "theta_i_deg", "theta_r": "theta_r_deg"},
+        "values": [{"column": "brdf", "wavelength_um": 0.55}]})");
+    const auto noted = [&](int sign) {
+        std::string text = "theta_i_deg,theta_r_deg,brdf\n";
+        for (int theta = -60; theta <= 60; theta += 5) {
+            const double delta = (sign * theta - 30) / 10.0;
+            text +=
+                "30," + std::to_string(theta) + "," + std::to_string(0.05 + std::exp(-delta * delta)) + "\n";
+        }
+        place.file("c.csv", text);
+        const Result result = place.hts("curves import c.csv --recipe r.json -o c.json");
+        CHECK(result.exit_code == 0);
+        return result.errors.find("is mirror_sign, or mirror_azimuth_deg, right?") != std::string::npos;
+    };
+    CHECK_FALSE(noted(1));
+    CHECK(noted(-1));
 }
 
 TEST_CASE("channels of a colour are no spectrum") {
@@ -189,6 +220,17 @@ TEST_CASE("channels of a colour are no spectrum") {
         CHECK(refused.exit_code == 1);
         CHECK(refused.errors.find("holds the channels Z, Y, X, which are no spectrum") != std::string::npos);
     }
+    const std::string point = "eval xyz.json --theta-i 0 --theta-r 0 --phi 0 --wavelength ";
+    CHECK(number_in_column(place.hts(point + "0.55"), "brdf") == Approx(0.15));
+    for (const std::string& between : {point + "0.5", point + "0.7", std::string{"albedo xyz.json"},
+                                       std::string{"polar xyz.json --wavelength 0.5 --theta-i 0 -o p.svg"}}) {
+        const Result refused = place.hts(between);
+        INFO(between << ": " << refused.errors);
+        CHECK(refused.exit_code == 1);
+        CHECK(refused.errors.find("um: must be one of 0.46, 0.55, 0.62 um, where the channels Z, Y, X of ") !=
+              std::string::npos);
+    }
+    CHECK(number_in_column(place.hts(point + "0.7 --outside hold"), "brdf") == Approx(0.2));
 }
 
 TEST_CASE("points to evaluate may be written by a spreadsheet, and slips in their columns are named") {
@@ -205,7 +247,7 @@ TEST_CASE("points to evaluate may be written by a spreadsheet, and slips in thei
               "brdf") == exact);
     CHECK(number_in_column(
               answer("wavelength_nm\ttheta_i_deg\tphi_i_deg\ttheta_r_deg\tphi_r_deg\n550\t30\t0\t40\t180\n"),
-              "brdf") == Approx(exact).epsilon(1e-12));
+              "brdf") == exact);
     const Result slip = answer(
         "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,rms_roughness\n0.55,30,0,40,180,0.1\n");
     CHECK(slip.exit_code == 1);

@@ -98,6 +98,12 @@ TEST_CASE("table: check, info and lookup of what was built") {
         CHECK(std::stod(found[row][7]) == Approx(std::stod(exact[row][7])).epsilon(0.1));
         CHECK(std::stod(found[row][9]) > 0.3);  // the metal's albedo
     }
+    place.file(
+        "nm.csv",
+        "wavelength_nm;theta_i_deg;phi_i_deg;theta_r_deg;phi_r_deg\n500;30;0;40;180\n600;80;10;70;200\n");
+    const auto in_nm = cells(place.hts("table lookup m.htst --points nm.csv").output);
+    REQUIRE(in_nm.size() == 3);
+    for (std::size_t row = 1; row < found.size(); ++row) CHECK(in_nm[row][7] == found[row][7]);
     const auto refusal = [&](const std::string& row) {
         place.file("bad.csv", "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg\n" + row + "\n");
         const Result result = place.hts("table lookup m.htst --points bad.csv");

@@ -297,8 +297,9 @@ void add_albedo(CLI::App& program) {
                  "more columns: tis, hemispherical, hemispherical_emissivity");
     verb->add_option("--temperature", options->temperature, "mean by a black body of this temperature [K]")
         ->check(number_within(spectral::Band::coldest, spectral::Band::hottest));
-    reads(verb->add_option("--response", options->response,
-                           "mean by the response of an instrument: CSV with wavelength_um,response"));
+    reads(verb->add_option(
+        "--response", options->response,
+        "mean by the response of an instrument: CSV with wavelength_um (or\nwavelength_nm),response"));
     options->output.add_to(*verb);
     verb->footer(albedo_help);
     verb->callback([options] { run(*options); });

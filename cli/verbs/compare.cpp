@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "cli/answers/validity_warning.hpp"
 #include "cli/io/curve_argument.hpp"
 #include "cli/io/figure_files.hpp"
 #include "cli/io/options.hpp"
@@ -97,6 +98,10 @@ void run(const CompareOptions& options) {
                                                             .nodes = {options.wavelengths, options.rings},
                                                             .scale = scale});
     say_what_bears_on_it(set, material, scale);
+    const double um = (set.curves.front().band.first + set.curves.front().band.last) / 2;
+    warn_of_gain_of(
+        material.at(spectral::WavelengthGrid::from_micrometres({um}), {.outside = options.material.policy()}),
+        options.material.path);
     Output output{"-"};
     write_report_table(output, options.json ? Format::json : Format::csv, section.tables.front());
     output.commit();
@@ -115,8 +120,8 @@ void add_compare(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("compare", "a model beside measured curves: figures of merit, plots");
     auto options = std::make_shared<CompareOptions>();
-    offers(reads(verb->add_option("curves", options->curves,
-                                  "curve set (JSON), or the name of one in hts curves list")),
+    offers(reads_whole(verb->add_option("curves", options->curves,
+                                        "curve set (JSON), or the name of one in hts curves list")),
            validation::built_in_curve_names())
         ->required();
     options->material.add_to(*verb)->required();

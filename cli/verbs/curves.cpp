@@ -106,8 +106,10 @@ void run_show(const ShowOptions& options) {
 void add_import(CLI::App& curves) {
     CLI::App* verb = curves.add_subcommand("import", "write a curve set from another program's file");
     auto options = std::make_shared<ImportOptions>();
-    reads(verb->add_option("file", options->file, "CSV, FRED, ASTM or pixels of a figure"))->required();
-    reads(verb->add_option("--recipe", options->recipe, "what the file itself does not say (JSON)"))
+    reads_whole(verb->add_option("file", options->file,
+                                 "CSV, FRED, ASTM or pixels of a figure, - for standard\ninput"))
+        ->required();
+    reads_whole(verb->add_option("--recipe", options->recipe, "what the file itself does not say (JSON)"))
         ->required();
     verb->add_option("--surface", options->surface, "what was measured, where the recipe leaves it open");
     verb->add_option("--every", options->every,
@@ -132,7 +134,7 @@ void add_curves(CLI::App& program) {
     list->callback([list_options] { run_list(*list_options); });
     CLI::App* show = verb->add_subcommand("show", "the points of a curve set");
     auto show_options = std::make_shared<ShowOptions>();
-    offers(reads(show->add_option("set", show_options->set, "name of the list, or a file")),
+    offers(reads_whole(show->add_option("set", show_options->set, "name of the list, or a file")),
            validation::built_in_curve_names())
         ->required();
     show_options->output.add_to(*show);

@@ -261,7 +261,7 @@ void add_eval(CLI::App& program) {
         program.add_subcommand("eval", "BRDF, specular reflectance, Mueller matrix at given points");
     auto options = std::make_shared<EvalOptions>();
     options->material.add_to(*verb);
-    reads(verb->add_option("--plan", options->plan, "plan file of hts plan"));
+    reads_whole(verb->add_option("--plan", options->plan, "plan file of hts plan"));
     verb->add_option("--wavelength", options->wavelength, "wavelength [um]");
     verb->add_option("--wavelengths", options->wavelengths, "first:last:count or a,b,c [um]");
     reads(verb->add_option("--points", options->points, "CSV file of points, - for standard input"));

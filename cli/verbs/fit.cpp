@@ -80,6 +80,12 @@ validation::Residual residual(const FitOptions& options) {
     return choice("--residual", options.residual, {logarithmic, relative, weighted, cosine});
 }
 
+void insert_once(std::map<std::string, double>& values, const std::pair<std::string, double>& value,
+                 const char* option) {
+    if (!values.insert(value).second)
+        throw UsageError{std::string{option} + ": " + value.first + ": must be given once"};
+}
+
 /// sigma0 as it was measured by other means.
 double measured_roughness(const CurveSet& set) {
     if (set.roughness) return set.roughness->rms_um;
@@ -103,12 +109,13 @@ FitRequest request(const FitOptions& options, const CurveSet& set) {
             if (!options.index.empty()) throw UsageError{"--fix index: must not come with --index"};
             result.index = json_of(text.substr(6));
         } else if (text == "sigma0=measured") {
-            result.fixed["sigma0"] = measured_roughness(set);
+            insert_once(result.fixed, {"sigma0", measured_roughness(set)}, "--fix");
         } else {
-            result.fixed.insert(assignment("--fix", text));
+            insert_once(result.fixed, assignment("--fix", text), "--fix");
         }
     }
-    for (const std::string& text : options.starts) result.starts.insert(assignment("--start", text));
+    for (const std::string& text : options.starts)
+        insert_once(result.starts, assignment("--start", text), "--start");
     return result;
 }
 
@@ -249,7 +256,7 @@ void add_fit(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("fit", "the parameters with which a model comes closest to measured curves");
     auto options = std::make_shared<FitOptions>();
-    offers(reads(verb->add_option(
+    offers(reads_whole(verb->add_option(
                "curves", options->curves,
                "curve set: a file or a name of hts curves list; more of the same surface, as its "
                "hemispherical reflectance; with --all-models of any, or folders")),

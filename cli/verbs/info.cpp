@@ -20,8 +20,9 @@ assumptions hold: tau/lambda, k R cos^3(theta), sigma0/tau, shadowing, the shado
 term, energy. Each is fine, a caution, or outside the model's validity, which is said and
 is no failure. The expected error is that of the model against exact scattering, not of
 the arithmetic: the map of hts truth moments, 1-D perfectly conducting surfaces up to 70
-degrees, unpolarised.
-Of models other than he it says how much light they reflect in all, and what is known to
+degrees, unpolarised. he_unified is judged by its expected distance from exact scattering in
+place of these criteria.
+Of models other than these two it says how much light they reflect in all, and what is known to
 be wrong with the material.
 Text by default; --json or an output .json give all of it, an output .csv a row per point.
 
@@ -70,7 +71,7 @@ void add_info(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("info", "a material's regime and where the model is valid for it");
     auto options = std::make_shared<InfoOptions>();
-    reads(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
+    reads_whole(verb->add_option(material_names, options->material, "material file (JSON)"))->required();
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")
         ->capture_default_str();
     comma_list(*verb, theta_i_names, options->theta,

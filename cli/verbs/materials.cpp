@@ -139,7 +139,7 @@ void add_materials(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("materials", "optical constants: list, or source, range and n, k of one");
     auto options = std::make_shared<MaterialsOptions>();
-    auto* name = offers(reads(verb->add_option("name", options->name, "built-in name or file")),
+    auto* name = offers(reads_whole(verb->add_option("name", options->name, "built-in name or file")),
                         spectral::optical_constants_names());
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")->needs(name);
     options->outside.add_to(*verb);

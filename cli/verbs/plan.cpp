@@ -268,10 +268,10 @@ void add_plan(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("plan", "the cheapest evaluators that a scene's tolerance allows");
     auto options = std::make_shared<PlanOptions>();
-    reads(verb->add_option("scene", options->scene, "scene file (JSON)"));
+    reads_whole(verb->add_option("scene", options->scene, "scene file (JSON)"));
     writes(verb->add_option("--output,-o", options->output, "plan file to write (JSON)"));
     verb->add_option("--tolerance", options->tolerance, "instead of the scene's, in its measure");
-    reads(verb->add_option("--check", options->check, "plan file to measure again"));
+    reads_whole(verb->add_option("--check", options->check, "plan file to measure again"));
     verb->add_option("--seed", options->seed, "of the random directions, default 1; to check, the plan's + 1")
         ->check(whole_number(0, std::uint64_t{1} << 53));
     verb->add_option(pairs_names, options->pairs, "random pairs of directions, default 8192")

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/answers/validity_warning.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/table_writer.hpp"
@@ -73,6 +74,7 @@ void run(const ScatterOptions& options) {
     }
     table.finish();
     output.commit();
+    warn_of_gain_of(reflectance, options.material.path);
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ void add_scatter(CLI::App& program) {
     auto options = std::make_shared<ScatterOptions>();
     options->material.add_to(*verb)->required();
     verb->add_option(wavelengths_names, options->wavelengths, "first:last:count or a,b,c [um]")->required();
-    comma_list(*verb, "--theta-i", options->theta_i, "angles of incidence [deg]");
+    comma_list(*verb, theta_i_names, options->theta_i, "angles of incidence [deg]");
     verb->add_option("--reflectance", options->reflectance,
                      "Q of k_correlation, 0 ... 1; 0: what the material reflects in all")
         ->check(number_within(0, 1))

@@ -12,7 +12,7 @@
 #include "cli/verbs/verbs.hpp"
 #include "hts/error.hpp"
 #include "spectral/output/gnuplot.hpp"
-#include "validation/topography/map_files.hpp"
+#include "validation/topography/maps/map_files.hpp"
 #include "validation/topography/surface_report.hpp"
 
 namespace hts::cli {
@@ -23,7 +23,8 @@ using validation::SurfaceStudy;
 
 constexpr auto surface_help = R"(
 Reads height maps of one surface: Gwyddion's .gsf and text matrices, ESRI grids, x y z,
-matrices of numbers (CSV), .npy and grey PNG of 16 bits. What a file does not state must be
+matrices of numbers (CSV), .npy, grey PNG of 16 bits, and with a python3 that has surfalize
+or SurfaceTopography .sdf, .x3p, .al3d, .sur and others. What a file does not state must be
 given: --step, --length-unit, --height-unit. Several maps count by their area.
 Prints the rms at three places, which must agree, slopes, whether heights are Gaussian and
 directions alike, and the Gaussian, the exponential, K-correlation and two Gaussian scales
@@ -35,7 +36,7 @@ where a description holds. Into the folder of --output go
   autocorrelation.csv                C(r), and the fits
   surface.svg, surface.gnuplot       the picture of all
   material.json                      with --index: ready for --material of other verbs
-  spectrum.csv                       its spectrum, with --describe measured
+  spectrum.csv                       its spectrum with errors, with --describe measured
 
 Examples:
   hts surface cli/data/rough-surface.gsf

@@ -15,7 +15,7 @@
 #include "validation/report/recorded.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"
 #include "validation/scattering/exact_scattering.hpp"
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 #include "validation/scattering/further_studies.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 #include "validation/scattering/twins/model_distances.hpp"
@@ -27,28 +27,35 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto truth_help = R"(
-moments     Exact scattering by random profiles: perfect conductors, TE and TM, by the
-            method of moments. Writes the map of the distance [dB] of this model, of
-            Kirchhoff and of Smith's shadowing, over sigma0/lambda, tau/lambda and theta_i,
-            and the lobes.
-dielectric  The same for glass, refractive index 1.5, on four surfaces.
-unseen      Conductors that no constant of a model was chosen by: 14 surfaces drawn by a
-            seed, at three angles each, 150 profiles.
-k-correlation  8 K-correlated conductors drawn by a seed, nu 1/2 (exponential) and 3/2,
-            spectra cut beyond 2.5 per wavelength, at three angles each, 100 profiles.
-metal       A metal, refractive index 0.16 + 3.6i, on three surfaces, 160 profiles.
-grazing     Smooth conductors at 60 and 70 degrees on profiles of 120 wavelengths.
-refinement  The same rough profiles by twice the points per wavelength.
-vector      Exact scattering by surfaces that are rough in both directions, perfect
-            conductors, polarised: s and p into s and p, in the plane of incidence and out
-            of it, on six surfaces at 20, 40 and 60 degrees. Takes hours.
-models      What is kept of the studies above, in seconds: he beside he_unified, in TE, TM
-            and unpolarised light; where he_unified is further off; the mirrors; then all
-            models against the surfaces of vector.
-fourier     Kirchhoff's integral summed over explicit surfaces and averaged, against the
-            directional-diffuse term before shadowing.
-rays        Rays through explicit surfaces of mirrors: shadowing, the lobe of the rough
-            limit, and the light reflected more than once.
+Studies:
+  moments        Exact scattering by random profiles: perfect conductors, TE and
+                 TM, by the method of moments. Writes the map of the distance
+                 [dB] of this model, of Kirchhoff and of Smith's shadowing, over
+                 sigma0/lambda, tau/lambda and theta_i, and the lobes.
+  dielectric     The same for glass, refractive index 1.5, on four surfaces.
+  unseen         Conductors that no constant of a model was chosen by: 14
+                 surfaces drawn by a seed, at three angles each, 150 profiles.
+  k-correlation  8 K-correlated conductors drawn by a seed, nu 1/2 (exponential)
+                 and 3/2, spectra cut beyond 2.5 per wavelength, at three angles
+                 each, 100 profiles.
+  metal          A metal, refractive index 0.16 + 3.6i, on three surfaces, 160
+                 profiles.
+  grazing        Smooth conductors at 60 and 70 degrees on profiles of 120
+                 wavelengths.
+  refinement     The same rough profiles by twice the points per wavelength.
+  vector         Exact scattering by surfaces that are rough in both directions,
+                 perfect conductors, polarised: s and p into s and p, in the
+                 plane of incidence and out of it, on six surfaces at 20, 40 and
+                 60 degrees. Takes hours.
+  models         What is kept of the studies above, in seconds: he beside
+                 he_unified, in TE, TM and unpolarised light; where he_unified
+                 is further off; the mirrors; then all models against the
+                 surfaces of vector.
+  fourier        Kirchhoff's integral summed over explicit surfaces and
+                 averaged, against the directional-diffuse term before
+                 shadowing.
+  rays           Rays through explicit surfaces of mirrors: shadowing, the lobe
+                 of the rough limit, and the light reflected more than once.
 
 Into the folder go the tables (.csv, with the command that writes them) and the pictures
 (.svg, .gnuplot). On one core moments takes some 8 minutes, dielectric 4, the others one or
@@ -61,9 +68,8 @@ it was stopped. --shard k/N solves every N-th of them, on as many machines as on
 files of all go into one folder. --collect makes the tables of what is there, and solves
 nothing.
 
-A check that the model misses
-is a finding; exit code 1 if a result contradicts the one recorded with the program (see
-hts validate --help).
+A check that the model misses is a finding; exit code 1 if a result contradicts the one
+recorded with the program (see hts validate --help).
 
 Examples:
   hts truth rays --quick --output out/truth

@@ -72,8 +72,8 @@ class Correlation {
     /// The lengths of the parts are in units of the sum's length.
     [[nodiscard]] static Correlation sum(std::span<const Part> parts);
     struct Scaled;
-    /// Self-affine between two cut-offs: S2 ~ 1/(1 + (L f)^2)^(slope/2), L the longest period, which ends at the
-    /// shortest one (over a twentieth, in ln f). K-correlation, but that the slope may be so small that the
+    /// Self-affine between two cut-offs: S2 ~ 1/(1 + (L f)^2)^(slope/2), L the longest period, which ends at
+    /// the shortest one (over a twentieth, in ln f). K-correlation, but that the slope may be so small that the
     /// variance of heights would be infinite without an end. The length is in units of L.
     ///   slope   0.1 ... 10      periods   the longest over the shortest, 2 ... 1e7; else hts::Error
     [[nodiscard]] static Scaled fractal(double slope, double periods);
@@ -116,7 +116,7 @@ class Correlation {
     [[nodiscard]] ScatteringIntegral lobe(double g, double q) const noexcept;
     /// Derivatives of its logarithm.
     ///   t       q^2/4
-    ///   error   accuracy::correlation_slopes of g d/dg and of t d/dt, where D is over 1e-3 of its greatest value
+    ///   error   accuracy::correlation_slopes of g d/dg and of t d/dt, where D is over 1e-3 of its peak
     [[nodiscard]] ScatteringSlopes lobe_slopes(double g, double t) const noexcept;
     static constexpr double most_phase_variance = 1e8;
     /// The table, for vector lanes; made where there is none yet.

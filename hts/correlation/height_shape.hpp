@@ -34,6 +34,10 @@ class HeightShape {
     /// ln W(q).
     [[nodiscard]] virtual double log_spectrum(double q) const = 0;
     [[nodiscard]] virtual Heights heights(const LogGrid& grid) const = 0;
+    /// Whether C oscillates far out, as of a spectrum with corners: its moments are noise.
+    [[nodiscard]] virtual bool oscillates() const { return false; }
+    /// Whether there is no power at all beyond some q.
+    [[nodiscard]] virtual bool ends() const { return false; }
     /// For people: "exponential", "matern, nu 1.5".
     [[nodiscard]] virtual std::string name() const = 0;
     /// Of a Matern shape.

@@ -18,6 +18,8 @@ constexpr double log_range = 60;               // of a transform, in ln x
 constexpr double lowest = -200, highest = 32;  // ln x where C is known
 constexpr double least_share = 1e-11;          // of the greatest q D: below, the transform's digits run out
 constexpr double logarithm_of_nothing = -690;  // ln D at least
+// of D(0), where a spectrum ends: splines swing about a deeper step
+constexpr double least_of_end = 1e-9;
 
 /// e^-g times the sum of y^m/(m! m), m >= 1.
 ///   y   g C, -g ... g     complement   1 - C
@@ -160,11 +162,27 @@ LobeRow::Value LobeRow::transformed(double q) const {
     return {logarithm(2 * lobe / q), std::min(std::log(std::max(second / lobe, 1e-300)), 0.0)};
 }
 
+double LobeRow::half_width() const {
+    const auto density = [&](std::size_t i) {
+        return lobe_[i] / std::exp(first_log_q_ + static_cast<double>(i) * step_);
+    };
+    // from outside, where the transform has its digits: the last place above a half
+    std::size_t i = lobe_.size() - 1;
+    while (i > 1 && !(density(i - 1) > at_zero_ / 2)) --i;
+    const double above = std::log(density(i - 1)), below = std::log(std::max(density(i), 1e-3 * at_zero_));
+    const double share = (above - std::log(at_zero_ / 2)) / (above - below);
+    return std::exp(first_log_q_ + (static_cast<double>(i) - 1 + share) * step_);
+}
+
 LobeRow::Value LobeRow::operator()(double q) const {
     if (q < 1e-5 * width_) return {logarithm(2 * at_zero_), std::log(second_at_zero_ / at_zero_)};
-    if (q <= reach_) return transformed(q);
+    if (q <= reach_) {
+        Value value = transformed(q);
+        value.log_lobe = std::max(value.log_lobe, least_log_);
+        return value;
+    }
     const double log_lobe = at_reach_.log_lobe + slope_ * std::log(q / reach_);
-    return {std::max(log_lobe, logarithm_of_nothing), at_reach_.log_inverse_mean};
+    return {std::max(log_lobe, least_log_), at_reach_.log_inverse_mean};
 }
 
 LobeIntegral::LobeIntegral(ShapePointer shape, std::size_t points)
@@ -210,6 +228,8 @@ LobeRow LobeIntegral::row(double g) const {
     // of one scale near 2 (D/-D'')^(1/2); of several that of the narrowest lobe, which it
     // leaves slowly as g grows
     row.width_ = reach > 0 ? 1.77 * lobe / reach : std::sqrt(-2 * std::expm1(-g) / row.at_zero_);
+    if (shape_->oscillates()) row.width_ = 1.2 * row.half_width();
+    if (shape_->ends()) row.least_log_ = logarithm(2 * row.at_zero_) + std::log(least_of_end);
     std::size_t end = greatest;
     while (end + 8 < points && row.lobe_[end] > least_share * row.lobe_[greatest]) ++end;
     row.reach_ = std::exp(row.first_log_q_ + static_cast<double>(end - 4) * row.step_);

@@ -22,7 +22,8 @@ class LobeRow {
     /// At q = 0, by the trapezoidal rule; above, by the transform while it has digits, then by the
     /// power of q it has there.
     [[nodiscard]] Value operator()(double q) const;
-    /// Where the lobe has its shoulder, 1.77 D(0)/integral of f x^2 dx.
+    /// Where the lobe has its shoulder, 1.77 D(0)/integral of f x^2 dx; where C oscillates 1.2 times
+    /// where D is D(0)/2, which of a Gaussian is the same.
     [[nodiscard]] double width() const noexcept { return width_; }
     /// q beyond which the value is extrapolated.
     [[nodiscard]] double reach() const noexcept { return reach_; }
@@ -30,10 +31,12 @@ class LobeRow {
   private:
     friend class LobeIntegral;
     [[nodiscard]] Value transformed(double q) const;
+    [[nodiscard]] double half_width() const;
 
     double step_ = 0, first_log_q_ = 0;  // of the transform
     std::vector<double> lobe_, second_;  // q D, q D2
     double at_zero_ = 0, second_at_zero_ = 0, width_ = 0, reach_ = 0, slope_ = 0;
+    double least_log_ = -690;  // of 2 D
     Value at_reach_{};
 };
 

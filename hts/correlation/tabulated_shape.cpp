@@ -74,6 +74,8 @@ class TabulatedSpectrum final : public HeightShape {
         }
         return on(grid, centre, correlation, log_complement);
     }
+    [[nodiscard]] bool oscillates() const override { return true; }
+    [[nodiscard]] bool ends() const override { return !continued_; }
     [[nodiscard]] std::string name() const override { return name_; }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{4, continued_ ? 1.0 : 0.0, log_scale_ + curve_.first_log_x(),
@@ -108,6 +110,9 @@ class TabulatedSpectrum final : public HeightShape {
         const double log_rise =
             (interpolated(log_complement, first + 40) - interpolated(log_complement, first)) / (40 * step);
         const double power = std::clamp(log_rise, 0.0, 2.0);
+        // each transform has its digits on its side of a half; farther on it may say anything
+        auto half = static_cast<std::size_t>(first);
+        while (half < static_cast<std::size_t>(last) && log_complement[half] < std::log(0.5)) ++half;
         Heights result{std::vector<double>(grid.count), std::vector<double>(grid.count)};
         for (std::size_t i = 0; i < grid.count; ++i) {
             const double position = (grid[i] + centre) / step + points / 2.0;
@@ -115,10 +120,12 @@ class TabulatedSpectrum final : public HeightShape {
             if (position < first) {
                 rest = std::exp(interpolated(log_complement, first) + power * (position - first) * step);
                 c = 1 - rest;
+            } else if (position < static_cast<double>(half)) {
+                rest = std::exp(interpolated(log_complement, position));
+                c = 1 - rest;
             } else if (position < last) {
                 c = interpolated(correlation, position);
-                rest = c < 0.5 ? 1 - c : std::exp(interpolated(log_complement, position));
-                if (c >= 0.5) c = 1 - rest;
+                rest = 1 - c;
             }
             result.correlation[i] = c;
             result.complement[i] = rest;

@@ -104,7 +104,8 @@ struct Pair {
 };
 
 /// A dB - B dA above a film, by what changes in it.
-///   of                of C and -i S     factors, by   electric and magnetic of Pair::above, and their derivatives
+///   of            of C and -i S
+///   factors, by   electric and magnetic of Pair::above, and their derivatives
 Complex slope(const Pair& below, const Passage& film, const PassageGradient::By& of, const Pair& factors,
               const Pair& by) {
     const auto& [electric, magnetic] = factors;

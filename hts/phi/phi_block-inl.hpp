@@ -55,14 +55,27 @@ struct PhiBlock {
 
     explicit HWY_INLINE PhiBlock(const Items& of) : items{of} {}
 
+    /// Nobody but Phi looks at the coordinates.
+    struct Alone {
+        HWY_INLINE void at(std::size_t, const Coordinates<Lanes>&) const {}
+        HWY_INLINE void at_all(const PhiBlock&, std::size_t) const {}
+    };
     /// All passes but the last.
-    ///   count   of items, a multiple of lanes
-    HWY_INLINE void prepare(std::size_t count) {
+    ///   count       of items, a multiple of lanes
+    ///   companion   finds places of its own by the same coordinates: at(i, those of items i ... i + lanes -
+    ///               1), or of many items at_all(this block, count) when x_bits, zeta_bits and, in `entry`,
+    ///               the slots of all are known
+    template <class Companion = Alone>
+    HWY_INLINE void prepare(std::size_t count, Companion&& companion = {}) {
         const Items here = items;  // copies: no store below can change them
         const Table<Spec> table = phi_detail::table<Spec>();
         if (count <= few) {
-            for (std::size_t i = 0; i < count; i += lanes)
-                store(i, place(Lanes{}, table, here.g(i), here.t(i), here.inverse_g(i)), here.scale(i));
+            for (std::size_t i = 0; i < count; i += lanes) {
+                const V g = here.g(i), t = here.t(i), inverse = here.inverse_g(i);
+                const auto at = coordinates<Spec>(Lanes{}, g, t, inverse);
+                companion.at(i, at);
+                store(i, place(Lanes{}, table, g, t, inverse, at), here.scale(i));
+            }
             add_pieces(table, count);
             return;
         }
@@ -75,6 +88,7 @@ struct PhiBlock {
             hn::Store(at.zeta_bits, Lanes::di, zeta_bits + i);
             hn::Store(at.slot, Lanes::di, entry + i);
         }
+        companion.at_all(*this, count);
         for (std::size_t i = 0; i < count; ++i) {
             entry[i] = static_cast<Whole>(table.directory[entry[i]]);
             asm("");  // the compiler would gather

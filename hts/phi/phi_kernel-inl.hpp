@@ -124,12 +124,18 @@ HWY_INLINE Place<Lanes> place_at(const Lanes& o, const Table<Spec>& table, typen
 
 template <class Spec, class Lanes>
 HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
-                              typename Lanes::Real t, typename Lanes::Real inverse_g) {
-    const auto at = coordinates<Spec>(o, g, t, inverse_g);
+                              typename Lanes::Real t, typename Lanes::Real inverse_g,
+                              const Coordinates<Lanes>& at) {
     if constexpr (sizeof(typename Lanes::Number) == 4)
         return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.narrow_directory, at.slot));
     else
         return place_at<Spec>(o, table, g, t, inverse_g, at, o.gather(table.directory, at.slot));
+}
+
+template <class Spec, class Lanes>
+HWY_INLINE Place<Lanes> place(const Lanes& o, const Table<Spec>& table, typename Lanes::Real g,
+                              typename Lanes::Real t, typename Lanes::Real inverse_g) {
+    return place(o, table, g, t, inverse_g, coordinates<Spec>(o, g, t, inverse_g));
 }
 
 template <class Spec, class Lanes>

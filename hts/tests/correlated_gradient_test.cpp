@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "hts/error.hpp"
 #include "hts/he_torrance_gradient.hpp"
 
 namespace hts {
@@ -213,6 +215,35 @@ TEST_CASE("Mueller matrices of films: all derivatives by differences") {
             "film's thickness", [](At& of) -> double& { return of.films[0].thickness; }, films[0].thickness);
     }
     worst.check();
+}
+
+TEST_CASE("Correlation: derivatives of the exponential's lobe are those of its series") {
+    using Real = boost::multiprecision::cpp_bin_float_50;
+    const Correlation shape = Correlation::exponential();
+    WorstCase by_g{"d ln D/d ln g", accuracy::correlation_slopes},
+        by_t{"t d ln D/dt", accuracy::correlation_slopes};
+    Random random{9};
+    for (int i = 0; i < 400; ++i) {
+        const double g = random.logarithmic(1e-5, 500), q = (1 + g) * random.logarithmic(1e-5, 30);
+        Real term = exp(Real{-g}), value = 0, of_g = 0, of_t = 0, peak = 0;
+        for (int m = 1; m <= static_cast<int>(g + 20 * std::sqrt(g) + 60); ++m) {
+            term *= Real{g} / m;
+            const Real s = Real{m} * m + Real{q} * q, w = term * m / (s * sqrt(s));
+            value += w;
+            of_g += w * (m - Real{g});                 // g d/dg of e^-g g^m
+            of_t += w * Real{-1.5} * Real{q} * q / s;  // t d/dt, t = q^2/4
+            peak += term / (Real{m} * m);
+        }
+        if (value < peak * 1e-3) continue;
+        const auto [log_g, log_t] = shape.lobe_slopes(g, q * q / 4);
+        const double exact_g = static_cast<double>(of_g / value), exact_t = static_cast<double>(of_t / value);
+        by_g.note(std::abs(log_g - exact_g) / (1 + std::abs(exact_g)),
+                  [&] { return "g = " + shortest(g) + ", q = " + shortest(q); });
+        by_t.note(std::abs(log_t * q * q / 4 - exact_t) / (1 + std::abs(exact_t)),
+                  [&] { return "g = " + shortest(g) + ", q = " + shortest(q); });
+    }
+    by_g.check();
+    by_t.check();
 }
 
 }  // namespace hts

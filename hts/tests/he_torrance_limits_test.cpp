@@ -45,12 +45,12 @@ Direction direction(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a draw's density is that of its direction") {
+TEMPLATE_TEST_CASE("a draw's density is that of its direction", "", HeTorrance, hts::HeUnified) {
     WorstCase worst{"density of a draw and of its direction", hts::accuracy::pdf};
     Random random{31};
     for (const double slope : {0.005, 0.05, 0.5}) {
         for (const double roughness : {0.01, 0.2, 3.0}) {
-            const HeTorrance sampler{{roughness, roughness / slope}, metal(0.5, 0.05), Tolerance{1e-6}};
+            const TestType sampler{{roughness, roughness / slope}, metal(0.5, 0.05), Tolerance{1e-6}};
             for (int i = 0; i < 4000; ++i) {
                 const Direction in =
                     Direction::from_degrees(random.uniform(0, 89.5), random.uniform(-180, 180));
@@ -120,10 +120,11 @@ TEST_CASE("a mirror sends everything into the mirror direction, and a void nowhe
     CHECK(white.pdf(in, Direction::from_degrees(90, 0)) == 0);
 }
 
-TEST_CASE("the same numbers draw the same direction, and a copy draws as the original") {
-    const HeTorrance one{{0.28, 1.77}, metal(), Tolerance{1e-6}};
-    const HeTorrance other{{0.28, 1.77}, metal(), Tolerance{1e-6}};
-    const HeTorrance copy = one;
+TEMPLATE_TEST_CASE("the same numbers draw the same direction, and a copy draws as the original", "",
+                   HeTorrance, hts::HeUnified) {
+    const TestType one{{0.28, 1.77}, metal(), Tolerance{1e-6}};
+    const TestType other{{0.28, 1.77}, metal(), Tolerance{1e-6}};
+    const TestType copy = one;
     Random random{33};
     for (int i = 0; i < 1000; ++i) {
         const Direction in = direction(random);

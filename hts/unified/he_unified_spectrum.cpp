@@ -11,6 +11,7 @@
 #include "hts/error.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
 #include "hts/unified/film_lobe.hpp"
+#include "hts/unified/lanes/return_rows.hpp"
 #include "hts/unified/lanes/unified_simd.hpp"
 #include "hts/unified/unified_mirror.hpp"
 
@@ -18,65 +19,15 @@ namespace hts {
 namespace {
 
 using unified_detail::Forms;
+using unified_detail::in_powers;
 using unified_detail::Prepared;
-using unified_detail::SurfaceTerms;
+using unified_detail::ReturnRow;
+using unified_detail::set_return_rows;
 
 constexpr std::size_t padding = 8;  // the longest vector
 
 double square(double x) {
     return x * x;
-}
-
-/// A sum of Chebyshev polynomials of x in powers of x.
-template <std::size_t size>
-std::array<double, size> in_powers(const std::array<double, size>& chebyshev) {
-    std::array<double, size> sum{}, before{}, now{1};
-    for (std::size_t j = 0; j < size; ++j) {
-        for (std::size_t i = 0; i < size; ++i) sum[i] += chebyshev[j] * now[i];
-        std::array<double, size> next{};
-        for (std::size_t i = 0; i + 1 < size; ++i) next[i + 1] = (j == 0 ? 1 : 2) * now[i];
-        for (std::size_t i = 0; i < size; ++i) next[i] -= before[i];
-        before = now;
-        now = next;
-    }
-    return sum;
-}
-
-using ReturnRow = std::array<double, ReturnFactor::terms>;
-
-/// The factor m of all azimuths for the lanes: see SurfaceTerms.
-struct ReturnRows {
-    std::vector<ReturnRow> rows;
-    double centre = 0, scale = 0;
-};
-
-/// By Chebyshev's interpolation between the least and the greatest width, the terms left
-/// out that count for nothing.
-///   widths   slope widths along the axes
-ReturnRows return_rows(std::span<const double> widths) {
-    constexpr std::size_t nodes = 32;
-    constexpr double nothing = 1e-10;
-    const double least = std::min(*std::ranges::min_element(widths), 2.0);
-    const double most = std::min(*std::ranges::max_element(widths), 2.0);
-    ReturnRows result{std::vector<ReturnRow>(nodes), (least + most) / 2,
-                      most > least ? 2 / (most - least) : 0};
-    for (std::size_t k = 0; k < nodes; ++k) {
-        const double turn = std::numbers::pi * (static_cast<double>(k) + 0.5) / nodes;
-        const ReturnFactor m{(result.centre + (most - least) / 2 * std::cos(turn)) / 2};
-        for (std::size_t i = 0; i < nodes; ++i) {
-            const double weight = (i == 0 ? 1.0 : 2.0) / nodes * std::cos(static_cast<double>(i) * turn);
-            for (std::size_t j = 0; j < ReturnFactor::terms; ++j)
-                result.rows[i][j] += weight * m.coefficients()[j];
-        }
-    }
-    const auto size = [](const ReturnRow& row) {
-        double sum = 0;
-        for (const double c : row) sum += std::abs(c);
-        return sum;
-    };
-    while (result.rows.size() > 1 && size(result.rows.back()) < nothing) result.rows.pop_back();
-    for (ReturnRow& row : result.rows) row = in_powers(row);
-    return result;
 }
 
 Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
@@ -122,6 +73,11 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         set(Prepared::lift, wave.lift);
         set(Prepared::returned, wave.returned);
         set(Prepared::uniform, s.uniform_diffuse);
+        set(Prepared::mirror_slant, std::sqrt(0.229) / wave.k_tau);
+        set(Prepared::mirror_grazing, 0.65 / (wave.k_tau * std::sqrt(wave.k_tau)));
+        const std::complex<double> impedance = wave.index.normal_impedance();
+        set(Prepared::impedance_real, impedance.real());
+        set(Prepared::impedance_imaginary, impedance.imag());
         // N sqrt(1 - x), x = s^2/e, by the binomial series
         std::complex<double> term{n, k};
         for (std::size_t j = 0; j < unified_detail::root_terms; ++j) {
@@ -132,16 +88,6 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         }
     }
     return p;
-}
-
-/// The factor m of all azimuths, of surfaces of two correlation lengths.
-///   widths   slope widths along the axes, at all wavelengths
-void set_return_rows(SurfaceTerms& surface, std::span<const double> widths) {
-    if (surface.axes.isotropic) return;
-    ReturnRows made = return_rows(widths);
-    surface.return_rows = std::move(made.rows);
-    surface.return_centre = made.centre;
-    surface.return_scale = made.scale;
 }
 
 /// What the wavelengths see of a surface, for the lanes: see Prepared::seen.
@@ -168,6 +114,17 @@ Mueller with_uniform(const Mueller& lobe, const SpectralSample& sample) {
     return sample.uniform_diffuse == 0 ? lobe : lobe + Mueller::depolariser(sample.uniform_diffuse);
 }
 
+void require_metals(std::span<const SpectralSample> samples) {
+    for (const SpectralSample& sample : samples) {
+        const double reflectance = sample.index.amplitudes(1).unpolarised_reflectance();
+        if (reflectance >= accuracy::least_of_conductors) continue;
+        throw Error{"conductor_shortcut at " + shortest(sample.wavelength.micrometres()) + " um: " +
+                    out_of_range("reflectance of the flat surface along the normal", reflectance, "",
+                                 ">= " + shortest(accuracy::least_of_conductors) + ", that of a metal")
+                        .what()};
+    }
+}
+
 /// What is known of isotropic surfaces alone.
 void require_theory(const Surface& surface, const UnifiedChoices& choices) {
     if (surface.isotropic() && !surface.correlation()) return;
@@ -189,6 +146,8 @@ void require_theory_of_films(const UnifiedChoices& choices) {
         throw Error{"mirror second_order: must be closed where there are films"};
     if (choices.polarisation_mixing)
         throw Error{"polarisation_mixing true: must be false where there are films"};
+    if (choices.conductor_shortcut)
+        throw Error{"conductor_shortcut true: must be false where there are films"};
 }
 
 struct HeUnifiedSpectrum::Lanes {
@@ -232,6 +191,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     const bool coated =
         std::ranges::any_of(samples_, [](const SpectralSample& sample) { return sample.index.coated(); });
     if (coated) require_theory_of_films(choices);
+    if (choices.conductor_shortcut) require_metals(samples_);
     require_theory(surface, choices);
     waves_.reserve(samples_.size());
     for (const Surface& seen : evaluation_detail::seen_surfaces(surface_, samples_, lobe_))
@@ -239,6 +199,10 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     for (const SpectralSample& sample : samples_) {
         const ReturnFactor& m = seen_.empty() ? return_factor_ : seen_[waves_.size()].return_factor;
         waves_.emplace_back(surface_, m, sample.wavelength, sample.index);
+        if (choices_.conductor_shortcut) {
+            conductors_.push_back(waves_.back());
+            conductors_.back().index = CoatedIndex{perfect_conductor()};
+        }
         if (choices_.mirror == UnifiedChoices::Mirror::second_order)
             mirrors_.emplace_back(waves_.back().k_sigma, waves_.back().k_tau, sample.index.substrate());
     }
@@ -251,6 +215,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
     const Forms forms = unified_detail::forms(tolerance, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
     Prepared prepared = prepare(surface_, return_factor_, mixed_, samples_, waves_);
+    prepared.conductor = choices_.conductor_shortcut;
     if (seen_.empty()) {
         const auto& axes = prepared.surface.axes;
         set_return_rows(prepared.surface, std::array{axes.width_along, axes.width_across});
@@ -266,7 +231,7 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
 
 std::size_t HeUnifiedSpectrum::bytes() const noexcept {
     std::size_t sum = sizeof *this + samples_.size() * (sizeof(SpectralSample) + sizeof(UnifiedWave)) +
-                      seen_.size() * sizeof(Seen);
+                      conductors_.size() * sizeof(UnifiedWave) + seen_.size() * sizeof(Seen);
     if (lanes_) {
         sum += sizeof(Lanes) +
                (lanes_->prepared.data.size() + lanes_->prepared.seen.size()) * sizeof(double) +
@@ -316,8 +281,19 @@ void HeUnifiedSpectrum::exact_brdf(const DirectionPair& pair, std::span<double> 
             in = view(pair.in, i);
             out = view(pair.out, i);
         }
-        result[i] = samples_[i].uniform_diffuse + unified_lobe(in, out, waves_[i], lobe_, tolerance_).brdf();
+        result[i] = samples_[i].uniform_diffuse + unpolarised_lobe(in, out, i);
     }
+}
+
+double HeUnifiedSpectrum::unpolarised_lobe(const UnifiedView& in, const UnifiedView& out, std::size_t sample,
+                                           std::optional<double> lobe_argument) const noexcept {
+    const auto lobe = [&](const UnifiedWave& wave) {
+        return unified_lobe(in, out, wave, lobe_, tolerance_, lobe_argument).brdf();
+    };
+    if (conductors_.empty()) return lobe(waves_[sample]);
+    const double cos_theta_d = wave_vector_change(in.direction, out.direction).cos_theta_d();
+    return samples_[sample].index.amplitudes(cos_theta_d).unpolarised_reflectance() *
+           lobe(conductors_[sample]);
 }
 
 void HeUnifiedSpectrum::exact_mueller(const DirectionPair& pair, std::span<Mueller> result) const noexcept {
@@ -338,6 +314,11 @@ FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sam
 
 void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
+    if (lanes_ && lanes_->films.empty() && mirrors_.empty()) {
+        const double stretch =
+            surface_.isotropic() ? 1 : surface_.correlation_length() / surface_.correlation_length(in);
+        if (lanes_->forms.specular_one(lanes_->prepared, in, stretch, result.data())) return;
+    }
     for (std::size_t i = 0; i < samples_.size(); ++i) result[i] = mirror(in, i).unpolarised_reflectance();
 }
 

@@ -18,7 +18,9 @@ namespace hts {
 
 namespace accuracy {
 inline constexpr double unified_mirror = 6e-13;  ///< of F_q exp(-x_q/2), relative
-}
+/// Of the reflectance in lanes, above 1e-280; the worst where an index near 1 reflects totally.
+inline constexpr double unified_mirror_in_lanes = 2e-10;
+}  // namespace accuracy
 
 /// F_q exp(-x_q/2).
 ///   error   accuracy::unified_mirror, above 1e-280

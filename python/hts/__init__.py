@@ -14,6 +14,7 @@ an ``hts.Error`` with the message that the command ``hts`` prints.
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from . import _core  # before NumPy, which a subinterpreter had better not import
@@ -22,6 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import Error, curve_names, formats, log_phi, models, phi, substances, written_formats
+from ._description import numbers
 from ._fits import Curves, Fit, Parameter, curves, fit
 from ._material import Floats, Form, Material, Plan, Sample, Table, Validity, read
 
@@ -57,9 +59,9 @@ __all__ = [
 __version__: str = _core._version
 
 
-def refractive_index(substance: str, wavelength: ArrayLike) -> Any:
-    """n + ik of built-in optical constants (`substances()`) at wavelengths [um]."""
-    return _core._refractive_index(substance, wavelength)
+def refractive_index(substance: str | os.PathLike[str], wavelength: ArrayLike) -> Any:
+    """n + ik of built-in optical constants (a name of `substances()`), or of a file (a pathlib.Path), at wavelengths [um]."""
+    return _core._refractive_index(os.fspath(substance), not isinstance(substance, str), wavelength)
 
 
 def bidirectional_reflectance_factor(brdf: ArrayLike) -> Any:
@@ -99,7 +101,9 @@ def render(
 
 def srgb(linear: ArrayLike) -> NDArray[np.uint8]:
     """Linear sRGB as bytes for a screen; what is out of range is clipped [IEC 61966-2-1]."""
-    x = np.clip(np.asarray(linear, dtype=float), 0, 1)
+    x = np.clip(numbers("linear", linear), 0, 1)
+    if np.isnan(x).any():
+        raise Error("linear: holds what is no number")
     encoded = np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.power(x, 1 / 2.4) - 0.055)
     return np.asarray(np.rint(255 * encoded), dtype=np.uint8)
 

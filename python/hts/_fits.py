@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Error
-from ._description import films_text
+from ._description import films_text, numbers
 from ._material import Floats, Material
 
 
@@ -129,6 +129,8 @@ def fit(
         data = curves.origin
     elif isinstance(curves, (str, os.PathLike)):
         data = os.fspath(curves)
+    elif not isinstance(curves, Mapping):
+        raise Error(f"curves: {type(curves).__name__}: must be the name or path of a set, or a mapping of arrays")
     else:
         unknown = set(curves) - {"wavelength", "theta_i", "theta_r", "phi", "brdf", "uncertainty"}
         if unknown:
@@ -137,7 +139,7 @@ def fit(
         if missing:
             raise Error(f"curves: {sorted(missing)[0]} missing")
         unit = np.pi / 180 if degrees else 1.0
-        angles = [unit * np.asarray(curves[key], dtype=float) for key in ("theta_i", "theta_r", "phi")]
+        angles = [unit * numbers(key, curves[key]) for key in ("theta_i", "theta_r", "phi")]
         data = (curves["wavelength"], *angles, curves["brdf"], curves.get("uncertainty", 0.0))
     covered = json.dumps(films_text(list(films))) if films else ""
     made = _core._fit(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Error
+from ._description import number, numbers
 
 Floats = NDArray[np.float64]
 
@@ -126,7 +128,11 @@ class Material(_core.Material):
         """
         shape = np.broadcast(np.asarray(theta_i), np.asarray(phi_i)).shape
         if size is not None:
-            wanted = (size,) if isinstance(size, int) else tuple(size)
+            lengths: Any = size if isinstance(size, Iterable) else (size,)
+            try:
+                wanted = tuple(operator.index(length) for length in lengths)
+            except TypeError:
+                raise Error(f"size {size!r}: must be a whole number or several") from None
             try:
                 agrees = np.broadcast_shapes(shape, wanted) == wanted
             except ValueError:
@@ -136,7 +142,7 @@ class Material(_core.Material):
             shape = wanted
         uniforms = np.random.default_rng(rng).random((*shape, 3))
         theta_r, phi_r, pdf, weight, code = self._sample(
-            float(wavelength), theta_i, phi_i, uniforms, degrees, tolerance, outside
+            number("wavelength", wavelength), theta_i, phi_i, uniforms, degrees, tolerance, outside
         )
         names = np.array(_core._lobe_names())
         return Sample(theta_r, phi_r, pdf, weight, names[np.asarray(code, dtype=int)])
@@ -156,7 +162,7 @@ class Material(_core.Material):
         polarisation  None for unpolarised radiation, "s" or "p" for what a polariser in front of the detector lets through
         error         4e-8 of the directional-diffuse part unpolarised, 1e-6 for "s" and "p"
         """
-        for um in np.unique(np.asarray(wavelength, dtype=float)):
+        for um in np.unique(numbers("wavelength", wavelength)):
             self._require_opaque(float(um), outside)
         if polarisation is None:
             return 1.0 - self.albedo(wavelength, theta, phi, degrees=degrees, outside=outside)
@@ -195,13 +201,17 @@ class Material(_core.Material):
 
         wavelengths, response   of the curve, equally long [um, any unit]; trapezoidal rule between them
         """
-        um, weight = np.asarray(wavelengths, dtype=float), np.asarray(response, dtype=float)
+        um, weight = numbers("wavelengths", wavelengths), numbers("response", response)
         if um.ndim != 1 or um.shape != weight.shape or um.size < 2:
-            raise Error(f"response: must be a curve as long as wavelengths, {um.shape}: is {weight.shape}")
+            raise Error(f"response: must be a curve as long as wavelengths, {um.shape}, of two at least: is {weight.shape}")
+        if not np.all(np.diff(um) > 0):
+            raise Error("wavelengths: must increase")
+        if not np.all(weight >= 0):
+            raise Error(f"response {weight[~(weight >= 0)][0]:g}: must be >= 0")
         values = self.emissivity(um, theta, polarisation, degrees=degrees, outside=outside)
         total = _trapezoid(weight, um)
         if not total > 0:
-            raise Error(f"response: its integral is {total}: must be > 0")
+            raise Error("response: must be > 0 somewhere")
         return _trapezoid(weight * values, um) / total
 
     def validity(
@@ -220,7 +230,7 @@ class Material(_core.Material):
         self, wavelengths: ArrayLike, tolerance: float = 1e-3, *, polarised: bool = False, largest_bytes: int = 1 << 30
     ) -> Table:
         """A lookup table with a promised error, |table - exact|/(exact + 1e-3 peak) <= tolerance up to 88 degrees."""
-        grid = [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))]
+        grid = np.ravel(numbers("wavelengths", wavelengths)).tolist()
         return Table(_core._build_table(self, grid, tolerance, polarised, largest_bytes))
 
     def plan(
@@ -246,11 +256,11 @@ class Material(_core.Material):
         for key in set(scene) - known:
             raise Error(f"plan: {key}: must be one of {', '.join(sorted(known))}")
         asked = {
-            "wavelengths_um": [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))],
-            "tolerance": dict(tolerance) if isinstance(tolerance, Mapping) else {"relative_brdf_error": float(tolerance)},
+            "wavelengths_um": np.ravel(numbers("wavelengths", wavelengths)).tolist(),
+            "tolerance": dict(tolerance) if isinstance(tolerance, Mapping) else {"relative_brdf_error": number("tolerance", tolerance)},
             "output": output,
-            "largest_theta_i_deg": float(largest_theta_i_deg),
-            "largest_theta_r_deg": float(largest_theta_r_deg),
+            "largest_theta_i_deg": number("largest_theta_i_deg", largest_theta_i_deg),
+            "largest_theta_r_deg": number("largest_theta_r_deg", largest_theta_r_deg),
             **scene,
         }
         made = _core._plan(self, json.dumps(asked), pairs, seed)
@@ -280,7 +290,7 @@ class Material(_core.Material):
         specular_spread  solid angle over which the specular term is spread [sr]; None leaves it out
         pairs, seed      of the directions at which what was read back is compared with the model
         """
-        grid = None if wavelengths is None else [float(um) for um in np.atleast_1d(np.asarray(wavelengths, dtype=float))]
+        grid = None if wavelengths is None else np.ravel(numbers("wavelengths", wavelengths)).tolist()
         report = _core._export(
             self, os.fspath(path), format, grid, colour, basis, depth, specular_spread, pairs, seed, outside
         )
@@ -367,5 +377,5 @@ def read(
     name = os.fspath(path)
     if name.endswith(".htst"):
         return Table(name).material
-    grid = None if wavelengths is None else [float(um) for um in np.atleast_1d(np.asarray(wavelengths))]
+    grid = None if wavelengths is None else np.ravel(numbers("wavelengths", wavelengths)).tolist()
     return Material(_core._read(name, format, grid))

@@ -43,6 +43,8 @@ ERROR_MEDIAN = 4e-6
 #: Of draws, for surfaces with sigma_0/tau up to 0.6 and incidence up to 85 degrees, where the largest seen was 8.2.
 LARGEST_WEIGHT = 12.0
 
+suspend_grad: Any = dr.suspend_grad  # which has no types
+
 SRGB_WAVELENGTHS = (0.611, 0.549, 0.464)
 
 _registered: set[str] = set()
@@ -192,7 +194,7 @@ def _bsdf_class() -> Any:
                     (mi.BSDFFlags.DeltaReflection, mi.BSDFFlags.GlossyReflection, mi.BSDFFlags.DiffuseReflection)
                 )
             ]
-            with dr.suspend_grad():
+            with suspend_grad():
                 specular = dr.mean(reflected * coherent) if enabled[0] else mi.Float(0)
                 lobe = dr.mean(reflected * (1 - coherent)) + 1e-6 if enabled[1] else mi.Float(0)
                 diffuse = dr.mean(self.diffuse_albedo.eval(si, active)) if enabled[2] else mi.Float(0)
@@ -222,7 +224,7 @@ def _bsdf_class() -> Any:
             return self.value(ctx, si, wo, active)
 
         def pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
-            with dr.suspend_grad():
+            with suspend_grad():
                 mixture = Mixture.around(self.surface(), si.wi, self.channels(si))
                 return self.density(si, wo, self.shares(ctx, si, active), mixture) & active
 
@@ -235,12 +237,12 @@ def _bsdf_class() -> Any:
             to_specular, to_lobe, to_diffuse, mirror = shares
             specular = sample1 < to_specular
             diffuse = ~specular & (sample1 >= to_specular + to_lobe) & (to_diffuse > 0)
-            with dr.suspend_grad():
+            with suspend_grad():
                 mixture = Mixture.around(self.surface(), si.wi, self.channels(si))
                 rest = (sample1 - to_specular) / dr.maximum(to_lobe, 1e-20)
                 drawn = mixture.draw(dr.clip(rest, 0.0, 1 - 1e-7), sample2)
                 drawn = dr.select(diffuse, mi.warp.square_to_cosine_hemisphere(sample2), drawn)
-                bs = dr.zeros(mi.BSDFSample3f)
+                bs: Any = dr.zeros(mi.BSDFSample3f)
                 bs.wo = dr.select(specular, mi.Vector3f(-si.wi.x, -si.wi.y, si.wi.z), drawn)
                 bs.pdf = dr.select(specular, to_specular, self.density(si, bs.wo, shares, mixture))
                 bs.eta = 1.0

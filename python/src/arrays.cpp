@@ -14,6 +14,8 @@ constexpr std::ptrdiff_t bytes = sizeof(double);
 nb::object as_doubles(const std::string& name, nb::handle value) {
     nb::object array;
     try {
+        if (nb::hasattr(value, "mask") && nb::cast<bool>(numpy().attr("ma").attr("is_masked")(value)))
+            throw Error{name + ": holds masked values: must be numbers alone"};
         array = numpy().attr("asarray")(value);
     } catch (nb::python_error& error) {
         throw Error{name + ": must be a number or an array of numbers: " + error.what()};

@@ -1,6 +1,7 @@
 #include "evaluation.hpp"
 
 #include <omp.h>
+#include <pthread.h>
 
 #include <algorithm>
 
@@ -135,11 +136,15 @@ class Pairs {
     bool degrees_, vectors_ = false;
 };
 
+/// Whether this thread forked, in the child: OpenMP's other threads stayed behind, and a loop that is shared
+/// with them would wait for ever.
+thread_local bool forked = false;
+
 /// Parallel loops of this thread run on so many threads for as long as it lives; on all cores for 0.
 class Team {
   public:
     explicit Team(int threads) : before_{omp_get_max_threads()} {
-        if (threads > 0) omp_set_num_threads(threads);
+        if (threads > 0 && !forked) omp_set_num_threads(threads);
     }
     ~Team() { omp_set_num_threads(before_); }
     Team(const Team&) = delete;
@@ -153,7 +158,9 @@ class Team {
 /// error of the lowest block is thrown.
 template <class Function>
 void in_blocks(std::size_t count, int threads, const Function& f) {
-    constexpr int at_a_time = 4;
+    constexpr int at_a_time = 4, most = 1024;
+    if (threads < 0 || threads > most)
+        throw Error{"threads " + std::to_string(threads) + ": must be 0, for all cores, ... 1024"};
     const Team team{threads};
     const nb::gil_scoped_release others_may_run;
     spectral::parallel_for((count + block - 1) / block,
@@ -333,6 +340,13 @@ std::optional<double> of_numbers(const PyMaterial& material, const Quantity& qua
 }
 
 }  // namespace
+
+void survive_forks() {
+    pthread_atfork(nullptr, nullptr, [] {
+        forked = true;
+        omp_set_num_threads(1);
+    });
+}
 
 Direction direction(double theta, double phi, bool degrees) {
     return degrees ? Direction::from_degrees(theta, phi) : Direction::from_angles(theta, phi);

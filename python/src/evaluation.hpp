@@ -26,6 +26,9 @@ struct Quantity {
         of_sampler;
 };
 
+/// From now on a child process that was forked computes too, on one thread.
+void survive_forks();
+
 /// The arguments of a call that says where: wavelengths, directions, and what goes
 /// before the material's values.
 struct Where {

@@ -57,9 +57,10 @@ nb::object log_phi_of(nb::handle g, nb::handle t, nb::object out) {
     });
 }
 
-/// n + ik of built-in optical constants.
-nb::object refractive_index(const std::string& substance, nb::handle wavelength) {
-    const auto constants = spectral::built_in_optical_constants(substance);
+/// n + ik of built-in optical constants or of a file.
+nb::object refractive_index(const std::string& substance, bool is_file, nb::handle wavelength) {
+    const auto constants = is_file ? spectral::read_optical_constants(substance)
+                                   : spectral::built_in_optical_constants(substance);
     const Operand at{"wavelength", wavelength};
     const Operand* const all[]{&at};
     const Broadcast broadcast{all};
@@ -98,7 +99,8 @@ void bind_functions(nb::module_& module) {
                        "out: numpy.ndarray | None = None) -> typing.Any"),
                "ln Phi(g, t), which stays finite where Phi underflows; error 4e-13 of max(|ln Phi|, 1).",
                nb::arg("g"), nb::arg("t"), nb::arg("out") = nb::none());
-    module.def("_refractive_index", &refractive_index, nb::arg("substance"), nb::arg("wavelength"));
+    module.def("_refractive_index", &refractive_index, nb::arg("substance"), nb::arg("is_file"),
+               nb::arg("wavelength"));
     module.def("substances", &spectral::optical_constants_names, "Names of the built-in optical constants.");
     module.def("models", &models, nb::sig("def models() -> list[tuple[str, str]]"),
                "Models that material files may name, each with its source.");

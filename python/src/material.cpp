@@ -219,7 +219,7 @@ out                array of float64 for the result
 rms_roughness_um, correlation_length_um, n, k, diffuse_albedo   go before the material's, element by element
 outside            "error", "hold" or "zero", where the material is not known at a wavelength or, of
                    measured data, at a pair of directions
-threads            0: all cores
+threads            0 ... 1024; 0: all cores; one in a process that was forked
 All arguments broadcast; the result has their common shape, a float where all are numbers.)";
 
 #define HTS_SURFACE                                                                          \

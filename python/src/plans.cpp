@@ -42,7 +42,9 @@ nb::dict plan(const PyMaterial& self, const std::string& scene, std::size_t pair
 }  // namespace
 
 void bind_plans(nb::module_& module) {
-    module.def("_plan", &plan, nb::arg("material"), nb::arg("scene"), nb::arg("pairs"), nb::arg("seed"));
+    module.def("_plan", &plan, nb::arg("material"), nb::arg("scene"), nb::arg("pairs"), nb::arg("seed"),
+               nb::sig("def _plan(material: Material, scene: str, pairs: int, seed: int) -> "
+                       "dict[str, typing.Any]"));
 }
 
 }  // namespace hts::python

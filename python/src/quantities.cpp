@@ -9,7 +9,7 @@
 
 #include "hts/error.hpp"
 #include "hts/he_torrance_gradient.hpp"
-#include "spectral/energy/validity.hpp"
+#include "spectral/energy/judgement.hpp"
 
 namespace hts::python::quantity {
 namespace {
@@ -80,8 +80,8 @@ double* put(const Mueller& matrix, double* to) {
     return std::ranges::copy(matrix.elements(), to).out;
 }
 
-/// How sigma_0 over all frequencies goes with the lengths where the roughness is stated for a band: derivatives of
-/// ln sigma_0 by ln tau_x and by ln tau_y, differences of the band's share.
+/// How sigma_0 over all frequencies goes with the lengths where the roughness is stated for a band:
+/// derivatives of ln sigma_0 by ln tau_x and by ln tau_y, differences of the band's share.
 ByAxes log_roughness_by_axes(const spectral::RoughSurface& surface) {
     constexpr double step = 1e-4;
     const auto log_share = [&](double along, double across) {
@@ -188,11 +188,10 @@ const Quantity validity{"validity",
                             constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
                             auto to = values.begin();
                             for (const SpectralSample& at : of.samples()) {
-                                const auto verdict = spectral::validity(*of.properties().surface, pair, at);
-                                const auto error = spectral::decibels(verdict.error);
-                                *to++ = static_cast<double>(verdict.severity());
-                                *to++ = error ? error->least : unknown;
-                                *to++ = error ? error->most : unknown;
+                                const auto judged = spectral::judgement(*of.properties().surface, pair, at);
+                                *to++ = static_cast<double>(judged.severity);
+                                *to++ = judged.error ? judged.error->least : unknown;
+                                *to++ = judged.error ? judged.error->most : unknown;
                             }
                         }),
                         {}};

@@ -1,5 +1,7 @@
 """What the tests of the Mitsuba plugin share: surfaces, variants, scenes."""
 
+import time
+
 import numpy as np
 import pytest
 
@@ -88,3 +90,57 @@ def viewed_plane(mi, bsdf, theta_light, phi_light, theta_view, irradiance=1.0, s
     }  # fmt: skip
 
 
+def figure_14(mi, bsdf, size):
+    """Cylinder, ball, cube and table of the paper's Fig. 14, under a sky and a lamp; `bsdf` makes an entry of a surface."""
+    at = mi.ScalarTransform4f
+    surfaces = {
+        "cylinder": (0.18, 3.0, "Al", 0.0),
+        "ball": (0.13, 1.2, "Cu", 0.0),
+        "cube": (0.0, 2.0, 1.5, 0.28),
+        "table": (0.20, 2.0, 1.5, 0.28),
+    }
+    made = {name: {"type": "twosided", "bsdf": bsdf(surface)} for name, surface in surfaces.items()}
+    return {
+        "type": "scene",
+        "table": {"type": "rectangle", "to_world": at().scale(6), "bsdf": made["table"]},
+        "cylinder": {"type": "cylinder", "p0": [-1.2, 0, 0], "p1": [-1.2, 0, 1.8], "radius": 0.6, "bsdf": made["cylinder"]},
+        "ball": {"type": "sphere", "center": [0.5, 0.6, 0.7], "radius": 0.7, "bsdf": made["ball"]},
+        "cube": {"type": "cube", "to_world": at().translate([0.9, -1.1, 0.45]).scale(0.45), "bsdf": made["cube"]},
+        "sky": {"type": "constant", "radiance": 0.3},
+        "lamp": {
+            "type": "rectangle",
+            "to_world": at().look_at(origin=[2, -3, 5], target=[0, 0, 0], up=[0, 0, 1]),
+            "emitter": {"type": "area", "radiance": 12.0},
+        },
+        "sensor": {
+            "type": "perspective", "fov": 35,
+            "to_world": at().look_at(origin=[1.5, -7, 3.5], target=[0, 0, 0.7], up=[0, 0, 1]),
+            "film": {"type": "hdrfilm", "width": size, "height": size},
+        },
+        "integrator": {"type": "path", "max_depth": 4},
+    }  # fmt: skip
+
+
+def conductor(surface):
+    """Mitsuba's rough metal as wide as the lobe in the limit of geometric optics."""
+    sigma, tau, index, _ = surface
+    material = {"Al": "Al", "Cu": "Cu"}.get(index)
+    optics = {"material": material} if material else {"eta": 1.5, "k": 0.0}
+    return {"type": "roughconductor", "distribution": "beckmann", "alpha": max(2 * sigma / tau, 0.02), **optics}
+
+
+def scenes_of_figure_14(mi, size):
+    """With the plugin and with roughconductor."""
+    return [mi.load_dict(figure_14(mi, bsdf, size)) for bsdf in (scene_entry, conductor)]
+
+
+def seconds_of_figure_14(variant, size, samples, rounds):
+    """The least time of each; they take turns, and the first round compiles."""
+    mi = mitsuba_in(variant)
+    scenes, seconds = scenes_of_figure_14(mi, size), ([], [])
+    for seed in range(rounds + 1):
+        for scene, times in zip(scenes, seconds):
+            start = time.perf_counter()
+            np.array(mi.render(scene, spp=samples, seed=seed))
+            times.append(time.perf_counter() - start)
+    return [min(times[1:]) for times in seconds]

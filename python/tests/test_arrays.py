@@ -1,5 +1,8 @@
 """Broadcasting, types, strides and out=, against one number at a time."""
 
+import os
+import signal
+
 import numpy as np
 import pytest
 
@@ -98,6 +101,22 @@ def test_any_number_of_threads(aluminium, rng):
     assert np.array_equal(one, two)
 
 
+def test_forked_process(aluminium, rng):
+    """A child of a process whose threads have worked computes too, on one of its own, whatever is asked."""
+    theta = rng.uniform(0, 1.5, 5000)
+    wanted = aluminium.brdf(0.5, theta, 0.3, 3.0, threads=2)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)  # ends the child, were it to wait
+        same = [np.array_equal(aluminium.brdf(0.5, theta, 0.3, 3.0, threads=n), wanted) for n in (0, 2)]
+        os._exit(0 if all(same) and aluminium.albedo(0.5, 0.3) > 0 else 1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
+def smooth(**keys):
+    return hts.Material(model="he", rms_roughness_um=0.0, correlation_length_um=1, **keys)
+
+
 @pytest.mark.parametrize(
     "call, words",
     [
@@ -135,6 +154,22 @@ def test_any_number_of_threads(aluminium, rng):
         (lambda m: hts.render("moon"), "fig12"),
         (lambda m: hts.render("sphere"), "material"),
         (lambda m: hts.read("nothing.binary"), "nothing.binary"),
+        (lambda m: m.brdf(0.5, np.ma.array([0.1, 0.2], mask=[False, True]), 0.1, 3.0), "theta_i: holds masked values"),
+        (lambda m: m.brdf(0.5, [0.1], 0.1, 3.0, threads=-1), "threads -1: must be 0, for all cores, ... 1024"),
+        (lambda m: m.brdf(0.5, [0.1], 0.1, 3.0, threads=10**6), "threads 1000000"),
+        (lambda m: m.sample(0.5, 0.1, size=2.5), "size 2.5: must be a whole number"),
+        (lambda m: m.sample([0.5, 0.6], 0.1), "wavelength: must be one number, not (2,)"),
+        (lambda m: m.plan("x"), "wavelengths: must be a number or an array of numbers"),
+        (lambda m: m.band_emissivity([0.5, 0.6], [1, -0.5], 0.1), "response -0.5: must be >= 0"),
+        (lambda m: m.band_emissivity([0.6, 0.5], [1, 1], 0.1), "wavelengths: must increase"),
+        (lambda m: m.band_emissivity([0.5, 0.6], [0, 0], 0.1), "response: must be > 0 somewhere"),
+        (lambda m: hts.fit(3), "curves: int: must be"),
+        (lambda m: hts.srgb([np.nan]), "linear: holds what is no number"),
+        (lambda m: hts.srgb("x"), "linear: must be a number or an array of numbers"),
+        (lambda m: hts.Material("a\0b"), "must be a path without NUL"),
+        (lambda m: smooth(index=complex("nan")), "what is no finite number"),
+        (lambda m: smooth(index=lambda um: np.zeros(7)).brdf([0.5, 0.6], 0.1, 0.1, 3.0), "must be 2 numbers"),
+        (lambda m: smooth(index=lambda um: "x").brdf(0.5, 0.1, 0.1, 3.0), "must be 1 numbers"),
     ],
 )
 def test_bad_input(aluminium, call, words):

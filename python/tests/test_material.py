@@ -101,6 +101,16 @@ def test_validity(aluminium):
     assert verdict.most[0] == 1.1 and np.isnan(verdict.most[1])
 
 
+def test_validity_of_the_successor():
+    # by its expected distance from exact scattering, which the view does not change
+    unified = hts.Material(model="he_unified", rms_roughness_um=0.14, correlation_length_um=1.1, index="Al")
+    verdict = unified.validity(0.55, [30.0, 80.0], degrees=True)
+    assert verdict.severity.tolist() == ["fine", "outside"]
+    assert verdict.least[0] == verdict.most[0] < 0.5 and np.isnan(verdict.most[1])
+    elsewhere = unified.validity(0.55, 30.0, 70.0, 10.0, degrees=True)
+    assert elsewhere.most == verdict.most[0]
+
+
 def test_index_of_a_function():
     aluminium = hts.Material(model="he", rms_roughness_um=0.28, correlation_length_um=1.77, index="Al")
     function = hts.Material(

@@ -11,9 +11,10 @@
 
 namespace hts::spectral {
 
-/// Means of some quantities over azimuths, by the trapezoidal rule, twice as fine until that moves none of them.
-///   length     [rad] of azimuths, at whose ends the quantities mirror or repeat themselves: then the error of
-///              the rule falls faster than any power of its step
+/// Means of some quantities over azimuths, by the trapezoidal rule, twice as fine until that moves none of
+/// them.
+///   length     [rad] of azimuths, at whose ends the quantities mirror or repeat themselves: then the error
+///              of the rule falls faster than any power of its step
 ///   coarsest   steps at least, a power of 2
 ///   error      absolute
 ///   of         the quantities at an azimuth, an array of doubles

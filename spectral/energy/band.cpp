@@ -116,14 +116,16 @@ double Band::covered(const WavelengthGrid& wavelengths) const {
 
 PiecewiseLinear read_response(const std::filesystem::path& path) {
     const CsvTable table = CsvTable::read(path);
-    table.require_known_columns({"wavelength_um", "response"});
-    const std::size_t um = table.column("wavelength_um"), response = table.column("response");
+    table.require_known_columns({"wavelength_um", "wavelength_nm", "response"});
+    const WavelengthColumn wavelength = table.wavelength();
+    const std::size_t response = table.column("response");
     std::vector<PiecewiseLinear::Point> points;
     for (std::size_t row = 0; row < table.row_count(); ++row) {
         const double value = table.number(row, response);
         if (!(value >= 0)) throw table.error(row, response, shortest(value) + ": must be >= 0");
-        located(table.where(table.line(row)) + "column \"wavelength_um\"", [&] {
-            points.push_back({Wavelength::from_micrometres(table.number(row, um)).micrometres(), value});
+        const double um = wavelength.micrometres(table.number(row, wavelength.place));
+        located(table.where(table.line(row)) + "column " + in_quotes(wavelength.name()), [&] {
+            points.push_back({Wavelength::from_micrometres(um).micrometres(), value});
         });
     }
     if (points.empty()) throw Error{table.name() + ": must have a row for each wavelength"};

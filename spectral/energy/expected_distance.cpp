@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -64,14 +65,28 @@ Values constant_of(System system) {
     return values;
 }
 
-/// The plane at a place, from all cases but one; from all if there is no such.
-Values predicted(std::span<const Case> cases, const Place& at, std::size_t left_out) {
+/// Of each quantity over all cases but one; over all if there is no such.
+struct Range {
+    Values least, most;
+};
+Range range_of(std::span<const Case> cases, std::size_t left_out) {
+    Range range;
+    range.least.fill(std::numeric_limits<double>::infinity());
+    range.most.fill(-std::numeric_limits<double>::infinity());
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+        for (std::size_t q = 0; c != left_out && q < quantities; ++q) {
+            range.least[q] = std::min(range.least[q], cases[c].logs[q]);
+            range.most[q] = std::max(range.most[q], cases[c].logs[q]);
+        }
+    }
+    return range;
+}
+
+/// The plane at a place, from the same cases, within their range.
+Values predicted(std::span<const Case> cases, const Place& at, std::size_t left_out, const Range& range) {
     constexpr double stiffness = 0.03, floor = 1e-12;  // of slopes; of the weight of what is far
     System system{};
     for (std::size_t i = 1; i < terms; ++i) system[i][i] = stiffness;
-    Values least, most;
-    least.fill(std::numeric_limits<double>::infinity());
-    most.fill(-std::numeric_limits<double>::infinity());
     for (std::size_t c = 0; c < cases.size(); ++c) {
         if (c == left_out) continue;
         const double weight = std::exp(-squared_distance(cases[c].place, at) / 2) + floor;
@@ -82,13 +97,10 @@ Values predicted(std::span<const Case> cases, const Place& at, std::size_t left_
             for (std::size_t q = 0; q < quantities; ++q)
                 system[i][terms + q] += weight * basis[i] * cases[c].logs[q];
         }
-        for (std::size_t q = 0; q < quantities; ++q) {
-            least[q] = std::fmin(least[q], cases[c].logs[q]);
-            most[q] = std::fmax(most[q], cases[c].logs[q]);
-        }
     }
     Values values = constant_of(system);
-    for (std::size_t q = 0; q < quantities; ++q) values[q] = std::clamp(values[q], least[q], most[q]);
+    for (std::size_t q = 0; q < quantities; ++q)
+        values[q] = std::clamp(values[q], range.least[q], range.most[q]);
     return values;
 }
 
@@ -133,6 +145,7 @@ class Study {
             angle_.add(point.theta_i_deg);
             cases_.push_back(found);
         }
+        range_ = range_of(cases_, cases_.size());
         const std::string length = k_correlated ? "l" : "tau";
         summary_ = {std::move(substance), cases_.size(), both(factors()),
                     (k_correlated ? "nu " + shape_.text() + ", " : "") + "sigma0 " + roughness_.text() +
@@ -144,10 +157,10 @@ class Study {
 
     [[nodiscard]] ExpectedDistance at(const StudiedPoint& point) const {
         const Place place = place_of(point);
-        Values values = predicted(cases_, place, cases_.size());
+        Values values = predicted(cases_, place, cases_.size(), range_);
         for (double& value : values) value = std::exp(value);
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Case& each : cases_) nearest = std::fmin(nearest, squared_distance(each.place, place));
+        for (const Case& each : cases_) nearest = std::min(nearest, squared_distance(each.place, place));
         constexpr double far_from_all =
             2;  // the middle of a cell of the grid of cases is 1.9 from its corners
         const bool studied = roughness_.has(point.rms_roughness) && length_.has(point.correlation_length) &&
@@ -161,7 +174,7 @@ class Study {
     [[nodiscard]] Values factors() const {
         Values squares{};
         for (std::size_t c = 0; c < cases_.size(); ++c) {
-            const Values others = predicted(cases_, cases_[c].place, c);
+            const Values others = predicted(cases_, cases_[c].place, c, range_of(cases_, c));
             for (std::size_t q = 0; q < quantities; ++q) {
                 const double off = others[q] - cases_[c].logs[q];
                 squares[q] += off * off / static_cast<double>(cases_.size());
@@ -172,6 +185,7 @@ class Study {
     }
 
     std::vector<Case> cases_;
+    Range range_{};
     Bounds roughness_, length_, slope_, angle_, shape_;
     DistanceStudy summary_;
 };
@@ -200,8 +214,10 @@ ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex
     return expected;
 }
 
-ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample, double theta_i_deg) {
+ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
+                                   const Direction& in) {
     const double lambda = sample.wavelength.micrometres();
+    const double theta_i_deg = std::acos(std::fmin(1, in.cos_theta())) * 180 / std::numbers::pi;
     const auto nu = surface.correlation() ? surface.correlation()->nu() : std::nullopt;
     const double seen = nu ? std::sqrt(surface.variance_share(0, most_studied_frequency / lambda)) : 1;
     ExpectedDistance expected =

@@ -5,9 +5,9 @@
 ///
 ///   cases    three studies: perfect conductors, which stand for metals, glass of index 1.5, which stands for
 ///            dielectrics, and K-correlated perfect conductors, nu 1/2 and 3/2
-///   between  ln of the distance is a plane over (log2 sigma_0/lambda, log2 tau/lambda, theta_i, nu), fitted to
-///            the cases with weights exp(-d^2/2), d in units of 0.6, 0.6, 10 degrees and 1/2, so that the nearest
-///            count most
+///   between  ln of the distance is a plane over (log2 sigma_0/lambda, log2 tau/lambda, theta_i, nu), fitted
+///            to the cases with weights exp(-d^2/2), d in units of 0.6, 0.6, 10 degrees and 1/2, so that the
+///            nearest count most
 ///   error    `left_out`: each case is predicted from the others
 /// Not installed.
 #pragma once
@@ -46,7 +46,7 @@ struct ExpectedDistance {
 /// Of a surface at a wavelength. Neither films nor other correlations than Gaussian and K-correlation were
 /// studied.
 [[nodiscard]] ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
-                                                 double theta_i_deg);
+                                                 const Direction& in);
 
 /// What stands behind it.
 struct DistanceStudy {

@@ -63,6 +63,7 @@ ReflectedLight by_successor(const RoughSurface& surface, const Facets& facets, c
             },
             [=](const Direction& in) -> ReflectedLight::Lobe {
                 return [=, lit = model.view(in)](const Direction& out, double t) {
+                    if (light.s == light.p) return model.unpolarised_lobe(lit, model.view(out), 0, t);
                     return reflected(unified_lobe(lit, model.view(out), model.waves().front(),
                                                   DiffuseLobe::full, model.tolerance(), t)
                                          .jones,

@@ -17,25 +17,18 @@ namespace hts::spectral {
 namespace {
 
 struct Columns {
-    std::size_t wavelength, n;
+    WavelengthColumn wavelength;
+    std::size_t n;
     std::optional<std::size_t> k;
-    bool nanometres;
 };
 
 Columns columns_of(const CsvTable& table) {
     table.require_known_columns({"wavelength_um", "wavelength_nm", "n", "k"});
-    const auto nanometres = table.find_column("wavelength_nm");
-    if (nanometres && table.find_column("wavelength_um")) {
-        throw Error{table.name() +
-                    R"(: columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
-    }
-    const auto wavelength = nanometres ? *nanometres : table.column("wavelength_um");
-    return {wavelength, table.column("n"), table.find_column("k"), nanometres.has_value()};
+    return {table.wavelength(), table.column("n"), table.find_column("k")};
 }
 
 void add_row(IndexRows& rows, const CsvTable& table, std::size_t row, const Columns& columns) {
-    const double wavelength = table.number(row, columns.wavelength);
-    const double um = columns.nanometres ? wavelength / 1000 : wavelength;
+    const double um = columns.wavelength.micrometres(table.number(row, columns.wavelength.place));
     const double n = table.number(row, columns.n);
     const double k = columns.k ? table.number(row, *columns.k) : 0;
     located(table.name() + ":" + std::to_string(table.line(row)), [&] {

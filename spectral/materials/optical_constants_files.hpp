@@ -12,8 +12,9 @@ namespace hts::spectral {
 
 /// OpticalConstants from a file, by its ending:
 ///   .yml .yaml   refractiveindex.info database: formulas 1 to 9, tabulated nk, n, k; n from the first item
-///                of DATA that gives n, k from the first that gives k; tabulated n2 is passed over. A row
-///                that is no refractive index is a warning, and an error where it is asked for
+///                of DATA that gives n, k from the first that gives k, with a warning of later ones;
+///                tabulated n2 is passed over. A row that is no refractive index is a warning, and an error
+///                where it is asked for
 ///   .csv .txt    header `wavelength_um,n,k` or `wavelength_nm,n,k` (k may be left out), `#` comment lines,
 ///                in any dialect of csv.hpp; or as the database's website writes them, `wl,n` [um] and below
 ///                it `wl,k`; .txt without a header: rows of um, n and perhaps k, or (n,k) in brackets

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -145,12 +146,19 @@ Curves curves_of(const Source& source, const YAML::Node& item) {
 // n from the first item that gives n, k from the first that gives k.
 Curves all_curves(const Source& source, const YAML::Node& data) {
     Curves result;
+    std::vector<std::string> again;
     for (const auto& item : data) {
         Curves curves = curves_of(source, item);
+        for (const auto& [curve, earlier, name] :
+             {std::tuple{&curves.n, &result.n, "n"}, std::tuple{&curves.k, &result.k, "k"}})
+            if (*curve && *earlier)
+                again.push_back(source.place(item) + ": " + name +
+                                " stands in an item before: that one counts");
         if (!result.n) result.n = std::move(curves.n);
         if (!result.k) result.k = std::move(curves.k);
         result.notes.insert(result.notes.end(), curves.notes.begin(), curves.notes.end());
     }
+    result.notes.insert(result.notes.end(), again.begin(), again.end());
     return result;
 }
 

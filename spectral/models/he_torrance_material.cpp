@@ -316,9 +316,10 @@ Material read_he_torrance(const MaterialFile& file) {
 }
 
 Material read_he_unified(const MaterialFile& file) {
-    file.json.require_keys_among(known_keys({"mirror", "polarisation_mixing"}));
+    file.json.require_keys_among(known_keys({"mirror", "polarisation_mixing", "conductor_shortcut"}));
     const UnifiedChoices choices{.mirror = mirror_from(file.json.find("mirror")),
-                                 .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false)};
+                                 .polarisation_mixing = truth_or(file.json, "polarisation_mixing", false),
+                                 .conductor_shortcut = truth_or(file.json, "conductor_shortcut", false)};
     if (const auto films = file.json.find("films"); films && !films->items().empty())
         located(file.json.place(), [&] { require_theory_of_films(choices); });
     const RoughSurface rough = surface_from(file.json, file.folder), unified{rough, choices};

@@ -53,7 +53,7 @@ class DiffuseAlbedo {
 /// it: coated_constants.hpp.
 [[nodiscard]] Material read_he_torrance(const MaterialFile& file);
 /// Reads the same keys of "model": "he_unified", and
-///   "mirror": "closed" or "second_order", "polarisation_mixing": true or false
+///   "mirror": "closed" or "second_order", "polarisation_mixing" and "conductor_shortcut": true or false
 ///   "closed" and false if left out
 [[nodiscard]] Material read_he_unified(const MaterialFile& file);
 

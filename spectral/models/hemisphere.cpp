@@ -40,8 +40,8 @@ HemisphericalReflectance bihemispherical_reflectance(const Reflectance& reflecta
         if (found != known.end()) return found->second;
         return known.emplace(cosine, averaged(reflectance, std::acos(cosine), wavelength)).first->second;
     };
-    // The rule's error is relative; beside 1 it is absolute, as that of a mean over azimuths. It is that of the 15
-    // points within the 31, far above the error of all, and here each point costs many albedos.
+    // The rule's error is relative; beside 1 it is absolute, as that of a mean over azimuths. It is that of
+    // the 15 points within the 31, far above the error of all, and here each point costs many albedos.
     const bool isotropic = reflectance.properties().isotropic;
     const double beside = isotropic ? 0 : 1;
     const double error = (isotropic ? 1 : 10) * accuracy::bihemispherical_reflectance;

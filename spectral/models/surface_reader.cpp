@@ -9,6 +9,7 @@
 
 #include "hts/correlation/correlation.hpp"
 #include "hts/error.hpp"
+#include "spectral/models/power_spectrum_table.hpp"
 #include "spectral/text/csv.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
@@ -48,75 +49,6 @@ double positive(const JsonValue& value, const char* what) {
     return number;
 }
 
-/// Whether "psd" says that a spectrum is a profile's.
-bool is_of_profile(const JsonValue& psd) {
-    const std::string convention = psd.text();
-    if (convention == "1d one-sided") return true;
-    if (convention == "2d") return false;
-    throw psd.error(in_quotes(convention) + R"( is not known; must be "1d one-sided" or "2d")");
-}
-
-// ------------------------------------------------------------------------------------------- tables
-
-struct Columns {
-    std::vector<double> first, second;
-};
-
-/// Rows of positive, increasing first values; `check` sees the second.
-Columns columns_of(const CsvTable& table, const char* first, const char* second, bool may_be_negative) {
-    const std::size_t x = table.column(first), y = table.column(second);
-    Columns result;
-    for (std::size_t row = 0; row < table.row_count(); ++row) {
-        const double at = table.number(row, x), value = table.number(row, y);
-        if (!(at > 0)) throw table.error(row, x, shortest(at) + " must be > 0");
-        if (row > 0 && !(at > result.first.back()))
-            throw table.error(
-                row, x, shortest(at) + " must be above " + shortest(result.first.back()) + " before it");
-        if (!may_be_negative && !(value > 0)) throw table.error(row, y, shortest(value) + " must be > 0");
-        result.first.push_back(at);
-        result.second.push_back(value);
-    }
-    return result;
-}
-
-Columns scaled(Columns columns, double first, double second) {
-    for (double& value : columns.first) value *= first;
-    for (double& value : columns.second) value *= second;
-    return columns;
-}
-
-/// FRED's layout: two head lines, then frequency [1/mm] and power [mm^4, of a profile mm^3].
-Columns fred_columns(const std::filesystem::path& path, bool of_profile) {
-    const std::string text = read_text_file(path);
-    const std::size_t first = text.find('\n'),
-                      second = text.find('\n', first == std::string::npos ? first : first + 1);
-    if (second == std::string::npos)
-        throw Error{path.string() + ": must be two head lines and rows of two numbers"};
-    // names of columns and a comment in place of the head, so that lines keep their numbers
-    const CsvTable table = CsvTable::parse("frequency_per_mm psd\n#" + text.substr(second), path.string());
-    return scaled(columns_of(table, "frequency_per_mm", "psd", false), 1e-3, of_profile ? 1e9 : 1e12);
-}
-
-struct PowerSpectrum {
-    Columns columns;  // 1/um, um^4 or um^3
-    bool of_profile;
-};
-
-PowerSpectrum power_spectrum(const JsonValue& shape, const std::filesystem::path& path) {
-    const std::optional<JsonValue> psd = shape.find("psd");
-    if (!same_letters(path.extension().string(), ".csv")) {
-        const bool of_profile = is_of_profile(shape["psd"]);
-        return {fred_columns(path, of_profile), of_profile};
-    }
-    if (psd) throw psd->error("must be left out beside a CSV file, whose columns say it");
-    const CsvTable table = CsvTable::read(path);
-    table.require_known_columns({"frequency_per_um", "psd_um4", "psd_um3"});
-    const bool of_profile = table.find_column("psd_um3").has_value();
-    if (of_profile && table.find_column("psd_um4"))
-        throw Error{table.where_header() + "columns psd_um3 and psd_um4: must be one of the two"};
-    return {columns_of(table, "frequency_per_um", of_profile ? "psd_um3" : "psd_um4", false), of_profile};
-}
-
 // ------------------------------------------------------------------------------------------- shapes
 
 Shape scaled_shape(const Correlation::Scaled& made) {
@@ -124,22 +56,19 @@ Shape scaled_shape(const Correlation::Scaled& made) {
 }
 
 Shape spectrum_from(const JsonValue& shape, const std::filesystem::path& folder) {
-    shape.require_keys_among({"type", "file", "psd", "outside"});
-    const std::filesystem::path path = folder / shape["file"].text();
     bool continued = false;
     if (const auto outside = shape.find("outside")) {
         continued = outside->text() == "power_law";
         if (!continued && outside->text() != "zero")
             throw outside->error(in_quotes(outside->text()) + " is not known; must be zero or power_law");
     }
-    const PowerSpectrum spectrum = power_spectrum(shape, path);
-    const Columns& columns = spectrum.columns;
-    const auto make = spectrum.of_profile ? Correlation::of_profile_spectrum : Correlation::of_spectrum;
+    const PowerSpectrumTable table = power_spectrum_table(shape, folder);
+    const auto make = table.of_profile ? Correlation::of_profile_spectrum : Correlation::of_spectrum;
     const Correlation::Scaled made =
-        located(path.string(), [&, &rows = columns] { return make(rows.first, rows.second, continued); });
+        located(table.place, [&] { return make(table.frequency, table.density, continued); });
     Shape result = scaled_shape(made);
     result.rms_roughness = made.rms_roughness;
-    result.band = {columns.first.front(), columns.first.back()};
+    result.band = {table.frequency.front(), table.frequency.back()};
     return result;
 }
 
@@ -148,7 +77,7 @@ Shape autocorrelation_from(const JsonValue& shape, const std::filesystem::path& 
     const std::filesystem::path path = folder / shape["file"].text();
     const CsvTable table = CsvTable::read(path);
     table.require_known_columns({"distance_um", "autocorrelation"});
-    Columns columns;
+    std::vector<double> distance, correlation;
     const std::size_t x = table.column("distance_um"), y = table.column("autocorrelation");
     std::size_t first = 0;
     if (table.row_count() > 0 && table.number(0, x) == 0) {
@@ -159,15 +88,15 @@ Shape autocorrelation_from(const JsonValue& shape, const std::filesystem::path& 
     for (std::size_t row = first; row < table.row_count(); ++row) {
         const double at = table.number(row, x), value = table.number(row, y);
         if (!(at > 0)) throw table.error(row, x, shortest(at) + " must be > 0");
-        if (row > first && !(at > columns.first.back()))
-            throw table.error(
-                row, x, shortest(at) + " must be above " + shortest(columns.first.back()) + " before it");
+        if (row > first && !(at > distance.back()))
+            throw table.error(row, x,
+                              shortest(at) + " must be above " + shortest(distance.back()) + " before it");
         if (!(std::abs(value) < 1)) throw table.error(row, y, shortest(value) + " must be between -1 and 1");
-        columns.first.push_back(at);
-        columns.second.push_back(value);
+        distance.push_back(at);
+        correlation.push_back(value);
     }
-    return scaled_shape(located(
-        path.string(), [&] { return Correlation::of_autocorrelation(columns.first, columns.second); }));
+    return scaled_shape(
+        located(path.string(), [&] { return Correlation::of_autocorrelation(distance, correlation); }));
 }
 
 /// K-correlation: S1 = A/(1 + (B f)^2)^(C/2), one-sided, or S2 = A/(1 + (B f)^2)^(C/2).

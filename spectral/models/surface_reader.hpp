@@ -20,7 +20,8 @@ namespace hts::spectral {
 ///                  {"type": "k_correlation", "B_um": 5.0, "C": 2.5, "psd": "1d one-sided" or "2d"}, without
 ///                  length; with "A" [um^3, um^4] also without rms roughness
 ///                  {"type": "sum", "of": [[weight, {"type": …, "length_um": …}], …]}, without length
-///                  {"type": "psd", "file": "psd.csv"}, without length and rms roughness
+///                  {"type": "psd", "file": "psd.csv"} or {"type": "psd", "psd": "2d", "table": [[f, S2],
+///                  …]}, without length and rms roughness
 ///                  {"type": "autocorrelation", "file": "acf.csv"}, without length
 ///   "rms_band_um": [shortest period, longest period or "infinity"] that the rms roughness holds for
 /// hts::Error of a key that is missing, unknown, out of range or does not belong beside

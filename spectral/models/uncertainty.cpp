@@ -7,9 +7,25 @@
 
 #include "hts/error.hpp"
 #include "hts/he_torrance_gradient.hpp"
+#include "spectral/models/power_spectrum_table.hpp"
+#include "spectral/parallel.hpp"
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
+
+/// A tabulated spectrum with the errors of its rows.
+struct SpectrumErrors {
+    /// Rows that are changed together: one each, or where there are many all within a step of ln f.
+    struct Band {
+        std::size_t first, last;  // rows, last not in it
+        /// Relative change of all of them that has the effect of their errors, which are independent: the
+        /// effects of neighbours on what is reflected are alike, so their squares add up.
+        double deviation;
+    };
+    PowerSpectrumTable table;
+    std::vector<Band> bands;
+};
+
 namespace {
 
 using nlohmann::json;
@@ -133,6 +149,53 @@ bool possible(std::vector<double> matrix, std::size_t n) {
     return true;
 }
 
+std::vector<SpectrumErrors::Band> bands_of(const PowerSpectrumTable& table) {
+    constexpr std::size_t most_single = 48, most_bands = 32;
+    const std::size_t rows = table.frequency.size();
+    const double first = std::log(table.frequency.front()), last = std::log(table.frequency.back());
+    const auto band_of = [&](std::size_t row) {
+        if (rows <= most_single) return row;
+        const double share = (std::log(table.frequency[row]) - first) / (last - first);
+        return std::min(static_cast<std::size_t>(share * most_bands), most_bands - 1);
+    };
+    std::vector<SpectrumErrors::Band> bands;
+    for (std::size_t row = 0; row < rows;) {
+        SpectrumErrors::Band band{row, row, 0};
+        double squares = 0;
+        for (; band.last < rows && band_of(band.last) == band_of(row); ++band.last)
+            squares += std::pow(table.error[band.last] / table.density[band.last], 2);
+        row = band.last;
+        band.deviation = std::sqrt(squares) / static_cast<double>(band.last - band.first);
+        if (band.deviation > 0) bands.push_back(band);
+    }
+    return bands;
+}
+
+/// Of a material file; null where its correlation is no table with errors.
+std::shared_ptr<const SpectrumErrors> spectrum_errors(const JsonValue& file,
+                                                      const std::filesystem::path& folder) {
+    const auto correlation = file.find("correlation");
+    if (!correlation || !correlation->is_object() || (*correlation)["type"].text() != "psd") return nullptr;
+    PowerSpectrumTable table = power_spectrum_table(*correlation, folder);
+    if (table.error.empty()) return nullptr;
+    auto bands = bands_of(table);
+    return std::make_shared<const SpectrumErrors>(SpectrumErrors{std::move(table), std::move(bands)});
+}
+
+/// The correlation with its bands changed by so many parts.
+json changed(const json& correlation, const SpectrumErrors& errors, std::span<const double> differences) {
+    std::vector<double> density = errors.table.density;
+    for (std::size_t i = 0; i < errors.bands.size(); ++i)
+        for (std::size_t row = errors.bands[i].first; row < errors.bands[i].last; ++row)
+            density[row] *= 1 + differences[i];
+    json rows = json::array();
+    for (std::size_t row = 0; row < density.size(); ++row)
+        rows.push_back(json::array({errors.table.frequency[row], density[row]}));
+    json result{{"type", "psd"}, {"table", rows}, {"psd", errors.table.of_profile ? "1d one-sided" : "2d"}};
+    if (correlation.contains("outside")) result["outside"] = correlation["outside"];
+    return result;
+}
+
 /// The number of a file that a name means; "" where the file gives the index in another way.
 std::string pointer_of(const json& file, const std::string& name, const std::string& place) {
     const auto is_number = [&](const std::string& pointer) {
@@ -212,6 +275,13 @@ UncertainMaterial::UncertainMaterial(const std::string& text, std::filesystem::p
             numbers_.push_back({name, deviation_from(number)});
         }
     }
+    spectrum_ = spectrum_errors(read, path_.parent_path());
+    for (std::size_t i = 0; spectrum_ && i < spectrum_->bands.size(); ++i) {
+        const auto& [first, last, deviation] = spectrum_->bands[i];
+        std::string name = "power spectrum at " + brief(spectrum_->table.frequency[first], 3);
+        if (last - first > 1) name += " ... " + brief(spectrum_->table.frequency[last - 1], 3);
+        numbers_.push_back({name + "/um", deviation});
+    }
     if (numbers_.empty())
         throw Error{path_.string() + R"(: key "uncertainty": missing, or without a standard deviation)"};
     const std::size_t count = numbers_.size();
@@ -240,7 +310,10 @@ UncertainMaterial::UncertainMaterial(const std::string& text, std::filesystem::p
 
 Material UncertainMaterial::with(std::span<const double> differences) const {
     json file = json::parse(text_);
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto of_spectrum = differences.subspan(pointers_.size());
+    if (std::ranges::any_of(of_spectrum, [](double d) { return d != 0; }))
+        file["correlation"] = changed(file["correlation"], *spectrum_, of_spectrum);
+    for (std::size_t i = 0; i < pointers_.size(); ++i) {
         if (pointers_[i].empty()) {
             if (differences[i] == 0) continue;
             throw Error{path_.string() + ": " + numbers_[i].name +
@@ -286,18 +359,17 @@ UncertainReflectance UncertainMaterial::at(const WavelengthGrid& wavelengths,
             return each;
         };
     };
-    std::vector<std::shared_ptr<const UncertainReflectance::Change>> changes;
-    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+    std::vector<std::shared_ptr<const UncertainReflectance::Change>> changes(numbers_.size());
+    parallel_for(numbers_.size(), [&](std::size_t k) {
         const auto derivative = exact ? exact_derivative(numbers_[k].name) : nullptr;
         if (derivative != nullptr) {
-            changes.push_back(
-                std::make_shared<const ExactChange>(own, derivative, numbers_[k].standard_deviation));
-        } else if (pointers_[k].empty() && material_.properties().surface) {
-            changes.push_back(difference(index_moved(k)));
+            changes[k] = std::make_shared<const ExactChange>(own, derivative, numbers_[k].standard_deviation);
+        } else if (k < pointers_.size() && pointers_[k].empty() && material_.properties().surface) {
+            changes[k] = difference(index_moved(k));
         } else {
-            changes.push_back(difference(moved(k)));
+            changes[k] = difference(moved(k));
         }
-    }
+    });
     return {std::move(changes), correlations_};
 }
 

@@ -19,6 +19,10 @@
 ///   d          of "he" with a Gaussian correlation, without films and "rms_band_um": exactly
 ///              (hts/he_torrance_gradient.hpp). Of all other models: the difference between a quarter of a
 ///              standard deviation above and as much below, or to one side at the end of the legal range
+///
+/// A tabulated power spectrum has its errors in its table, row by row (column psd_um4_error): they are
+/// independent, and nothing else need be uncertain. Of more than 48 rows those within a 32nd of the range of
+/// ln f are changed together.
 #pragma once
 
 #include <filesystem>
@@ -30,6 +34,8 @@
 #include "spectral/models/material.hpp"
 
 namespace hts::spectral {
+
+struct SpectrumErrors;
 
 struct UncertainNumber {
     std::string name;
@@ -75,6 +81,7 @@ class UncertainMaterial {
                       const std::vector<UncertainNumber>& given = {},
                       const std::vector<ModelEntry>& models = built_in_models());
 
+    /// Those of a tabulated spectrum last: relative.
     [[nodiscard]] const std::vector<UncertainNumber>& numbers() const noexcept { return numbers_; }
     /// Between all numbers, row by row.
     [[nodiscard]] const std::vector<double>& correlations() const noexcept { return correlations_; }
@@ -95,9 +102,10 @@ class UncertainMaterial {
     std::vector<ModelEntry> models_;
     Material material_;
     std::vector<UncertainNumber> numbers_;
-    std::vector<std::string>
-        pointers_;  // JSON pointers into the text; of "n" and "k" empty where the file has
-                    // no such number
+    // JSON pointers into the text, of the first numbers; of "n" and "k" empty where the file has no such
+    // number. The last numbers are those of the spectrum.
+    std::vector<std::string> pointers_;
+    std::shared_ptr<const SpectrumErrors> spectrum_;
     std::vector<double> correlations_;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "hts/error.hpp"
 #include "spectral/text/text.hpp"
@@ -152,8 +153,17 @@ std::optional<std::array<long, 2>> take_place(std::string_view& text) {
     return place;
 }
 
-std::string tenths(long count) {
-    return shortest(static_cast<double>(count) / 10);
+/// A place or step in tenths of a pixel, as short as paths may say it: {5, -20} is ".5-2".
+std::string tenths(std::array<long, 2> counts) {
+    std::string text;
+    for (const long count : counts) {
+        std::string number = shortest(static_cast<double>(count) / 10);
+        if (const std::size_t zero = number.find("0."); zero < 2 && std::abs(count) < 10)
+            number.erase(zero, 1);
+        if (!text.empty() && count >= 0) text += ',';
+        text += number;
+    }
+    return text;
 }
 
 /// A path of straight lines, "M1.04,2 L3,4 Z", in steps of tenths of a pixel, "M1,2l2,2Z"; none for others.
@@ -172,8 +182,9 @@ std::optional<std::string> in_steps(std::string_view text) {
         const auto next = what == 'M' || what == 'L' ? take_place(text) : std::nullopt;
         if (!next) return std::nullopt;
         const std::array<long, 2> from = what == 'M' ? std::array<long, 2>{} : at;
-        path += what == 'M' ? "M" : stepping ? " " : "l";
-        path.append(tenths((*next)[0] - from[0])).append(",").append(tenths((*next)[1] - from[1]));
+        const std::string step = tenths({(*next)[0] - from[0], (*next)[1] - from[1]});
+        path += what == 'M' ? "M" : !stepping ? "l" : step.front() == '-' ? "" : " ";
+        path += step;
         stepping = what == 'L';
         at = *next;
     }
@@ -236,6 +247,76 @@ std::string without_empty_groups(std::string_view svg) {
     return result;
 }
 
+/// What gnuplot says of nearly every group, and the whole picture therefore once.
+constexpr std::string_view usual_style = " fill=\"none\" color=\"black\" stroke=\"currentColor\"",
+                           grid_style = " fill=\"none\" color=\"gray\" stroke=\"currentColor\"";
+
+/// A group's tag without the usual style and the name "gnuplot_plot_3", to which nothing refers.
+std::string short_tag(std::string_view tag) {
+    std::string text{tag};
+    for (const std::string_view style : {usual_style, grid_style}) replace_all(text, style, "");
+    return text.starts_with("<g id=\"gnuplot_plot_") ? "<g>" : text;
+}
+
+/// Without groups that say nothing of their own. A group with a title stays.
+std::string without_plain_groups(std::string_view svg) {
+    constexpr std::string_view title = "<title>", close = "</g>";
+    std::string result;
+    result.reserve(svg.size());
+    std::vector<bool> written;  // of each open group
+    for (std::size_t at = svg.find('<'); at != std::string_view::npos; at = svg.find('<')) {
+        result += svg.substr(0, at);
+        svg.remove_prefix(at);
+        const std::size_t length = std::min(svg.find('>'), svg.size() - 1) + 1;
+        const std::string_view tag = svg.substr(0, length);
+        svg.remove_prefix(length);
+        if (tag.starts_with("<g ") || tag == "<g>") {
+            const std::string fresh = short_tag(tag);
+            written.push_back(fresh != "<g>" || svg.starts_with(title));
+            if (written.back()) result += fresh;
+        } else if (tag != close || written.empty()) {
+            result += tag;
+        } else {
+            if (written.back()) result += close;
+            written.pop_back();
+        }
+    }
+    return result.append(svg);
+}
+
+bool refers_to(std::string_view svg, std::string_view name) {
+    for (const std::string_view end : {"'", "\"", ")"}) {
+        if (svg.find(std::string{"#"}.append(name).append(end)) != std::string_view::npos) return true;
+    }
+    return false;
+}
+
+/// The shapes among the definitions to which the picture refers. A shape refers to earlier ones alone.
+std::string without_unused_shapes(std::string_view svg) {
+    constexpr std::string_view open = "<defs>", close = "</defs>", named = "id='";
+    const std::size_t begin = svg.find(open), end = svg.find(close, std::min(begin, svg.size()));
+    if (end == std::string_view::npos) return std::string{svg};
+    std::vector<std::string_view> shapes;
+    std::string_view rest = svg.substr(begin + open.size(), end - begin - open.size());
+    for (std::size_t at = rest.find('<'); at != std::string_view::npos; at = rest.find('<')) {
+        rest.remove_prefix(at);
+        const std::string_view tag = rest.substr(0, rest.find('>'));
+        const std::string closing = "</" + std::string{tag.substr(1, tag.find_first_of(" \n") - 1)};
+        const std::size_t last = tag.ends_with('/') ? tag.size() : rest.find('>', rest.find(closing));
+        shapes.push_back(rest.substr(0, std::min(last, rest.size() - 1) + 1));
+        rest.remove_prefix(shapes.back().size());
+    }
+    std::string used, picture{svg.substr(end + close.size())};
+    for (std::size_t i = shapes.size(); i-- > 0;) {
+        const std::size_t at = std::min(shapes[i].find(named), shapes[i].size() - 1);
+        const std::string_view from = shapes[i].substr(std::min(at + named.size(), shapes[i].size()));
+        const std::string_view of = from.substr(0, from.find('\''));
+        if (refers_to(picture, of) || refers_to(used, of)) used.insert(0, std::string{shapes[i]} + "\n");
+    }
+    if (!used.empty()) used = std::string{open}.append("\n").append(used).append(close);
+    return std::string{svg.substr(0, begin)}.append(used).append(picture);
+}
+
 /// "rgb(228, 228, 228)" as "#e4e4e4".
 std::string with_short_colours(std::string_view svg) {
     constexpr std::string_view open = "rgb(";
@@ -269,7 +350,10 @@ std::string shortened(std::string_view svg) {
     replace_all(result, " stroke-width=\"1.00\"", "");  // as it is anyway
     replace_all(result, ".00\"", "\"");
     replace_all(result, " font-family=\"Helvetica\"", "");  // as the whole picture's
-    replace_all(result, "<g id=\"gnuplot_canvas\">", "<g font-family=\"Helvetica, Arial, sans-serif\">");
+    replace_all(result, "\" fill=\"#ffffff\"/>", "\" fill=\"#ffffff\" stroke=\"none\"/>");  // the background
+    result = without_unused_shapes(without_plain_groups(result));
+    replace_all(result, "<g id=\"gnuplot_canvas\">",
+                "<g font-family=\"Helvetica, Arial, sans-serif\"" + std::string{usual_style} + ">");
     return result;
 }
 

@@ -221,6 +221,7 @@ void add_material(Checksum& checksum, const Material& material, const Scene& sce
         if (const auto& choices = surface->unified()) {
             checksum.add(static_cast<double>(choices->mirror));
             checksum.add(choices->polarisation_mixing ? 1.0 : 0.0);
+            if (choices->conductor_shortcut) checksum.add(1.0);
         }
     }
     for (const WavelengthGrid& grid : {scene.wavelengths, between(scene.wavelengths)}) {

@@ -39,7 +39,7 @@ Expected expected_of(const Material& material, const Scene& scene) {
     Expected greatest;
     for (const SpectralSample& sample : prepared.samples()) {
         for (const double theta : angles_of(scene)) {
-            const ExpectedDistance at = expected_distance(surface, sample, theta);
+            const ExpectedDistance at = expected_distance(surface, sample, Direction::from_degrees(theta, 0));
             const std::string where =
                 brief(theta, 3) + " deg, " + brief(sample.wavelength.micrometres(), 4) + " um";
             if (!at.studied) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "spectral/text/line_source.hpp"
@@ -156,6 +157,16 @@ void take_fields(std::string_view line, std::vector<std::string>& fields) {
     fields.resize(count);
 }
 
+/// What to say of a header in which the name stands, and a character beside it that separates nothing.
+std::string other_separator(std::string_view header, std::string_view name) {
+    const auto at = header.find(name);
+    if (at == std::string_view::npos || header.size() == name.size()) return {};
+    const char beside = at > 0 ? header[at - 1] : header[name.size()];
+    if (std::isalnum(static_cast<unsigned char>(beside)) != 0 || beside == '_') return {};
+    return "; fields must stand between commas, semicolons, tabs or white space, not " +
+           in_quotes(std::string{beside});
+}
+
 }  // namespace
 
 std::optional<std::size_t> CsvHeader::find_column(std::string_view column) const {
@@ -168,9 +179,27 @@ std::optional<std::size_t> CsvHeader::find_column(std::string_view column) const
 }
 
 std::size_t CsvHeader::column(std::string_view column) const {
-    const auto found = find_column(column);
-    if (!found) throw Error{where_header() + "column " + in_quotes(column) + ": missing"};
-    return *found;
+    if (const auto found = find_column(column)) return *found;
+    std::string message = where_header() + "column " + in_quotes(column) + ": missing";
+    const auto meant =
+        std::ranges::find_if(columns_, [&](const std::string& name) { return same_letters(name, column); });
+    if (meant != columns_.end()) message += "; must be written so, not " + in_quotes(*meant);
+    if (columns_.size() == 1) message += other_separator(columns_.front(), column);
+    throw Error{message};
+}
+
+std::optional<WavelengthColumn> CsvHeader::find_wavelength() const {
+    const auto um = find_column("wavelength_um"), nm = find_column("wavelength_nm");
+    if (um && nm)
+        throw Error{where_header() +
+                    R"(columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
+    if (nm) return WavelengthColumn{*nm, true};
+    return um ? std::optional{WavelengthColumn{*um, false}} : std::nullopt;
+}
+
+WavelengthColumn CsvHeader::wavelength() const {
+    const auto found = find_wavelength();
+    return found ? *found : WavelengthColumn{column("wavelength_um"), false};
 }
 
 void CsvHeader::require_known_columns(const std::vector<std::string>& known) const {
@@ -224,6 +253,8 @@ CsvReader::CsvReader(std::string name, std::shared_ptr<LineSource> source)
     Line header;
     if (source_->is_empty_file()) throw Error{this->name() + ": file is empty"};
     if (!next_line(header)) throw Error{this->name() + ": no header line with the names of the columns"};
+    if (const auto end = header.text.find('\r'); end < header.text.size() - 1)
+        throw Error{where(header.number) + "lines end with CR alone: must end with LF or CR LF"};
     find_dialect(header);
     auto names = fields_of(header.number, header.text);
     while (names.size() > 1 && names.back().empty()) names.pop_back();
@@ -236,7 +267,7 @@ bool CsvReader::read_line(Line& line) {
         bytes_read_ += line.text.size() + 1;
         std::string& text = line.text;
         if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-        if (!is_text(text)) throw Error{where(line_) + "not UTF-8 text"};
+        if (!is_text(text)) throw Error{where(line_) + no_text(text)};
         // spreadsheets keep the separators of empty rows
         const auto first = text.find_first_not_of(" \t\r\f\v,;");
         if (first == std::string::npos || trimmed(text).front() == '#') continue;

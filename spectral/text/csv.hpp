@@ -35,6 +35,17 @@ struct CsvDialect {
     friend bool operator==(const CsvDialect&, const CsvDialect&) = default;
 };
 
+/// A column of wavelengths, in either unit.
+struct WavelengthColumn {
+    std::size_t place;
+    bool nanometres;
+
+    [[nodiscard]] const char* name() const noexcept { return nanometres ? "wavelength_nm" : "wavelength_um"; }
+    [[nodiscard]] double micrometres(double number) const noexcept {
+        return nanometres ? number / 1000 : number;
+    }
+};
+
 /// The columns of a table and where they are named.
 class CsvHeader {
   public:
@@ -44,8 +55,13 @@ class CsvHeader {
 
     /// Position of a column, none if the table lacks it; hts::Error "path:line: column "n": stands twice".
     [[nodiscard]] std::optional<std::size_t> find_column(std::string_view column) const;
-    /// Position of a column; hts::Error "path:line: column "n": missing" if the table lacks it, too.
+    /// Position of a column; hts::Error "path:line: column "n": missing" if the table lacks it, too, with
+    /// what stands there in other letters, or the character between the names that separates none.
     [[nodiscard]] std::size_t column(std::string_view column) const;
+    /// The column wavelength_um or wavelength_nm, none if there is neither; hts::Error if there are both.
+    [[nodiscard]] std::optional<WavelengthColumn> find_wavelength() const;
+    /// The same; hts::Error as of `column` if there is neither, too.
+    [[nodiscard]] WavelengthColumn wavelength() const;
     /// hts::Error "path:line: column "x": not known; must be …" if there is a column outside `known`.
     void require_known_columns(const std::vector<std::string>& known) const;
 

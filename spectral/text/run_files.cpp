@@ -117,13 +117,22 @@ RunFiles::File RunFiles::file(const std::string& path) {
 }
 
 void RunFiles::will_read(const std::string& path) {
-    if (path == "-" || path.empty()) return;
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return;
-    const File input = file(path);
+    const auto input = path == "-" ? standard_stream("/dev/stdin", "standard input") : existing(path);
+    if (!input) return;
     const std::scoped_lock lock{mutex_};
-    if (std::ranges::none_of(inputs_, [&](const File& known) { return known.target == input.target; }))
-        inputs_.push_back(input);
+    if (std::ranges::none_of(inputs_, [&](const File& known) { return known.target == input->target; }))
+        inputs_.push_back(*input);
+}
+
+std::optional<RunFiles::File> RunFiles::existing(const std::string& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored) ? std::optional{file(path)} : std::nullopt;
+}
+
+std::optional<RunFiles::File> RunFiles::standard_stream(const std::string& device, const std::string& name) {
+    auto stream = existing(device);
+    if (stream) stream->path = name;
+    return stream;
 }
 
 RunFiles::Target& RunFiles::declare(const std::string& path, bool continued) {
@@ -156,7 +165,7 @@ void RunFiles::refuse(const std::string& message) {
     throw FileConflict{message};
 }
 
-void RunFiles::require_no_input(const Target& output) {
+void RunFiles::require_no_input(const File& output) {
     for (const File& input : inputs_) {
         if (!output.is(input)) continue;
         const std::string same = output.path == input.path ? "is an input of this run"
@@ -232,6 +241,7 @@ void RunFiles::make_folder(const std::string& folder) {
 void RunFiles::check() {
     const std::scoped_lock lock{mutex_};
     for (const std::string& folder : folders_) make_folder(folder);
+    if (const auto output = standard_stream("/dev/stdout", "standard output")) require_no_input(*output);
     for (auto output = outputs_.begin(); output != outputs_.end(); ++output) {
         // a folder that was not there has a place now
         static_cast<File&>(*output) = file(output->path);

@@ -48,7 +48,8 @@ class RunFiles {
     /// That run, none in a program that has not made one.
     [[nodiscard]] static RunFiles* of_process() noexcept;
 
-    // What the run is going to do; "-" and devices are passed over.
+    // What the run is going to do; devices are passed over. "-" and where standard output leads are files too
+    // where a shell has made them so.
     void will_read(const std::string& path);
     void will_write(const std::string& path);
     /// A file that it reads and writes, to go on where an earlier run ended.
@@ -116,10 +117,14 @@ class RunFiles {
     };
 
     [[nodiscard]] static File file(const std::string& path);
+    /// None of what is no regular file; where a stream leads, under a name for people.
+    [[nodiscard]] static std::optional<File> existing(const std::string& path);
+    [[nodiscard]] static std::optional<File> standard_stream(const std::string& device,
+                                                             const std::string& name);
     Target& declare(const std::string& path, bool continued);
     Target* find(const File& file);
     [[noreturn]] void refuse(const std::string& message);
-    void require_no_input(const Target& output);
+    void require_no_input(const File& output);
     void require_writable(Target& output);
     const std::string& stage(const std::string& folder, const std::string& path);
     void make_folder(const std::string& folder);

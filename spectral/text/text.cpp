@@ -47,7 +47,7 @@ void require_utf8(const std::string& text, const std::filesystem::path& path) {
     const auto bad = utf8::find_invalid(text.begin(), std::find(text.begin(), text.end(), '\0'));
     if (bad == text.end()) return;
     const auto line = 1 + std::count(text.begin(), bad, '\n');
-    throw Error{path.string() + ":" + std::to_string(line) + ": not UTF-8 text"};
+    throw Error{path.string() + ":" + std::to_string(line) + ": " + no_text(text)};
 }
 
 }  // namespace
@@ -58,6 +58,11 @@ void require_file(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};
     if (failure) throw Error{path.string() + ": cannot be read: " + failure.message()};
     if (std::filesystem::is_directory(status)) throw Error{path.string() + ": is a directory, not a file"};
+}
+
+std::string no_text(std::string_view bytes) {
+    const bool utf16 = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+    return utf16 ? "UTF-16: must be UTF-8 text" : "not UTF-8 text";
 }
 
 bool is_text(std::string_view bytes) noexcept {

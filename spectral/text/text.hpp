@@ -21,6 +21,9 @@ void require_file(const std::filesystem::path& path);
 
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+/// What bytes are that are no UTF-8: "not UTF-8 text", or UTF-16 by its mark.
+[[nodiscard]] std::string no_text(std::string_view bytes);
+
 /// Whether these bytes are UTF-8 without NUL.
 [[nodiscard]] bool is_text(std::string_view bytes) noexcept;
 

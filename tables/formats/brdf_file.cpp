@@ -16,6 +16,7 @@
 #include "tables/formats/points/lighttools.hpp"
 #include "tables/formats/points/open_material.hpp"
 #include "tables/formats/points/scatter_points.hpp"
+#include "tables/formats/points/tracepro.hpp"
 #include "tables/formats/radiance/radiance_xml.hpp"
 #include "tables/formats/whole_file.hpp"
 #include "tables/formats/zemax.hpp"
@@ -48,6 +49,15 @@ bool has_line_vars(std::string_view text) {
         if (begins && at + 4 < text.size() &&
             std::string_view{" \t,;"}.find(text[at + 4]) != std::string_view::npos)
             return true;
+    }
+    return false;
+}
+
+/// A header of points, whatever the case of its names: the reader says what is wrong with them.
+bool has_word_theta(std::string_view line) {
+    constexpr std::string_view word = "theta_";
+    for (std::size_t at = 0; at + word.size() <= line.size(); ++at) {
+        if (spectral::same_letters(line.substr(at, word.size()), word)) return true;
     }
     return false;
 }
@@ -208,6 +218,16 @@ const std::vector<BrdfFormat>& readable_formats() {
                  path, points_of_fred(text, path.string(), how.wavelengths, how.mirror_azimuth.value_or(0)),
                  "fred");
          }},
+        {"tracepro", "surface property of TracePro, text with Table_BSDF_Data or ABg coefficients",
+         [](std::string_view bytes, const Path&) { return is_tracepro_file(without_mark(bytes)); },
+         [](std::string bytes, const Path& path, const BrdfReading& how) {
+             if (how.wavelengths)
+                 throw Error{path.string() + ": says its wavelengths, which must not be given"};
+             const std::string text = spectral::checked_text(std::move(bytes), path);
+             TraceProFile found =
+                 tracepro_file(without_mark(text), path.string(), how.mirror_azimuth.value_or(0));
+             return BrdfFile{std::move(found.brdf), "tracepro", std::move(found.notes)};
+         }},
         {"openmaterial", "ASAM OpenMATERIAL 3D, a material (.xomp) or the table of its BRDF (_brdf.xompt)",
          [](std::string_view bytes, const Path&) { return is_open_material(without_mark(bytes)); },
          read_open_material},
@@ -228,8 +248,7 @@ const std::vector<BrdfFormat>& readable_formats() {
         {"csv", "CSV with theta_i_deg, theta_r_deg, phi_r_deg and brdf",
          [](std::string_view bytes, const Path& path) {
              return path.extension() == ".csv" || path.extension() == ".tsv" ||
-                    (first_line(without_mark(bytes)).find("theta_") != std::string_view::npos &&
-                     is_text_file(bytes)) ||
+                    (has_word_theta(first_line(without_mark(bytes))) && is_text_file(bytes)) ||
                     first_line(without_mark(bytes)).starts_with("sep=");
          },
          [](std::string bytes, const Path& path, const BrdfReading& how) {
@@ -252,6 +271,8 @@ BrdfFile read_brdf(const Path& path, const BrdfReading& how) {
     if (!how.format.empty())
         throw Error{"format " + spectral::in_quotes(how.format) + ": must be one of " +
                     spectral::joined(known)};
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+        throw Error{path.string() + ": " + spectral::no_text(bytes)};
     throw Error{path.string() + ": of no format that is known: " + spectral::joined(known)};
 }
 

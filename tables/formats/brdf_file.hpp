@@ -5,7 +5,7 @@
 /// A file is recognised by what it begins with: MERL (merl.hpp), RGL's tensor file
 /// (rgl.hpp) and KAIST's polarised one (pbsdf.hpp), OpticStudio's tabular `.bsdf` (zemax.hpp) and the index
 /// of several of them, Radiance's and WINDOW's XML (radiance_xml.hpp), those of LightTools,
-/// FRED's tables, OpenMATERIAL 3D, BiRD, ASTM scatter files and CSV (points/).
+/// FRED's and TracePro's tables, OpenMATERIAL 3D, BiRD, ASTM scatter files and CSV (points/).
 #pragma once
 
 #include <filesystem>
@@ -37,7 +37,8 @@ struct BrdfReading {
     std::optional<spectral::WavelengthGrid> wavelengths{};  ///< what the channels are called [um]
     std::string format{};                                   ///< its name; "" to recognise it
     /// Of FRED's tables, OpenMATERIAL and BiRD: where azimuths have the mirror direction [deg], 0 or 180; if
-    /// not given, 0 in FRED's and 180 in others.
+    /// not given, 0 in FRED's and 180 in others. Of TracePro's: which azimuth about the mirror direction
+    /// points away from the normal; 0 if not given.
     std::optional<double> mirror_azimuth{};
 };
 

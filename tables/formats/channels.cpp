@@ -29,6 +29,19 @@ class Channels final : public spectral::Evaluator {
         source_.evaluator().brdf(pair, all);
         combine_(all, values);
     }
+    void brdf_batch(std::span<const DirectionPair> pairs, std::span<double> values) const noexcept override {
+        constexpr std::size_t most = 4096;
+        std::array<double, most> spectra;
+        const std::size_t in = source_.wavelengths().size(), out = wavelengths().size();
+        const std::size_t block = most / in;  // >= 4
+        for (std::size_t first = 0; first < pairs.size(); first += block) {
+            const std::size_t count = std::min(block, pairs.size() - first);
+            source_.evaluator().brdf_batch(pairs.subspan(first, count), std::span{spectra}.first(count * in));
+            for (std::size_t i = 0; i < count; ++i)
+                combine_(std::span<const double>{spectra}.subspan(i * in, in),
+                         values.subspan((first + i) * out, out));
+        }
+    }
     void specular_reflectance(const Direction& in, std::span<double> values) const noexcept override {
         std::array<double, most_channels> spectrum;
         const auto all = std::span{spectrum}.first(source_.wavelengths().size());

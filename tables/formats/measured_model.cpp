@@ -294,6 +294,21 @@ spectral::Material read_measured(const spectral::MaterialFile& file) {
     return material_of_file(found.brdf, std::move(found.notes), std::move(found.channels));
 }
 
+/// Between two channels of a colour there is nothing; beyond them what `outside` says.
+void require_channels(const spectral::Reflectance& brdf, const std::vector<std::string>& channels,
+                      const spectral::WavelengthGrid& wavelengths, OutsideRange outside) {
+    const auto known = brdf.wavelengths().micrometres();
+    for (const double um : wavelengths.micrometres()) {
+        if (std::ranges::any_of(known,
+                                [&](double channel) { return std::abs(um - channel) <= 1e-9 * channel; }))
+            continue;
+        if (outside != OutsideRange::error && (um < known.front() || um > known.back())) continue;
+        throw Error{"wavelength " + shortest(um) + " um: must be one of " +
+                    spectral::brief({known.begin(), known.end()}) + " um, where the channels " +
+                    spectral::joined(channels) + " of " + brdf.name() + " stand"};
+    }
+}
+
 }  // namespace
 
 spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vector<std::string> notes,
@@ -302,8 +317,10 @@ spectral::Material material_of_file(const spectral::Reflectance& brdf, std::vect
         throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
                            "at most " + std::to_string(most_channels));
     }
-    const auto prepare = [brdf](const std::string& name, const spectral::WavelengthGrid& wavelengths,
-                                const spectral::EvaluationOptions& options) {
+    const auto prepare = [brdf, channels](const std::string& name,
+                                          const spectral::WavelengthGrid& wavelengths,
+                                          const spectral::EvaluationOptions& options) {
+        if (!channels.empty()) require_channels(brdf, channels, wavelengths, options.outside);
         std::vector<OneWavelength> each;
         for (std::size_t i = 0; i < wavelengths.size(); ++i)
             each.emplace_back(brdf, wavelengths[i], options.outside);

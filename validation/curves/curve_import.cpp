@@ -231,6 +231,27 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
     return kept;
 }
 
+/// Whether the mean on the light's side is more than twice that on the mirror's, at oblique angles in the
+/// plane of incidence and where both were measured.
+bool brighter_towards_light(const CurveSet& set) {
+    constexpr double oblique = 5;  // [deg]
+    constexpr std::size_t enough = 3;
+    if (set.quantity == Quantity::hemispherical_reflectance) return false;
+    std::array<double, 2> sums{};  // the mirror's side, the light's
+    std::array<std::size_t, 2> counts{};
+    for (const Curve& curve : set.curves) {
+        if (curve.sweep == Sweep::scattered) continue;
+        for (const CurvePoint& point : curve.points) {
+            if (std::min(point.theta_i, point.theta_r) < oblique) continue;
+            const std::size_t side = point.side() < 0 ? 1 : 0;
+            sums[side] += point.value;
+            ++counts[side];
+        }
+    }
+    return counts[0] >= enough && counts[1] >= enough &&
+           sums[1] / static_cast<double>(counts[1]) > 2 * sums[0] / static_cast<double>(counts[0]);
+}
+
 }  // namespace
 
 CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const std::string& how) {
@@ -247,6 +268,10 @@ CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const
         set.notes.push_back("rows whose " + recipe.row_column + " is " + recipe.row_text);
     set.curves = grouped(selected(points_in(path, recipe), recipe, path, set), recipe.sweep);
     add_uncertainty(set, recipe);
+    if (brighter_towards_light(set))
+        set.notes.push_back(
+            "more than twice as bright on the light's side of the normal as on the mirror's: "
+            "is mirror_sign, or mirror_azimuth_deg, right?");
     set = checked(std::move(set), path.string());
     const std::size_t before = set.point_count();
     for (Curve& curve : set.curves) curve = thinned(curve, recipe.selection);

@@ -36,7 +36,7 @@ CurveSet selected(const CurveSet& set, const FitSelection& selection) {
     }
     if (count == 0) {
         throw Error{set.stem + (selection.positive_only ? ": no point > 0 up to " : ": no point up to ") +
-                    std::to_string(selection.largest_theta) + " deg: must be at least one"};
+                    shortest(selection.largest_theta) + " deg: must be at least one"};
     }
     const std::size_t every =
         selection.most_points == 0 ? 1 : (count + selection.most_points - 1) / selection.most_points;

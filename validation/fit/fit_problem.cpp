@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "hts/error.hpp"
 #include "spectral/text/suggestion.hpp"
@@ -74,19 +75,17 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
     places_.push_back({{scale_range, "", "scale"}});
     assign_roles();
     for (const Role role : {Role::searched, Role::separated}) {
-        for (std::size_t i = 0; i < places_.size(); ++i) {
+        for (std::size_t i = 0; i < places_.size(); ++i)
             if (places_[i].role == role) free_.push_back(i);
-        }
         if (role == Role::searched) searched_ = free_.size();
     }
     for (const std::size_t i : free_) {
         const ParameterRange& range = places_[i].parameter.range;
         bounds_.push_back({coordinate(range, range.lowest), coordinate(range, range.highest)});
     }
-    if (data_.values.size() <= free_.size()) {
+    if (data_.values.size() <= free_.size())
         throw Error{data_.name + ": " + std::to_string(data_.values.size()) + " values for " +
                     std::to_string(free_.size()) + " free parameters: must be more"};
-    }
     for (std::size_t i = 0; i < data_.values.size(); ++i) weights_.push_back(weight(i));
     if (request.conserve_energy) watch_.emplace(data_, weights_);
 }
@@ -97,9 +96,8 @@ std::vector<std::size_t> FitProblem::named(const std::string& name) const {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const FitParameter& parameter = places_[i].parameter;
         names.push_back(parameter.name);
-        if (name == parameter.name || name == parameter.range.symbol || name == parameter.range.key) {
+        if (name == parameter.name || name == parameter.range.symbol || name == parameter.range.key)
             found.push_back(i);
-        }
     }
     if (!found.empty()) return found;
     if (!request_.index.empty() && (name == "n" || name == "k")) {
@@ -121,14 +119,17 @@ void FitProblem::assign_roles() {
             place.tied = named(range.tied_to).front();
         }
     }
-    for (const std::string& name : request_.freed) {
+    for (const std::string& name : request_.freed)
         for (const std::size_t i : named(name)) places_[i].role = Role::searched;
-    }
+    std::map<std::size_t, std::string> fixed_as;
     for (const auto& [name, value] : request_.fixed) {
         for (const std::size_t i : named(name)) {
             require_within(places_[i].parameter, "fixed at", value);
-            if (std::ranges::find(request_.freed, name) != request_.freed.end())
-                throw RequestError{name + ": freed and fixed: must be one of both"};
+            for (const std::string& freed : request_.freed)
+                if (std::ranges::count(named(freed), i) > 0)
+                    throw RequestError{name + ": freed and fixed: must be one of both"};
+            if (const auto [other, fresh] = fixed_as.emplace(i, name); !fresh)
+                throw RequestError{other->second + " and " + name + " are one parameter: must be fixed once"};
             places_[i].role = Role::fixed;
             places_[i].value = value;
         }

@@ -3,30 +3,11 @@
 #include <cmath>
 
 #include "spectral/output/script.hpp"
+#include "validation/scattering/distance_map.hpp"
 #include "validation/scattering/exact_scattering.hpp"
 
 namespace hts::validation {
 namespace {
-
-/// Distances up to a bound, in one colour.
-struct DistanceClass {
-    double most;
-    const char* colour;
-    const char* text;  ///< colour of the number in the cell
-    const char* name;
-};
-constexpr std::array classes{DistanceClass{0.3, "#d6e6f4", "#222222", "to 0.3 dB"},
-                             DistanceClass{0.6, "#92bfdd", "#222222", "0.3 – 0.6"},
-                             DistanceClass{1, "#fee6ce", "#222222", "0.6 – 1"},
-                             DistanceClass{2, "#fdae6b", "#222222", "1 – 2"},
-                             DistanceClass{4, "#e6550d", "#ffffff", "2 – 4"},
-                             DistanceClass{HUGE_VAL, "#7f2704", "#ffffff", "above 4 dB"}};
-
-const DistanceClass& class_of(double distance) {
-    std::size_t i = 0;
-    while (distance > classes[i].most) ++i;
-    return classes[i];
-}
 
 std::size_t place_of(const std::vector<double>& values, double value) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
@@ -88,33 +69,27 @@ double top_of(const output::Rows& lobe) {
 
 Figure moment_map_figure(const FigureTable& map) {
     const auto roughnesses = different(map, 0), lengths = different(map, 1), angles = different(map, 2);
-    std::vector<std::string> models, names, colours, cell_colours, numbers, inks;
-    std::vector<std::size_t> panels, x, y;
-    for (const DistanceClass& each : classes) {
-        names.emplace_back(each.name);
-        colours.emplace_back(each.colour);
-    }
+    DistanceMap figure;
+    figure.title = "Distance of models from exact scattering, dB";
+    figure.subtitle =
+        "Random profiles, perfectly conducting, unpolarised light; rms over the scattering angles, weighted "
+        "with "
+        "the exact energy. Blank: σ₀/τ above 1/2.";
+    figure.x_label = "τ/λ";
+    figure.y_label = "σ_0/λ";
+    for (const double angle : angles) figure.columns.push_back("θ_i = " + shortest(angle) + "°");
+    for (const double length : lengths) figure.x.push_back(shortest(length));
+    for (const double roughness : roughnesses) figure.y.push_back(shortest(roughness));
     for (const ModelRow& model : model_rows) {
         const std::size_t column = column_of(map, model.column);
-        for (const auto& row : map.rows) {
-            const double distance = row[column];
-            panels.push_back(models.size() * angles.size() + place_of(angles, row[2]));
-            x.push_back(place_of(lengths, row[1]));
-            y.push_back(place_of(roughnesses, row[0]));
-            cell_colours.emplace_back(class_of(distance).colour);
-            inks.emplace_back(class_of(distance).text);
-            numbers.push_back(rounded(distance, distance < 0.095 ? 2 : 1));
-        }
-        models.emplace_back(model.title);
+        for (const auto& row : map.rows)
+            figure.cells.push_back({figure.rows.size(), place_of(angles, row[2]), place_of(lengths, row[1]),
+                                    place_of(roughnesses, row[0]), row[column]});
+        figure.rows.emplace_back(model.title);
     }
-    output::Script script;
-    script.set("model", models).set("theta_i", angles).set("roughness", roughnesses).set("length", lengths);
-    script.set("class_name", names).set("class_colour", colours);
-    script.set("panel", panels).set("x", x).set("y", y);
-    script.set("colour", cell_colours).set("number", numbers).set("ink", inks);
     return {"moment-method-map",
             {},
-            script.with("moment-map"),
+            figure.script(),
             "Distance of this model and of two others from the exact solution (method of moments), in dB."};
 }
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "validation/topography/height_map.hpp"
+#include "validation/topography/maps/height_map.hpp"
 
 namespace hts::validation {
 

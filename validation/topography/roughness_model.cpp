@@ -13,14 +13,18 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double least_nu = 0.05, greatest_nu = 8;  // above, no map tells it from the Gaussian
 
+// Bessel functions of long doubles take five times as long.
+using DoubleAlone = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
 double correlation(const RoughnessScale& scale, double r) {
     const double x = r / scale.length;
     if (std::isinf(scale.nu)) return std::exp(-x * x);
     if (scale.nu == 0.5) return std::exp(-x);
     if (x < 1e-9) return 1;
-    if (x > 600) return 0;
-    return std::exp2(1 - scale.nu) / boost::math::tgamma(scale.nu) * std::pow(x, scale.nu) *
-           boost::math::cyl_bessel_k(scale.nu, x);
+    if (x > 100) return 0;  // below e^-80, whatever nu
+    const double log_factor = (1 - scale.nu) * std::numbers::ln2 -
+                              boost::math::lgamma(scale.nu, DoubleAlone{}) + scale.nu * std::log(x);
+    return std::exp(log_factor) * boost::math::cyl_bessel_k(scale.nu, x, DoubleAlone{});
 }
 
 double spectrum(const RoughnessScale& scale, double f) {
@@ -95,11 +99,11 @@ std::vector<RoughnessValue> two_values(const RoughnessScales& scales) {
 }
 
 constexpr std::array models{
-    RoughnessModel{"gaussian", "Gaussian", one_length, bounds_of_length, gaussian, correlation_length},
-    RoughnessModel{"exponential", "exponential", one_length, bounds_of_length, exponential,
+    RoughnessModel{"gaussian", "Gaussian", 1, one_length, bounds_of_length, gaussian, correlation_length},
+    RoughnessModel{"exponential", "exponential", 1, one_length, bounds_of_length, exponential,
                    correlation_length},
-    RoughnessModel{"k_correlation", "K-correlation", k_starts, k_bounds, k_correlation, k_values},
-    RoughnessModel{"two_scales", "two Gaussian scales", two_starts, two_bounds, two_scales, two_values}};
+    RoughnessModel{"k_correlation", "K-correlation", 1, k_starts, k_bounds, k_correlation, k_values},
+    RoughnessModel{"two_scales", "two Gaussian scales", 2, two_starts, two_bounds, two_scales, two_values}};
 
 }  // namespace
 

@@ -37,6 +37,7 @@ struct RoughnessValue {
 struct RoughnessModel {
     std::string_view name;   ///< "gaussian", "exponential", "k_correlation", "two_scales"
     std::string_view title;  ///< "Gaussian"
+    std::size_t lengths;     ///< how many coordinates, the first ones, are logarithms of lengths
     std::vector<std::vector<double>> (*starts)(double length);  ///< length: where C is about 1/e
     std::vector<Bounds> (*bounds)(double shortest, double longest);
     RoughnessScales (*scales)(std::span<const double> coordinates);

@@ -3,11 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "spectral/parallel.hpp"
-#include "validation/curves/quadrature.hpp"
 #include "validation/topography/deviance.hpp"
 
 namespace hts::validation {
@@ -17,122 +14,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double fewest_cells = 8;    // of a ring that is fitted
-constexpr double lowest_cells = 2.5;  // frequencies below so many cells: levelling has a part in them
-constexpr double most_noise = 0.95;   // of the variance
+constexpr double most_noise = 0.95;  // of the variance
 // of a ring's power, relative: no surface follows a formula more closely, and high
 // rings have many frequencies
 constexpr double least_spread = 0.05;
+// of all values, relative: what windows, rings and the level do to a spectrum is known to
+// some half of that
+constexpr double least_error = 0.015;
 constexpr double least_power =
     1e-7;  // of the greatest: added to all, since below it are the sums' own errors
 
-/// Rings with cells enough, smaller ones joined to the next.
-std::vector<RadialBin> joined(const std::vector<RadialBin>& rings) {
-    std::vector<RadialBin> result;
-    RadialBin open{0, 0, 0, 0};
-    for (const RadialBin& ring : rings) {
-        open = merged({{{0, open.frequency, open.power, open.cells}},
-                       {{0, ring.frequency, ring.power, ring.cells}}})
-                   .front();
-        if (open.cells < fewest_cells) continue;
-        result.push_back(open);
-        open = {0, 0, 0, 0};
-    }
-    return result;
-}
-
-/// Distances at which a correlation is asked for: 0, and evenly in the logarithm from the shortest lag on. In
-/// between it is a cubic polynomial of the logarithm, in four of them.
-class Nodes {
-  public:
-    explicit Nodes(const std::vector<Lag>& lags) {
-        for (const Lag& lag : lags) {
-            if (lag.distance > 0) shortest_ = std::min(shortest_, lag.distance);
-            longest_ = std::max(longest_, lag.distance);
-        }
-    }
-    [[nodiscard]] std::vector<double> distances() const {
-        std::vector<double> result{0};
-        const auto count = static_cast<int>(std::log(longest_ / shortest_) / spacing) + 4;
-        for (int k = -1; k < count; ++k) result.push_back(shortest_ * std::exp(spacing * k));
-        return result;
-    }
-    /// Adds the spectrum at the mean over a ring of what each node's correlation stands for.
-    void add_row(const std::vector<Lag>& lags, double frequency, double* row) const {
-        for (const Lag& lag : lags) {
-            const double part = lag.weight * ring_mean(frequency, lag.distance);
-            if (lag.distance == 0) {
-                row[0] += part;
-                continue;
-            }
-            const double u = std::log(lag.distance / shortest_) / spacing, whole = std::floor(u),
-                         t = u - whole;
-            double* first = row + 1 + static_cast<std::ptrdiff_t>(whole);
-            first[0] -= part * t * (t - 1) * (t - 2) / 6;
-            first[1] += part * (t + 1) * (t - 1) * (t - 2) / 2;
-            first[2] -= part * (t + 1) * t * (t - 2) / 2;
-            first[3] += part * (t + 1) * t * (t - 1) / 6;
-        }
-    }
-
-  private:
-    /// Of J0(2 pi f r) over a ring, whose cells are even in area.
-    static double ring_mean(double frequency, double r) {
-        const double first = frequency * std::pow(10.0, -0.5 / RadialBin::rings);
-        const double last = frequency * std::pow(10.0, 0.5 / RadialBin::rings);
-        constexpr int parts = 5;
-        double sum = 0;
-        for (int k = 0; k < parts; ++k) {
-            const double f = std::sqrt(first * first + (last * last - first * first) * (k + 0.5) / parts);
-            sum += ::j0(2 * std::numbers::pi * f * r) / parts;
-        }
-        return sum;
-    }
-
-    static constexpr double spacing = 0.025;
-    double shortest_ = HUGE_VAL, longest_ = 0;
-};
-
 }  // namespace
 
-SeenSpectrum::SeenSpectrum(const HeightMap& map, const MapWindow& window, const MapSpectrum& spectrum,
-                           int coefficients, const Ellipse& ellipse,
-                           const std::optional<FrequencyBand>& wanted)
-    : area_{map.width() * map.height()},
-      variance_{spectrum.variance()},
-      noise_unit_{map.step_x() * map.step_y()},
-      inflation_{window.inflation()},
-      cell_{spectrum.cell()},
-      window_share_{spectrum.window_share} {
-    known_ = {std::sqrt(coefficients / (std::numbers::pi * area_)),
-              0.5 / std::max(map.step_x(), map.step_y())};
-    const double lowest =
-        lowest_cells * std::max(ellipse.frequency(spectrum.cell_x, 0), ellipse.frequency(0, spectrum.cell_y));
-    const FrequencyBand fitted{std::max(lowest, wanted ? wanted->first : 0),
-                               wanted ? wanted->last : HUGE_VAL};
-    corners_ = variance_;
-    for (const RadialBin& ring : joined(radial_spectrum(spectrum, ellipse))) {
-        if (ring.frequency < known_.first) continue;
-        bins_.push_back({ring.frequency, ring.power, ring.cells,
-                         ring.frequency >= fitted.first && ring.frequency <= fitted.last});
-        corners_ -= ring.power * ring.cells * cell_;
-    }
-    const auto lags = window_lags(map, window, ellipse);
-    const Nodes nodes{lags};
-    distances_ = nodes.distances();
-    kernel_.resize(bins_.size() * distances_.size());
-    spectral::parallel_for(bins_.size(), [&](std::size_t b) {
-        nodes.add_row(lags, bins_[b].frequency, &kernel_[b * distances_.size()]);
-    });
-    const GaussLegendre rule = gauss_legendre(24);
-    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double u = rule.nodes[k],
-                     f = known_.first * u * u;  // closer where long scales have their power
-        taken_.push_back(f);
-        const double weight = rule.weights[k] * 2 * known_.first * u * 2 * std::numbers::pi * f;
-        for (const double r : distances_)
-            taken_kernel_.push_back(weight * ::j0(2 * std::numbers::pi * f * r));
-    }
+double error_of(double value, double deviation) noexcept {
+    constexpr double open = 2;  // from here on nothing is known
+    return value * std::max(1.0, deviation / open) * std::expm1(2 * std::min(deviation, open)) / 2;
 }
 
 /// One description and all maps: what is expected, how far off it is, what that leaves open.
@@ -149,6 +45,7 @@ class SpectrumFitter {
         const double restored = variance_ / raw;  // one factor for all maps in place of one each
         variance_ /= area_;
         for (const SeenSpectrum& map : maps) {
+            in_rings_ += map.area_ * map.window_share_ * restored * (map.variance_ - map.corners_);
             for (const auto& bin : map.bins_) {
                 if (bin.fitted) power_.push_back(bin.power * map.window_share_ * restored);
                 const double spread = 2 * map.inflation_ / bin.cells + least_spread * least_spread;
@@ -179,29 +76,59 @@ class SpectrumFitter {
     }
 
   private:
-    /// Of the fitted bins, all maps' behind one another.
+    /// Of the bins, all maps' behind one another: the shape is that of the description as the windows show
+    /// it, the sum the power that was measured, so that the rms is the same.
     [[nodiscard]] std::vector<double> expected(std::span<const double> x, bool fitted_only = true) const {
         const RoughnessScales scales = model_.scales(x);
-        const double noise = x.back(), variance = (1 - noise) * variance_ / known_share(scales);
-        std::vector<double> result;
+        std::vector<double> power;
+        double seen = 0, noise = 0;
         for (const SeenSpectrum& map : maps_) {
             std::vector<double> c;
             c.reserve(map.distances_.size());
             for (const double r : map.distances_) c.push_back(correlation(scales, r));
             for (std::size_t k = 0; k < map.taken_.size(); ++k) {
-                const double power = hts::validation::spectrum(scales, map.taken_[k]);
+                const double taken = hts::validation::spectrum(scales, map.taken_[k]);
                 for (std::size_t i = 0; i < c.size(); ++i)
-                    c[i] -= power * map.taken_kernel_[k * c.size() + i];
+                    c[i] -= taken * map.taken_kernel_[k * c.size() + i];
             }
             for (std::size_t b = 0; b < map.bins_.size(); ++b) {
-                if (fitted_only && !map.bins_[b].fitted) continue;
                 double sum = 0;
                 for (std::size_t i = 0; i < c.size(); ++i) sum += map.kernel_[b * c.size() + i] * c[i];
-                result.push_back(variance * std::max(sum, 0.0) + noise * variance_ * map.noise_unit_ +
-                                 floor_);
+                power.push_back(std::max(sum, 0.0));
+                const double weight = map.area_ * map.bins_[b].cells * map.cell_;
+                seen += weight * power.back();
+                noise += weight * noise_power(map, x);
             }
         }
+        const double scale = std::max(in_rings_ - noise, 1e-6 * in_rings_) / seen;
+        for_bins([&](const SeenSpectrum& map, const auto&, std::size_t at) {
+            power[at] = scale * power[at] + noise_power(map, x);
+        });
+        // A share of a sum is expected to be more than the share of what is expected of both where it has
+        // little part in the sum, whose inverse is that much greater in the mean.
+        std::vector<double> part(power.size());
+        double spread_of_sum = 0;
+        for_bins([&](const SeenSpectrum& map, const auto& bin, std::size_t at) {
+            const double share = map.area_ * bin.cells * map.cell_ * power[at] / in_rings_;
+            part[at] = share * 2 * map.inflation_ / bin.cells;
+            spread_of_sum += share * part[at];
+        });
+        std::vector<double> result;
+        for_bins([&](const SeenSpectrum&, const auto& bin, std::size_t at) {
+            if (bin.fitted || !fitted_only)
+                result.push_back(power[at] * (1 + spread_of_sum - part[at]) + floor_);
+        });
         return result;
+    }
+    [[nodiscard]] double noise_power(const SeenSpectrum& map, std::span<const double> x) const {
+        return x.back() * variance_ * map.noise_unit_;
+    }
+    /// Calls f(map, bin, number) for all bins of all maps.
+    template <class Function>
+    void for_bins(const Function& f) const {
+        std::size_t at = 0;
+        for (const SeenSpectrum& map : maps_)
+            for (const auto& bin : map.bins_) f(map, bin, at++);
     }
     /// Share of the variance that the heights of the maps hold.
     [[nodiscard]] double known_share(const RoughnessScales& scales) const {
@@ -264,18 +191,15 @@ class SpectrumFitter {
         double windowed = 0, direct = 0;  // variances of the sum, through the window and without
         const auto all = expected(x, false);
         Index fitted = 0;
-        std::size_t at = 0;
-        for (const SeenSpectrum& map : maps_) {
-            for (const auto& bin : map.bins_) {
-                const double w = map.area_ / area_ * bin.cells * map.cell_ * all[at++] / variance_;
-                const double n = bin.cells / 2;
-                windowed += w * w / n * map.inflation_;
-                direct += w * w / n;
-                if (!bin.fitted) continue;
-                share[fitted] = w;
-                alone[fitted++] = w / n;
-            }
-        }
+        for_bins([&](const SeenSpectrum& map, const auto& bin, std::size_t at) {
+            const double w = map.area_ / area_ * bin.cells * map.cell_ * all[at] / variance_;
+            const double n = bin.cells / 2;
+            windowed += w * w / n * map.inflation_;
+            direct += w * w / n;
+            if (!bin.fitted) return;
+            share[fitted] = w;
+            alone[fitted++] = w / n;
+        });
         const VectorXd ones = VectorXd::Ones(count), crossed = spread.cwiseProduct(share);
         const MatrixXd of_rings = MatrixXd{spread.asDiagonal()} + windowed * ones * ones.transpose() -
                                   ones * crossed.transpose() - crossed * ones.transpose();
@@ -300,7 +224,16 @@ class SpectrumFitter {
             held.push_back(i + 1 < x.size() &&
                            (x[i] < bounds[i].lowest + near || x[i] > bounds[i].highest - near));
         }
-        const MatrixXd spread = std::max(1.0, fit.deviance) * covariance(x, held);
+        // Errors grow with lengths, and those that were found too short must not have too small ones: they
+        // are taken at lengths a standard deviation up.
+        const double factor = std::max(1.0, fit.deviance);
+        const MatrixXd here = factor * covariance(x, held);
+        std::vector<double> longer = x;
+        for (std::size_t i = 0; i < model_.lengths; ++i) {
+            const auto place = static_cast<Index>(i);
+            longer[i] = std::min(x[i] + std::sqrt(here(place, place)), bounds[i].highest);
+        }
+        const MatrixXd spread = factor * covariance(longer, held);
         // the logarithms of all values, by the coordinates and by the variance of the heights
         const auto values = [this](const std::vector<double>& at) {
             const RoughnessScales scales = model_.scales(at);
@@ -319,8 +252,8 @@ class SpectrumFitter {
         for (std::size_t i = 0; i + 1 < found.size(); ++i) {
             const VectorXd along = directions.row(static_cast<Index>(i)).transpose();
             const double value = i == 0 ? std::sqrt(fit.variance) : own[i - 1].value;
-            fit.values.push_back(
-                {i == 0 ? "rms_um" : own[i - 1].name, value, value * std::sqrt(along.dot(spread * along))});
+            const double deviation = std::hypot(std::sqrt(along.dot(spread * along)), least_error);
+            fit.values.push_back({i == 0 ? "rms_um" : own[i - 1].name, value, error_of(value, deviation)});
             for (Index j = 0; i > 0 && j + 1 < along.size(); ++j) {
                 if (held[static_cast<std::size_t>(j)] && std::fabs(along[j]) > 1e-9)
                     fit.at_bounds.push_back(own[i - 1].name);
@@ -345,12 +278,10 @@ class SpectrumFitter {
     /// What is expected of all rings, and what was measured of the corners.
     [[nodiscard]] double ring_variance(const std::vector<double>& x) const {
         const auto all = expected(x, false);
-        std::size_t at = 0;
-        double sum = 0;
-        for (const SeenSpectrum& map : maps_) {
-            sum += map.area_ * map.corners_;
-            for (const auto& bin : map.bins_) sum += map.area_ * bin.cells * map.cell_ * all[at++];
-        }
+        double sum = area_ * variance_ - in_rings_;
+        for_bins([&](const SeenSpectrum& map, const auto& bin, std::size_t at) {
+            sum += map.area_ * bin.cells * map.cell_ * (all[at] - floor_);
+        });
         return sum / area_;
     }
     [[nodiscard]] double band_share(const RoughnessScales& scales) const {
@@ -363,6 +294,7 @@ class SpectrumFitter {
     const std::vector<SeenSpectrum>& maps_;
     const RoughnessModel& model_;
     double area_ = 0, variance_ = 0, floor_ = 0;
+    double in_rings_ = 0;  // variance of the heights at frequencies of the rings, times the area
     std::vector<double> power_, modes_;
 };
 

@@ -5,54 +5,23 @@
 /// 5 %. It compares with the power that a surface of the description is expected to show through the window
 /// of each map, so that leakage, gaps, the end of the field and points a step apart bias nothing. Heights are
 /// taken for samples at points; a white noise of the instrument is fitted beside them. The variance is that
-/// of the heights themselves, over the frequencies that levelling has left.
+/// of the heights themselves, over the frequencies that levelling has left, and what the fit shows through
+/// the windows adds up to it as well.
 #pragma once
 
-#include <optional>
-
-#include "validation/topography/autocorrelation.hpp"
 #include "validation/topography/roughness_model.hpp"
+#include "validation/topography/seen_spectrum.hpp"
 
 namespace hts::validation {
-
-/// Frequencies [1/um].
-struct FrequencyBand {
-    double first, last;
-};
-
-/// What a fit takes from a map.
-class SeenSpectrum {
-  public:
-    ///   coefficients   that levelling took off: the heights know nothing below `known().first`
-    ///   wanted         what is trusted, where that is less than the map has
-    SeenSpectrum(const HeightMap& map, const MapWindow& window, const MapSpectrum& spectrum, int coefficients,
-                 const Ellipse& ellipse, const std::optional<FrequencyBand>& wanted);
-
-    /// From (coefficients/(pi area))^(1/2), below which are as many frequencies as were taken off, to half a
-    /// cycle per step.
-    [[nodiscard]] const FrequencyBand& known() const noexcept { return known_; }
-
-  private:
-    friend class SpectrumFitter;
-    struct Bin {
-        double frequency, power, cells;
-        bool fitted;
-    };
-    std::vector<Bin> bins_;
-    std::vector<double> distances_, kernel_;  // kernel: a row of all distances per bin
-    // Frequencies below known_, which levelling took off, and what each adds to the correlation at each
-    // distance per power: rows of frequencies.
-    std::vector<double> taken_, taken_kernel_;
-    FrequencyBand known_;
-    double corners_ = 0;  // variance at frequencies that are in no ring
-    double area_, variance_, noise_unit_, inflation_, cell_, window_share_;
-};
 
 /// A value with its standard error.
 struct FittedValue {
     std::string name;
     double value, error;
 };
+/// The error of a value that is known by its logarithm, with a standard deviation: so wide that two of them
+/// reach as far as two deviations up. What is measured too low by 20 % has, by its own value, too small ones.
+[[nodiscard]] double error_of(double value, double deviation) noexcept;
 
 struct SpectrumFit {
     std::string_view model, title;
@@ -61,7 +30,7 @@ struct SpectrumFit {
     /// rms_um of all frequencies, the model's own values, noise_rms_um
     std::vector<FittedValue> values;
     /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners
-    /// beyond the rings as they were measured. The third place where the rms of the heights must come back.
+    /// beyond the rings as they were measured. The fit is held to the rms of the heights.
     double rms_of_rings;
     double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
     /// Relative covariances of rms_of_band and of the model's own values in their order, row by row.

@@ -192,6 +192,12 @@ double noise_power(const SurfaceStudy& study, const SpectrumFit& fit) {
     return rms * rms * map.step_x() * map.step_y();
 }
 
+double noise_power_error(const SurfaceStudy& study, const SpectrumFit& fit) {
+    const HeightMap& map = study.maps.front().levelled.map;
+    const FittedValue& rms = fit.value("noise_rms_um");
+    return rms.error * (2 * rms.value + rms.error) * map.step_x() * map.step_y();
+}
+
 /// Rings that a measured spectrum keeps.
 std::vector<RadialBin> trusted(const SurfaceStudy& study, const SpectrumFit& fit) {
     std::vector<RadialBin> result;
@@ -220,10 +226,7 @@ std::string surface_text(const SurfaceStudy& study) {
     text += line("known periods", periods(study.known) + "; all else is extrapolated");
     text += line("rms", brief(s.rms) + " um of the heights, " + brief(study.rms_of_spectra()) +
                             " um of the 2-D spectrum, " + brief(chosen.rms_of_rings) +
-                            " um of the fitted spectrum" +
-                            (std::fabs(chosen.rms_of_rings / s.rms - 1) > 0.02
-                                 ? "; more than 2 % apart: the description fails at long periods"
-                                 : ""));
+                            " um of the fitted spectrum");
     text += line("slopes", brief(s.slope_x, 3) + " along x, " + brief(s.slope_y, 3) +
                                " along y, rms between neighbours");
     text += line("skewness", with_error(s.skewness, s.skewness_error));
@@ -289,9 +292,16 @@ std::string spectrum_file(const SurfaceStudy& study, const SpectrumFit& fit) {
     std::string text = "# radial power spectrum of the heights of";
     for (const StudiedMap& map : study.maps) text.append(" ").append(map.levelled.map.name());
     text.append("\n# less a white noise of ").append(brief(fit.value("noise_rms_um").value));
-    text += " um rms; nothing is known outside\nfrequency_per_um,psd_um4\n";
-    for (const RadialBin& ring : trusted(study, fit))
-        text.append(shortest(ring.frequency)).append(",").append(shortest(ring.power)).append("\n");
+    text += " um rms; nothing is known outside\nfrequency_per_um,psd_um4,psd_um4_error\n";
+    const double noise = noise_power(study, fit), noise_error = noise_power_error(study, fit);
+    const double inflation = MapWindow{study.maps.front().levelled.map, study.request.window}.inflation();
+    for (const RadialBin& ring : trusted(study, fit)) {
+        // each independent frequency, of which there are cells/2/inflation, holds an exponentially
+        // distributed power
+        const double spread = (ring.power + noise) * std::sqrt(2 * inflation / ring.cells);
+        text.append(shortest(ring.frequency)).append(",").append(shortest(ring.power)).append(",");
+        text.append(shortest(std::hypot(spread, noise_error))).append("\n");
+    }
     return text;
 }
 

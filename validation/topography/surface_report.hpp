@@ -22,7 +22,8 @@ namespace hts::validation {
 [[nodiscard]] output::Figure surface_figure(const SurfaceStudy& study);
 
 /// The measured radial spectrum between the frequencies that the maps know, without the noise of a fit, as a
-/// file for {"type": "psd", "file": …}; beyond its last frequency the material goes on by a power law.
+/// file for {"type": "psd", "file": …}, with the standard errors that so few frequencies and the noise leave;
+/// beyond its last frequency the material goes on by a power law.
 [[nodiscard]] std::string spectrum_file(const SurfaceStudy& study, const SpectrumFit& fit);
 
 /// A material of this roughness.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "spectral/parallel.hpp"
+#include "spectral/text/text.hpp"
 
 namespace hts::validation {
 namespace {
@@ -72,8 +73,11 @@ SurfaceStudy studied(std::vector<HeightMap> maps, const SurfaceRequest& request)
     }
     study.statistics = pooled(statistics);
     study.autocorrelation = mean_autocorrelation(study.maps);
-    study.anisotropy =
-        anisotropy_of(spectra, MapWindow{study.maps.front().levelled.map, request.window}.inflation());
+    const HeightMap& first = study.maps.front().levelled.map;
+    const auto about_maps = [&](const auto& action) { return spectral::located(first.name(), action); };
+    study.anisotropy = about_maps([&] {
+        return anisotropy_of(spectra, MapWindow{first, request.window}.inflation());
+    });
     if (study.anisotropy.significant) study.ellipse = study.anisotropy.ellipse;
     std::vector<std::vector<RadialBin>> radial;
     std::vector<SeenSpectrum> seen;
@@ -95,7 +99,7 @@ SurfaceStudy studied(std::vector<HeightMap> maps, const SurfaceRequest& request)
         study.known.last = std::min(study.known.last, request.band->last);
     }
     const double length = study.autocorrelation.length();
-    study.fits = fits_of_spectra(seen, length > 0 ? length : study.maps.front().levelled.map.width() / 10);
+    study.fits = about_maps([&] { return fits_of_spectra(seen, length > 0 ? length : first.width() / 10); });
     return study;
 }
 

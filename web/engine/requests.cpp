@@ -11,7 +11,7 @@
 #include "hts/version.hpp"
 #include "spectral/colour/colour.hpp"
 #include "spectral/colour/display_colour.hpp"
-#include "spectral/energy/validity.hpp"
+#include "spectral/energy/judgement.hpp"
 #include "spectral/materials/optical_constants.hpp"
 #include "spectral/materials/optical_constants_files.hpp"
 #include "spectral/models/reflected_terms.hpp"
@@ -77,23 +77,26 @@ json describe(const json& request, const Numbers& numbers) {
     return result;
 }
 
-json verdict(const spectral::Validity& validity) {
-    json findings = json::array();
+json verdict(const spectral::RoughSurface& surface, const DirectionPair& pair, const SpectralSample& sample) {
+    const auto judged = spectral::judgement(surface, pair, sample);
+    json result{{"severity", spectral::name(judged.severity)},
+                {"findings", json::array()},
+                {"perturbation_advised", false}};
+    if (judged.error) result["decibels"] = {judged.error->least, judged.error->most};
+    if (spectral::judged_by_distance(surface)) return result;
+    const auto validity = spectral::validity(surface, pair, sample);
     for (const auto& finding : validity.findings) {
         const auto limits = spectral::limits(finding.criterion);
-        findings.push_back({{"criterion", spectral::name(finding.criterion)},
-                            {"quantity", spectral::quantity(finding.criterion)},
-                            {"reason", spectral::reason(finding.criterion)},
-                            {"measured", finding.measured},
-                            {"caution", limits.caution},
-                            {"outside", limits.outside},
-                            {"least", limits.least()},
-                            {"severity", spectral::name(finding.severity())}});
+        result["findings"].push_back({{"criterion", spectral::name(finding.criterion)},
+                                      {"quantity", spectral::quantity(finding.criterion)},
+                                      {"reason", spectral::reason(finding.criterion)},
+                                      {"measured", finding.measured},
+                                      {"caution", limits.caution},
+                                      {"outside", limits.outside},
+                                      {"least", limits.least()},
+                                      {"severity", spectral::name(finding.severity())}});
     }
-    json result{{"severity", spectral::name(validity.severity())},
-                {"findings", findings},
-                {"perturbation_advised", validity.perturbation_advised}};
-    if (const auto db = spectral::decibels(validity.error)) result["decibels"] = {db->least, db->most};
+    result["perturbation_advised"] = validity.perturbation_advised;
     return result;
 }
 
@@ -117,7 +120,7 @@ json detail(const json& request, const Numbers& numbers) {
     result["fresnel"] = first.fresnel;
     result["method"] = name(first.method);
     result["regime"] = spectral::name(spectral::regime(first.phase_variance));
-    result["validity"] = verdict(spectral::validity(*brdf.properties().surface, pair, brdf.samples()[0]));
+    result["validity"] = verdict(*brdf.properties().surface, pair, brdf.samples()[0]);
     return result;
 }
 
@@ -174,7 +177,9 @@ json catalogue(const json& /*request*/, const Numbers& /*numbers*/) {
 }
 
 json shader(const json& request, const Numbers& /*numbers*/) {
-    return {{"text", tables::glsl_text(reflectance_of(request))}};
+    const auto reflectance = reflectance_of(request);
+    const bool wgsl = request.at("language").get<std::string>() == "wgsl";
+    return {{"text", wgsl ? tables::wgsl_text(reflectance) : tables::glsl_text(reflectance)}};
 }
 
 }  // namespace

@@ -128,7 +128,8 @@ export class Engine {
   indexOf = async (what: { name: string } | { file: string }) =>
     (await this.request<{ source: string; warnings: string[]; from_um: number; to_um: number }>({ do: "index", ...what })).answer;
   catalogue = async () => (await this.request<{ version: string; indices: string[] }>({ do: "catalogue" })).answer;
-  shader = async (setting: Setting) => (await this.request<{ text: string }>({ do: "shader", ...setting })).answer.text;
+  shader = async (setting: Setting, language: "glsl" | "wgsl") =>
+    (await this.request<{ text: string }>({ do: "shader", language, ...setting })).answer.text;
   match = async (setting: Setting, beside: { material: Material; keys: string[] }, theta_i_deg: number) =>
     (await this.request<Match>({ do: "match", beside: beside.material, keys: beside.keys, theta_i_deg, ...setting })).answer;
   curve = async (file: string, text: string, wavelength_um: number) =>

@@ -75,6 +75,8 @@ async function png(picture: SVGSVGElement): Promise<Blob> {
   return new Promise((resolve) => target.toBlob((blob) => resolve(blob!), "image/png"));
 }
 
+type Action = [id: string, text: string, act: (f: Frame) => Promise<void> | void];
+
 export function takeAway(picture: SVGSVGElement, say: (text: string) => void) {
   const lines = html("pre", { id: "command", tabindex: 0, "aria-label": "Command line" });
   const code = html("pre", { id: "python", tabindex: 0, "aria-label": "Python" });
@@ -84,13 +86,14 @@ export function takeAway(picture: SVGSVGElement, say: (text: string) => void) {
     html("h3", {}, "and in Python"), code);
   let frame: Frame | null = null;
 
-  const actions: [string, string, (f: Frame) => Promise<void> | void][] = [
+  const actions: Action[] = [
     ["save-material", "Material file", ({ state }) => save("material.json", "application/json", materialText(state))],
     ["save-points", "Points, CSV", async ({ engine, state }) => save("points.csv", "text/csv", await points(engine, state))],
     ["save-svg", "Plot, SVG", () => save("plane-of-incidence.svg", "image/svg+xml", standalone(picture))],
     ["save-png", "Plot, PNG", async () => save("plane-of-incidence.png", "image/png", await png(picture))],
-    ["save-shader", "Shader, GLSL", async ({ engine, state }) =>
-      save("surface.glsl", "text/plain", await engine.shader(settingOf(state, state.light === "one" ? [state.lambda] : shaderWavelengths)))],
+    ...(["glsl", "wgsl"] as const).map((language): Action =>
+      [`save-${language}`, `Shader, ${language.toUpperCase()}`, async ({ engine, state }) => save(`surface.${language}`, "text/plain",
+        await engine.shader(settingOf(state, state.light === "one" ? [state.lambda] : shaderWavelengths), language))]),
     ["copy-link", "Copy link", async ({ state }) => {
       const link = `${location.href.split("#")[0]}#${toAddress(state)}`;
       await navigator.clipboard.writeText(link);

@@ -195,7 +195,8 @@ test("files are taken away", async ({ page }) => {
     ["save-points", "points.csv", "wavelength_um,theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,brdf\n0.5,30,0,90,0,"],
     ["save-svg", "plane-of-incidence.svg", "<svg"],
     ["save-png", "plane-of-incidence.png", "PNG"],
-    ["save-shader", "surface.glsl", "vec3 hts_brdf_rgb(vec3 wi, vec3 wo)"],
+    ["save-glsl", "surface.glsl", "vec3 hts_brdf_rgb(vec3 wi, vec3 wo)"],
+    ["save-wgsl", "surface.wgsl", "fn hts_brdf_rgb(wi : vec3<f32>, wo : vec3<f32>) -> vec3<f32>"],
   ]) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`#${id}`).click()]);
     expect(download.suggestedFilename()).toBe(name);

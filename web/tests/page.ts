@@ -10,7 +10,7 @@ export interface Setting {
 export interface Hts {
   engine: {
     evaluate(setting: Setting, of: string, triples: Float64Array): Promise<Float64Array>;
-    shader(setting: Setting): Promise<string>;
+    shader(setting: Setting, language: "glsl" | "wgsl"): Promise<string>;
   };
   state(): Record<string, unknown>;
 }

@@ -90,6 +90,7 @@ spectral::Material rough_surface(const spectral::RoughSurface& surface) {
 spectral::RoughSurface by_model(const Surface& surface, TwinModel model) {
     if (model == TwinModel::he_unified) return {surface, UnifiedChoices{}};
     if (model == TwinModel::he_unified_mixing) return {surface, UnifiedChoices{.polarisation_mixing = true}};
+    if (model == TwinModel::he_unified_shortcut) return {surface, UnifiedChoices{.conductor_shortcut = true}};
     return {surface};
 }
 
@@ -158,6 +159,7 @@ const std::vector<Method>& methods() {
         {"he, table", TwinModel::he, Way::table, {table_tolerance}, "#0072b2", 13},
         {"he_unified", TwinModel::he_unified, Way::model, {1e-3, 1e-6, 1e-12}, "#d55e00", 7},
         {"he_unified, mixing", TwinModel::he_unified_mixing, Way::model, {1e-6}, "#d55e00", 6},
+        {"he_unified, shortcut", TwinModel::he_unified_shortcut, Way::model, {1e-3, 1e-6}, "#d55e00", 9},
         {"he_unified, table", TwinModel::he_unified, Way::table, {table_tolerance}, "#d55e00", 13},
         {"Kirchhoff, not shadowed", TwinModel::kirchhoff, Way::plain, {1e-6}, "#009e73", 5},
         {"correlated Smith", TwinModel::smith, Way::plain, {1e-6}, "#009e73", 7},

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/answers/validity_warning.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/summary.hpp"
 #include "cli/io/table_writer.hpp"
@@ -96,6 +97,7 @@ void run(const BuildOptions& options) {
     }
     watch.stop();
     if (shard.count == 1) report(options.output, watch.seconds());
+    warn_of_gain_of(exact, options.material.path);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/answers/validity_warning.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/table/table.hpp"
@@ -35,8 +36,8 @@ std::string export_help() {
         text += "  " + format.name + ": " + format.what + "\n";
     return text + R"(
 The source is a material file or a table (.htst), which has its own wavelengths. The file
-holds the diffuse terms; the specular term is left out (but of glsl) and its reflectance written
-beside the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
+holds the diffuse terms; the specular term is left out (but of glsl and wgsl) and its reflectance
+written beside the file, as FILE.json, together with what the numbers mean. --specular box spreads it over
 --solid-angle instead: about the mirror direction, or of formats on half vectors over facets
 of as little tilt; a box that the grid of a format cannot hold is refused. Before anything is
 written, the files are read as the programs read them that know the format, and compared with
@@ -92,10 +93,12 @@ tables::Source source_of(const ExportOptions& options, const tables::WrittenForm
 void run(const ExportOptions& options) {
     const tables::WrittenFormat& format = tables::written_format(options.format);
     const tables::FileRequest request = request_of(options, format);
-    const auto report = tables::write_brdf(source_of(options, format), format, request);
+    const tables::Source source = source_of(options, format);
+    const auto report = tables::write_brdf(source, format, request);
     std::cout << (options.json ? report.json() + "\n" : report.text());
     std::cerr << options.output << ": " << std::filesystem::file_size(spectral::path_to_read(options.output))
               << " bytes\n";
+    warn_of_gain_of(source.brdf, options.source);
 }
 
 }  // namespace
@@ -105,7 +108,8 @@ void add_table_export(CLI::App& table) {
     auto options = std::make_shared<ExportOptions>();
     std::vector<std::string> names;
     for (const auto& format : tables::written_formats()) names.push_back(format.name);
-    reads(verb->add_option("source,--material,-m", options->source, "material file (JSON) or table (.htst)"))
+    reads_whole(
+        verb->add_option("source,--material,-m", options->source, "material file (JSON) or table (.htst)"))
         ->required();
     one_of(verb->add_option("--format,-f", options->format, "of the file"), names)->required();
     writes(verb->add_option("--output,-o", options->output, "file to write"), [](const std::string& path) {

@@ -140,7 +140,8 @@ void add_table_import(CLI::App& table) {
     auto options = std::make_shared<ImportOptions>();
     std::vector<std::string> names;
     for (const tables::BrdfFormat& format : tables::readable_formats()) names.push_back(format.name);
-    reads(verb->add_option("source", options->source, "file to read"))->required();
+    reads_whole(verb->add_option("source", options->source, "file to read, - for standard input"))
+        ->required();
     one_of(verb->add_option("--format,-f", options->format, "of the file, if it shall not be recognised"),
            names);
     verb->add_option(wavelengths_names, options->wavelengths, "what the channels are called, a,b,c [um]");

@@ -1,11 +1,11 @@
 // hts table lookup: values of a table at points.
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <iostream>
 #include <memory>
 
+#include "cli/answers/point_evaluator.hpp"
 #include "cli/io/options.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/transform.hpp"
@@ -18,9 +18,10 @@ namespace hts::cli {
 namespace {
 
 constexpr auto lookup_help = R"(
-Columns of the points, in any order: wavelength_um, theta_i_deg, phi_i_deg, theta_r_deg,
-phi_r_deg. Added: directional_diffuse, uniform_diffuse, brdf [1/sr], specular_reflectance
-and diffuse_albedo [1], the last the share of light that both diffuse terms reflect.
+Columns of the points, in any order: wavelength_um (or wavelength_nm), theta_i_deg,
+phi_i_deg, theta_r_deg, phi_r_deg. Added: directional_diffuse, uniform_diffuse,
+brdf [1/sr], specular_reflectance and diffuse_albedo [1], the last the share of light that
+both diffuse terms reflect.
 Between two wavelengths of the table ln f is taken as linear in ln wavelength; hts table
 check measures what that costs. A wavelength beyond those of the table, or a polar angle
 above 88 degrees, stops the run.
@@ -38,27 +39,6 @@ struct LookupOptions {
 struct Value {
     double lobe, uniform, specular, albedo;
     bool between;  // wavelengths of the table
-};
-
-/// The columns of a points file.
-class Points {
-  public:
-    explicit Points(const CsvReader& reader) {
-        for (std::size_t i = 0; i < names.size(); ++i) places_[i] = reader.column(names[i]);
-    }
-    [[nodiscard]] double wavelength(const CsvRow& row) const { return cell(row, 0); }
-    [[nodiscard]] DirectionPair pair(const CsvRow& row) const {
-        return {Direction::from_degrees(cell(row, 1), cell(row, 2)),
-                Direction::from_degrees(cell(row, 3), cell(row, 4))};
-    }
-
-  private:
-    static constexpr std::array names{"wavelength_um", "theta_i_deg", "phi_i_deg", "theta_r_deg",
-                                      "phi_r_deg"};
-    [[nodiscard]] double cell(const CsvRow& row, std::size_t i) const {
-        return row.number(places_[i], names[i]);
-    }
-    std::array<std::size_t, names.size()> places_{};
 };
 
 Value value_at(const tables::Table& table, const DirectionPair& pair, double um) {
@@ -79,7 +59,8 @@ Value value_at(const tables::Table& table, const DirectionPair& pair, double um)
 void run(const LookupOptions& options) {
     const auto table = tables::Table::open(options.table);
     CsvReader input{options.points};
-    const Points points{input};
+    const PairColumns directions{input};
+    const spectral::WavelengthColumn wavelength = input.wavelength();
     std::vector<std::string> columns = input.columns();
     for (const char* added :
          {"directional_diffuse", "uniform_diffuse", "brdf", "specular_reflectance", "diffuse_albedo"}) {
@@ -90,7 +71,8 @@ void run(const LookupOptions& options) {
     std::atomic<std::uint64_t> between = 0;  // rows are written by many threads
     const Summary summary = Transform<Value>{input, writer, 1}.run(
         [&](const CsvRow& row, std::span<Value> value) {
-            value[0] = value_at(table, points.pair(row), points.wavelength(row));
+            const double um = wavelength.micrometres(row.number(wavelength.place, wavelength.name()));
+            value[0] = value_at(table, directions.pair(row), um);
         },
         [&](TableWriter::Row& row, const Value& value) {
             if (value.between) ++between;

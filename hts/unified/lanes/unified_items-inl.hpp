@@ -13,7 +13,7 @@
 #include <type_traits>
 
 #include "hts/phi/phi_cells-inl.hpp"
-#include "hts/unified/lanes/unified_kernel-inl.hpp"
+#include "hts/unified/lanes/conductor-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hts::unified_detail::HWY_NAMESPACE {
@@ -201,16 +201,21 @@ constexpr std::size_t parts_of(Kept kept) {
     return kept == Kept::matrix ? 8 : 1;
 }
 
+/// Items whose Phi nothing multiplies.
+template <class Items>
+struct Plain : Items {
+    HWY_INLINE explicit Plain(const Items& items) : Items{items} {}
+    HWY_INLINE typename Items::V scale(std::size_t) const { return hn::Set(this->d, 1.0); }
+};
+
 /// What multiplies Phi.
 template <class Items, Kept what>
 struct Scaled : Items {
     using V = typename Items::V;
 
-    const double* mean;
     double (*kept)[block_size];  // part by part
 
-    HWY_INLINE Scaled(const Items& items, const double* kicks, double (*matrices)[block_size])
-        : Items{items}, mean{kicks}, kept{matrices} {}
+    HWY_INLINE Scaled(const Items& items, double (*matrices)[block_size]) : Items{items}, kept{matrices} {}
     HWY_INLINE WaveTerms<V> wave(std::size_t i) const {
         WaveTerms<V> result;
         result.d_real = this->load(Prepared::d_real, i);
@@ -227,23 +232,36 @@ struct Scaled : Items {
         }
         return result;
     }
-    HWY_INLINE V scale(std::size_t i) const {
+    ///   mean   H of kicks_table.hpp
+    HWY_INLINE V scale(std::size_t i, V mean) const {
         constexpr typename Items::Lanes o{};
         if constexpr (what == Kept::share) {
-            const ShareLanes<V> of =
-                kirchhoff_share(o, this->pair(i), this->load(Prepared::horizon, i),
-                                this->load(Prepared::returned, i), hn::Load(this->d, mean + i));
+            const ShareLanes<V> of = kirchhoff_share(o, this->pair(i), this->load(Prepared::horizon, i),
+                                                     this->load(Prepared::returned, i), mean);
             hn::Store(of.share, this->d, kept[0] + i);
             return this->load(Prepared::weight, i) * of.shadowing;
+        } else if (what == Kept::nothing && this->p.conductor) {
+            return scale_of_conductor(i, mean);
         } else {
-            return scale_of_matrix(i);
+            return scale_of_matrix(i, mean);
         }
     }
 
   private:
-    HWY_INLINE V scale_of_matrix(std::size_t i) const {
+    HWY_INLINE V scale_of_conductor(std::size_t i, V mean) const {
         constexpr typename Items::Lanes o{};
-        const JonesLanes<V> m = jones(o, this->pair(i), wave(i), hn::Load(this->d, mean + i));
+        const UnifiedPair<V>& pair = this->pair(i);
+        const V d_imaginary = this->load(Prepared::d_imaginary, i);
+        const auto facet = evaluation::fresnel_terms(
+            o, pair[cos_facet] * pair[cos_facet],
+            evaluation::IndexTerms<V>{this->load(Prepared::d_real, i), d_imaginary * d_imaginary});
+        return this->load(Prepared::weight, i) *
+               conductor_scale(o, pair, facet, this->load(Prepared::horizon, i),
+                               this->load(Prepared::lift, i), this->load(Prepared::returned, i), mean);
+    }
+    HWY_INLINE V scale_of_matrix(std::size_t i, V mean) const {
+        constexpr typename Items::Lanes o{};
+        const JonesLanes<V> m = jones(o, this->pair(i), wave(i), mean);
         const V scale = this->load(Prepared::weight, i) * m.shadowing;
         if constexpr (what == Kept::matrix) {
             const V parts[8]{m.ss.re, m.ss.im, m.sp.re, m.sp.im, m.ps.re, m.ps.im, m.pp.re, m.pp.im};

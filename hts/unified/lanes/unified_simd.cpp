@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 #include "hts/phi/phi_sum.hpp"
@@ -14,6 +15,7 @@
 #include "hts/correlation/lobe_block-inl.hpp"
 #include "hts/phi/phi_block-inl.hpp"
 #include "hts/unified/lanes/kicks_block-inl.hpp"
+#include "hts/unified/lanes/mirror-inl.hpp"
 #include "hts/unified/lanes/unified_items-inl.hpp"
 #include "hwy/highway.h"
 
@@ -34,25 +36,20 @@ FormTable form_table() {
 /// The lobe of a block of items.
 template <class PhiSpec, class KicksSpec, std::size_t most_lanes, class Items, Kept what>
 struct LobeBlock {
-    using All = Scaled<Items, what>;
-    using V = typename Items::V;
-
-    KicksBlock<KicksSpec, most_lanes, Items> kicks;
     HWY_ALIGN double matrices[parts_of(what)][block_size];
-    All items;
-    phi::PhiBlock<PhiSpec, All> lobe;
+    Scaled<Items, what> items;
+    Plain<Items> plain;
+    phi::PhiBlock<PhiSpec, Plain<Items> > lobe;
+    KicksBlock<KicksSpec, Items> kicks;
 
-    HWY_INLINE explicit LobeBlock(const Items& of) : items{of, kicks.mean, matrices}, lobe{items} {}
+    HWY_INLINE explicit LobeBlock(const Items& of) : items{of, matrices}, plain{of}, lobe{plain} {}
     /// Calls use(i, the lobe of items i ... i + lanes - 1).
     template <class Use>
     HWY_INLINE void each(std::size_t count, Use&& use) {
-        kicks.prepare(items, Items::whole(count));
-        if (count <= Items::lanes) {
-            use(std::size_t{0}, lobe.one_vector());
-            return;
-        }
-        lobe.prepare(Items::whole(count));
-        for (std::size_t i = 0; i < count; i += Items::lanes) use(i, lobe.value(i));
+        lobe.prepare(Items::whole(count), kicks);
+        kicks.prepare(Items::whole(count));
+        for (std::size_t i = 0; i < count; i += Items::lanes)
+            use(i, lobe.value(i) * items.scale(i, kicks.value(items, i)));
     }
 };
 
@@ -63,11 +60,14 @@ struct CorrelatedBlock {
     HWY_ALIGN double matrices[parts_of(what)][block_size];
     Scaled<Items, what> items;
 
-    HWY_INLINE explicit CorrelatedBlock(const Items& of) : items{of, lobe.mean, matrices} {}
+    HWY_INLINE explicit CorrelatedBlock(const Items& of) : items{of, matrices} {}
     template <class Use>
     HWY_INLINE void each(std::size_t count, Use&& use) {
         lobe.prepare(*items.p.correlation, items, Items::whole(count));
-        for (std::size_t i = 0; i < count; i += Items::lanes) use(i, lobe.value(i, items.scale(i)));
+        for (std::size_t i = 0; i < count; i += Items::lanes) {
+            const typename Items::V mean = hn::Load(Items::d, lobe.mean + i);
+            use(i, lobe.value(i, items.scale(i, mean)));
+        }
     }
 };
 
@@ -225,9 +225,18 @@ HWY_ATTR bool shares_one(const Prepared& p, const DirectionPair& pair, std::size
     return true;
 }
 
+HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double stretch, double* result) {
+    if (HWY_UNLIKELY(!is_ordinary(in))) return false;
+    if (p.count <= 4)
+        mirrored_at_all<4>(p, in.cos_theta(), in.sin_theta(), stretch, result);
+    else
+        mirrored_at_all<8>(p, in.cos_theta(), in.sin_theta(), stretch, result);
+    return true;
+}
+
 template <class Lobe>
 Forms forms_of() {
-    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, shares_one<Lobe>};
+    return {brdf_one<Lobe>, brdf_many<Lobe>, mueller_one<Lobe>, shares_one<Lobe>, specular_one};
 }
 FormTable form_table() {
     return {forms_of<Gaussian<phi_detail::Low, KicksLow> >(),

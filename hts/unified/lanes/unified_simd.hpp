@@ -40,11 +40,15 @@ struct Prepared {
         inverse_wave_squared,
         d_real,  // of d = N^2 - 1
         d_imaginary,
-        weight,    // (k tau)^2 |d|^2 / 4 pi
-        horizon,   // 1.25 k sigma_0
-        lift,      // Z
-        returned,  // R'
-        uniform,   // uniform-diffuse BRDF
+        weight,          // (k tau)^2 |d|^2 / 4 pi
+        horizon,         // 1.25 k sigma_0
+        lift,            // Z
+        returned,        // R'
+        uniform,         // uniform-diffuse BRDF
+        mirror_slant,    // a^2 = slant s in x_s
+        mirror_grazing,  // 0.65 (k tau)^(-3/2)
+        impedance_real,  // 1/N
+        impedance_imaginary,
         root_real,
         root_imaginary = root_real + root_terms,
         columns = root_imaginary + root_terms
@@ -57,6 +61,7 @@ struct Prepared {
     bool dense;  // whether the powers of s^2 serve
     std::size_t count, padded;
     std::vector<double> data;
+    bool conductor = false;  // the shortcut, of unpolarised light
     // of a correlation that is not Gaussian: its table, and what each wavelength sees of the surface, the
     // last as ReturnFactor::terms rows
     const correlation_detail::LobeTable* correlation = nullptr;
@@ -78,11 +83,16 @@ using BrdfMany = bool (*)(const Prepared& prepared, std::span<const DirectionPai
 using SharesOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, std::size_t first,
                            std::size_t count, double* lobes, double* shares);
 
+/// Specular reflectances of unpolarised light by the closed form.
+///   stretch   tau over tau(alpha)
+using SpecularOne = bool (*)(const Prepared& prepared, const Direction& in, double stretch, double* result);
+
 struct Forms {
     BrdfOne brdf_one;  ///< null on a processor without vectors
     BrdfMany brdf_many;
     MuellerOne mueller_one;
     SharesOne shares_one;
+    SpecularOne specular_one;
 };
 
 /// What one instruction set has: with Phi and the kicks at 1e-3 and at 1e-6, and with 2 D of another

@@ -87,6 +87,7 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
                              (two_lengths ? " and two lengths" : "") + " at " + std::to_string(tolerance);
     WorstCase brdf{"brdf" + name, tolerance};
     WorstCase matrices{"mueller" + name, tolerance};
+    WorstCase mirrors{"specular reflectance" + name, hts::accuracy::unified_mirror_in_lanes};
     Random random{20261128};
     while (brdf.count() < points()) {
         const double sigma = random.logarithmic(1e-3, 16);
@@ -97,14 +98,17 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
                 : Surface{sigma, tau};
         const Surface ground = shape ? gaussian.correlated(*shape) : gaussian;
         const std::size_t count = 1 + brdf.count() % 20;
-        const auto spectrum = samples(random, count, random.uniform(0, 2) < 1);
-        const UnifiedChoices choices{.polarisation_mixing = !shape && brdf.count() % 2 == 0};
+        const bool metals = random.uniform(0, 2) < 1;
+        const auto spectrum = samples(random, count, metals);
+        const UnifiedChoices choices{.polarisation_mixing = !shape && brdf.count() % 2 == 0,
+                                     .conductor_shortcut = metals && brdf.count() % 3 == 0};
         const HeUnifiedSpectrum fast{ground, spectrum, Tolerance{tolerance}, hts::DiffuseLobe::full, choices};
         const HeUnifiedSpectrum slow{ground, spectrum, Tolerance{hts::accuracy::finest_tolerance},
                                      hts::DiffuseLobe::full, choices};
         std::vector<DirectionPair> pairs;
         for (int i = 0; i < 20; ++i) pairs.push_back(pair(random));
-        std::vector<double> f(count), reference(count), batch(count * pairs.size());
+        std::vector<double> f(count), reference(count), batch(count * pairs.size()), mirror(count),
+            reference_mirror(count);
         std::vector<Mueller> m(count), reference_m(count);
         fast.brdf(pairs, batch);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -112,21 +116,28 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
             slow.brdf(pairs[i], reference);
             fast.mueller(pairs[i], m);
             slow.mueller(pairs[i], reference_m);
+            fast.specular_reflectance(pairs[i].in, mirror);
+            slow.specular_reflectance(pairs[i].in, reference_mirror);
             for (std::size_t j = 0; j < count; ++j) {
                 const auto where = [&] { return describe(pairs[i], ground, spectrum[j]); };
                 if (!(std::isfinite(f[j]) && f[j] >= 0)) FAIL(f[j] << " at " << where());
                 if (f[j] != batch[i * count + j]) FAIL("other bits in a batch at " << where());
+                if (reference_mirror[j] > 1e-280)
+                    mirrors.note(relative_error(mirror[j], reference_mirror[j]), where);
+                else
+                    CHECK(mirror[j] <= 1e-279);
                 if (reference[j] < 1e-280) continue;
                 brdf.note(relative_error(f[j], reference[j]), where);
                 for (std::size_t e = 0; e < 16; ++e) {
                     const double error = std::abs(m[j].elements()[e] - reference_m[j].elements()[e]);
-                    matrices.note(error / reference[j], where);
+                    matrices.note(error / reference_m[j].elements()[0], where);
                 }
             }
         }
     }
     brdf.check();
     matrices.check();
+    mirrors.check();
 }
 
 double length(Random& random) {

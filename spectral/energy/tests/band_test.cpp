@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "temporary_folder.hpp"
 
 using Catch::Matchers::Contains;
 using hts::spectral::Band;
@@ -98,6 +99,17 @@ TEST_CASE("Band: means of a constant, of a straight line and of what lies outsid
         below += w;
     }
     CHECK(mean(both, grid, line) == Approx(above / below).epsilon(1e-8));
+}
+
+TEST_CASE("Band: a response is read in either unit") {
+    const hts::testing::TemporaryFolder folder;
+    const auto um =
+        hts::spectral::read_response(folder.write("um.csv", "wavelength_um,response\n0.4,0.5\n0.7,1\n"));
+    const auto nm =
+        hts::spectral::read_response(folder.write("nm.csv", "wavelength_nm;response\n400;0,5\n700;1\n"));
+    for (const double at : {0.4, 0.55, 0.7}) CHECK(um(at) == nm(at));
+    CHECK_THROWS_WITH(hts::spectral::read_response(folder.write("b.csv", "wavelength_nm,response\n-1,1\n")),
+                      Contains("b.csv:2: column \"wavelength_nm\""));
 }
 
 TEST_CASE("Band: bad input is refused by name") {

@@ -112,7 +112,7 @@ TEST_CASE("CSV materials that cannot be are refused with path and line") {
         {"n,k\n1,2\n", "m.csv:1: column \"wavelength_um\": missing"},
         {"wavelength_um,k\n1,2\n", "m.csv:1: column \"n\": missing"},
         {"wavelength_um,wavelength_nm,n\n1,1000,2\n",
-         "m.csv: columns \"wavelength_um\" and \"wavelength_nm\": must be one of the two"},
+         "m.csv:1: columns \"wavelength_um\" and \"wavelength_nm\": must be one of the two"},
         {"wavelength_um,n,K\n1,2,3\n",
          "m.csv:1: column \"K\": not known; must be one of wavelength_um, wavelength_nm, n, k; did you mean "
          "\"k\"?"},

@@ -83,6 +83,9 @@ TEST_CASE("tabulated nk, n and k and formulas are read and put together") {
         "  - type: tabulated nk\n    data: |\n        0.4 1.4 0.1\n        0.6 1.6 0.3\n");
     CHECK(both.index(micrometres(0.4)).n() == 1.7);
     CHECK(both.index(micrometres(0.4)).k() == 0.1);
+    REQUIRE(both.warnings().size() == 1);
+    CHECK_THAT(both.warnings()[0], Catch::EndsWith(": n stands in an item before: that one counts"));
+    CHECK(formula.warnings().empty());
 
     const auto passed_over = read(
         "  - type: tabulated n2\n    data: |\n        0.5 1e-20\n"

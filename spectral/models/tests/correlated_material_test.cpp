@@ -99,9 +99,9 @@ TEST_CASE("Correlated material: both conventions of K-correlation are their inte
 TEST_CASE("Correlated material: a fractal has its spectrum between its periods, by either convention") {
     const double pi = std::numbers::pi;
     const auto surface = [](const std::string& keys) {
-        return *material(
-                    R"("rms_roughness_um": 0.002, "correlation": {"type": "fractal", "periods_um": [0.5, 100], )" +
-                    keys + "}")
+        return *material(R"("rms_roughness_um": 0.002, "correlation": )"
+                         R"({"type": "fractal", "periods_um": [0.5, 100], )" +
+                         keys + "}")
                     .properties()
                     .surface;
     };

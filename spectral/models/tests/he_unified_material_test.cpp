@@ -166,3 +166,44 @@ TEST_CASE("a perfect conductor of he_unified returns its light, and all of it wi
     }
     worst.check();
 }
+
+TEST_CASE("what a perfect conductor of he_unified returns is what its formulas say") {
+    // hts/unified/tests/reference/furnace.py 0.25 1
+    const auto one_um = Wavelength::from_micrometres(1);
+    for (const auto& [degrees, expected] : {std::pair{30.0, 0.9436}, {60.0, 0.9186}, {85.0, 1.1194}}) {
+        INFO(degrees);
+        CHECK(directional_hemispherical_reflectance(unified(0.25, 1), PerfectMirror{}, one_um,
+                                                    Direction::from_degrees(degrees, 0))
+                  .total() == Approx(expected).margin(3e-4));
+    }
+}
+
+TEST_CASE(
+    "the albedo of unpolarised light by the shortcut is that of its lobe, of polarised light the whole") {
+    const auto whole = material_of(file_with()).at(green),
+               quick = material_of(file_with(R"(, "conductor_shortcut": true)")).at(green);
+    const Direction in = Direction::from_degrees(50, 0);
+    const auto s = hts::Stokes::s_polarised(), p = hts::Stokes::p_polarised();
+    CHECK(quick.albedo(in, 0, s).total() == whole.albedo(in, 0, s).total());
+    CHECK(quick.albedo(in, 0, p).total() == whole.albedo(in, 0, p).total());
+    const double unpolarised = quick.albedo(in, 0).total();
+    CHECK(unpolarised != whole.albedo(in, 0).total());
+    CHECK(unpolarised == Approx(whole.albedo(in, 0).total()).epsilon(0.05));
+    const auto sampler = quick.sampler(0);
+    hts::testing::Random random{3};
+    double sum = 0, squares = 0;
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i) {
+        const double weight = sampler.sample(in, random.uniforms()).weight;
+        sum += weight, squares += weight * weight;
+    }
+    const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+    CHECK(std::abs(mean - unpolarised) < 5 * error + 1e-5);
+    CHECK_THAT(complaint_about(file_with(R"(, "conductor_shortcut": 1)")),
+               Catch::Contains("conductor_shortcut"));
+    CHECK_THROWS_WITH(
+        material_of(R"({"model": "he_unified", "rms_roughness_um": 0.1, "correlation_length_um": 1, )"
+                    R"("index": {"n": 1.5, "k": 0}, "conductor_shortcut": true})")
+            .at(green),
+        Catch::Contains("conductor_shortcut at 0.55 um") && Catch::Contains("0.04"));
+}

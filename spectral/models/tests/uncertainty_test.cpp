@@ -102,7 +102,18 @@ TEST_CASE("uncertainties of spectra, of the unified model and of other models ar
                 R"({"model": "he_unified", "rms_roughness_um": 0.01, "correlation": {"type": "k_correlation",
         "B_um": 5, "C": 2.5, "psd": "2d"}, "index": {"n": 1.5, "k": 0},
         "uncertainty": {"rms_roughness_um": 2e-4, "correlation/B_um": 0.1}})",
-                off_mirror, 500, 0.15);
+                off_mirror, 10'000, 0.03);
+    check_draws("the unified model",
+                R"({"model": "he_unified", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
+        "index": {"n": 0.77, "k": 6.08}, "diffuse_albedo": 0.1, "uncertainty": {"rms_roughness_um": 0.004,
+        "correlation_length_um": 0.02, "n": 0.02, "k": 0.1, "diffuse_albedo": 0.003,
+        "correlated": [["rms_roughness_um", "correlation_length_um", 0.7]]}})",
+                off_mirror, 10'000, 0.03);
+    check_draws("a film",
+                R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
+        "index": {"n": 0.77, "k": 6.08}, "films": [{"index": {"n": 1.5, "k": 0}, "thickness_um": 0.05}],
+        "uncertainty": {"rms_roughness_um": 0.004, "films/0/thickness_um": 0.002}})",
+                off_mirror, 10'000, 0.03);
     check_draws("GGX",
                 R"({"model": "walter", "distribution": "ggx", "alpha": 0.3, "index": {"n": 1.5, "k": 0},
         "uncertainty": {"alpha": 0.005, "n": 0.01}})",
@@ -141,6 +152,73 @@ TEST_CASE("the index of a built-in name is uncertain, too, and a bound is not cr
         "index": {"n": 1.5, "k": 0}, "diffuse_albedo": 0})";
     material(unified, {{"k", 0.01}, {"diffuse_albedo", 0.01}}).at(green).brdf(off_mirror, by_k);
     CHECK(by_k[0] == Approx(0.01 / std::numbers::pi).epsilon(0.05));
+}
+
+namespace {
+
+/// A material of a tabulated spectrum that falls as f^-3, each row with an error relative to it.
+std::string tabulated(const std::vector<double>& relative, double factor_of_row = 1, std::size_t row = 0) {
+    std::string rows;
+    for (std::size_t i = 0; i < relative.size(); ++i) {
+        const double f = 0.05 * std::pow(1.6, static_cast<double>(i));
+        const double s = 2e-3 / (1 + std::pow(f / 0.2, 3)) * (i == row ? factor_of_row : 1);
+        rows += (i == 0 ? "[" : ", [") + shortest(f) + ", " + shortest(s) + ", " + shortest(relative[i] * s) +
+                "]";
+    }
+    return R"({"model": "he", "correlation": {"type": "psd", "psd": "2d", "table": [)" + rows +
+           R"(]}, "index": {"n": 1.5, "k": 0}})";
+}
+
+}  // namespace
+
+TEST_CASE("errors of a tabulated spectrum, row by row, are those of the reflectance") {
+    std::vector<double> relative(11);
+    std::vector<double> deviation(2);
+    double squares = 0;
+    for (const std::size_t row : {2U, 7U}) {
+        relative.assign(11, 0);
+        relative[row] = 0.1;
+        const auto uncertain = material(tabulated(relative));
+        REQUIRE(uncertain.numbers().size() == 1);
+        uncertain.at(green).brdf(off_mirror, deviation);
+        const auto value = [&](double factor) {
+            return material_from_text(tabulated(relative, factor, row), "m.json")
+                .at(green, {.tolerance = Tolerance{1e-9}})
+                .brdf(off_mirror)[0];
+        };
+        CHECK(deviation[0] == Approx(std::abs(value(1.025) - value(0.975)) * 2).epsilon(1e-6));
+        squares += deviation[0] * deviation[0];
+    }
+    // independent: the squares add up
+    relative[2] = 0.1;
+    material(tabulated(relative)).at(green).brdf(off_mirror, deviation);
+    CHECK(deviation[0] == Approx(std::sqrt(squares)).epsilon(1e-9));
+}
+
+TEST_CASE("errors of a tabulated spectrum are those of draws", "[.][exhaustive]") {
+    check_draws("spectrum in 11 rows", tabulated(std::vector<double>(11, 0.1)), off_mirror, 300, 0.15);
+}
+
+TEST_CASE("many rows of a spectrum are changed in bands, with the same effect") {
+    // every row twice as often, each with an error as much greater as one row's share is smaller
+    const auto many = [](std::size_t rows, double relative) {
+        std::string text;
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double f = 0.05 * std::pow(100, static_cast<double>(i) / static_cast<double>(rows - 1));
+            const double s = 2e-3 / (1 + std::pow(f / 0.2, 3));
+            text += (i == 0 ? "[" : ", [") + shortest(f) + ", " + shortest(s) + ", " +
+                    shortest(relative * s) + "]";
+        }
+        return R"({"model": "he", "correlation": {"type": "psd", "psd": "2d", "table": [)" + text +
+               R"(]}, "index": {"n": 1.5, "k": 0}})";
+    };
+    const auto few = material(many(33, 0.05)), lots = material(many(161, 0.05 * std::sqrt(5)));
+    CHECK(few.numbers().size() == 33);
+    CHECK(lots.numbers().size() == 32);
+    std::vector<double> of_few(2), of_lots(2);
+    few.at(green).brdf(off_mirror, of_few);
+    lots.at(green).brdf(off_mirror, of_lots);
+    CHECK(of_lots[0] == Approx(of_few[0]).epsilon(0.1));
 }
 
 TEST_CASE("what cannot be uncertain is refused by name") {

@@ -62,8 +62,47 @@ TEST_CASE("CSV that cannot be read is refused with path and line") {
         {"n,k,n\n", "a.csv:1: column \"n\": stands twice"},
         {"n\n\"1\n", "a.csv:2: quotation mark without its partner"},
         {"n\n\"1\"2\n", "a.csv:2: a comma must follow the closing quotation mark"},
+        {"n,k\r1,2\r", "a.csv:1: lines end with CR alone: must end with LF or CR LF"},
+        {std::string{"\xff\xfen\0,\0k\0\n\0", 10}, "a.csv:1: UTF-16: must be UTF-8 text"},
+        {"n\xff\n", "a.csv:1: not UTF-8 text"},
     };
     for (const auto& [text, message] : cases) CHECK_THROWS_WITH(CsvTable::parse(text, "a.csv"), message);
+}
+
+TEST_CASE("a column that stands there in other letters, or beside a mark that separates none, is named") {
+    const auto message = [](const std::string& header, const std::string& column) {
+        try {
+            static_cast<void>(CsvTable::parse(header + "\n", "a.csv").column(column));
+        } catch (const hts::Error& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    CHECK(message("Theta_I_deg,brdf", "theta_i_deg") ==
+          "a.csv:1: column \"theta_i_deg\": missing; must be written so, not \"Theta_I_deg\"");
+    CHECK(message("theta_i_deg,brdf", "theta_r_deg") == "a.csv:1: column \"theta_r_deg\": missing");
+    CHECK(
+        message("g|t", "t") ==
+        "a.csv:1: column \"t\": missing; fields must stand between commas, semicolons, tabs or white space, "
+        "not \"|\"");
+    CHECK(
+        message("g/t", "g") ==
+        "a.csv:1: column \"g\": missing; fields must stand between commas, semicolons, tabs or white space, "
+        "not \"/\"");
+    CHECK(message("albedo", "a") == "a.csv:1: column \"a\": missing");
+}
+
+TEST_CASE("wavelengths are in either unit") {
+    const auto nm = CsvTable::parse("n,wavelength_nm\n1,550\n", "a.csv").wavelength();
+    CHECK(nm.place == 1);
+    CHECK(nm.micrometres(550) == 0.55);
+    const auto um = CsvTable::parse("wavelength_um\n0.55\n", "a.csv").wavelength();
+    CHECK(um.micrometres(0.55) == 0.55);
+    CHECK_FALSE(CsvTable::parse("n\n", "a.csv").find_wavelength());
+    CHECK_THROWS_WITH(CsvTable::parse("n\n", "a.csv").wavelength(),
+                      "a.csv:1: column \"wavelength_um\": missing");
+    CHECK_THROWS_WITH(CsvTable::parse("wavelength_um,wavelength_nm\n", "a.csv").find_wavelength(),
+                      "a.csv:1: columns \"wavelength_um\" and \"wavelength_nm\": must be one of the two");
 }
 
 TEST_CASE("a CSV reader gives row after row, by the same rules") {
@@ -173,7 +212,7 @@ TEST_CASE("files that cannot be read are refused with their path") {
     CHECK(read("empty.csv") == "empty.csv: file is empty");
     CHECK(read("blank.csv") == "blank.csv: file is empty");
     CHECK(read("latin.csv") == "latin.csv:1: not UTF-8 text");
-    CHECK(read("utf16.csv") == "utf16.csv:1: not UTF-8 text");
+    CHECK(read("utf16.csv") == "utf16.csv:1: UTF-16: must be UTF-8 text");
     CHECK(read("null.csv") == "null.csv:2: not UTF-8 text");
     CHECK(read("cut.csv") == "cut.csv:3: not UTF-8 text");
     CHECK(read("overlong.csv") == "overlong.csv:2: not UTF-8 text");

@@ -16,6 +16,7 @@
 #include "spectral/colour/display_colour.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/glsl/shader_text.hpp"
+#include "tables/formats/glsl/wgsl.hpp"
 
 namespace hts::tables {
 namespace {
@@ -151,9 +152,9 @@ std::vector<spectral::LinearRgb> rgb_weights(const spectral::WavelengthGrid& wav
     return result;
 }
 
-const spectral::RoughSurface& surface_of(const spectral::Reflectance& brdf) {
+const spectral::RoughSurface& surface_of(const spectral::Reflectance& brdf, const std::string& format) {
     const auto& surface = brdf.properties().surface;
-    static const std::string must = ": format glsl: must be a material of model \"he\"";
+    const std::string must = ": format " + format + ": must be a material of model \"he\"";
     if (!surface) throw Error{brdf.name() + must};
     if (surface->unified()) throw Error{brdf.name() + must + ", not \"he_unified\""};
     if (std::ranges::any_of(brdf.samples(),
@@ -173,17 +174,18 @@ std::string one_line(std::string text) {
     return text;
 }
 
-std::string head(const spectral::Reflectance& brdf) {
+///   language   and what has to stand before the text
+std::string head(const spectral::Reflectance& brdf, const char* language, const char* format) {
     std::ostringstream out;
     out << "// " << one_line(brdf.name()) << ": the reflectance of He, Torrance, Sillion and Greenberg 1991\n"
-        << "// in GLSL ES 3.00. Written by hts " << HTS_VERSION << ", hts table export --format glsl.\n"
-        << R"(//
-// Put it below "#version 300 es" and "precision highp float;". Directions are unit vectors about the normal
-// (0, 0, 1), both away from the surface, wi towards the light and wo towards the viewer; lengths are in
-// micrometres. Error of the BRDF: at most )"
+        << "// in " << language << " Written by hts " << HTS_VERSION << ", hts table export --format "
+        << format << R"(.
+//
+// Directions are unit vectors about the normal (0, 0, 1), both away from the surface, wi towards the light
+// and wo towards the viewer; lengths are in micrometres. Error of the BRDF: at most )"
         << accuracy::shader << " of the model's value, where that exceeds " << accuracy::shader_floor
-        << R"( of its peak for
-// that light, 0.003 <= sigma0/tau <= 1, and both polar angles are at most 89 degrees. Data: 35 coefficients
+        << R"( of its peak for that
+// light, 0.003 <= sigma0/tau <= 1, and both polar angles are at most 89 degrees. Data: 35 coefficients
 // of Phi, 140 bytes. For values that change, as uniforms, call hts_he_brdf, hts_he_specular,
 // hts_he_sample, hts_he_pdf.
 
@@ -215,56 +217,24 @@ vec3 hts_brdf_rgb(vec3 wi, vec3 wo) {
     vec3 rgb = vec3(0.0f);
     if (wi.z <= 0.0f || wo.z <= 0.0f) return rgb;
     HtsPair pair = hts_pair(HTS_SIGMA0, HTS_TAU, wi, wo);
-    for (int w = 0; w < HTS_WAVELENGTHS; ++w)
-        rgb += HTS_RGB[w] *
-               (hts_pair_brdf(pair, HTS_WAVELENGTH[w], HTS_N[w], HTS_K[w]) + HTS_ALBEDO[w] / HTS_PI);
+    for (int w = 0; w < HTS_WAVELENGTHS; ++w) {
+        float lobe = hts_pair_brdf(pair, HTS_WAVELENGTH[w], HTS_N[w], HTS_K[w]);
+        rgb += HTS_RGB[w] * (lobe + HTS_ALBEDO[w] / HTS_PI);
+    }
     return max(rgb, vec3(0.0f));
 }
 
 vec3 hts_specular_rgb(vec3 wi) {
     vec3 rgb = vec3(0.0f);
-    for (int w = 0; w < HTS_WAVELENGTHS; ++w) rgb += HTS_RGB[w] * hts_specular(wi, w);
+    for (int w = 0; w < HTS_WAVELENGTHS; ++w) {
+        rgb += HTS_RGB[w] * hts_specular(wi, w);
+    }
     return max(rgb, vec3(0.0f));
 }
 )";
 
-// ---- reading it
-
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-    throw Error{name + ": " + what + ": must be a shader that hts table export has written"};
-}
-
-float number_at(std::string_view text, std::size_t at, const std::string& name) {
-    const auto digits = text.substr(at, text.find_first_of(",);", at) - at);
-    return spectral::located(
-        name, [&] { return static_cast<float>(spectral::number_in(spectral::trimmed(digits))); });
-}
-
-std::size_t behind(const std::string& text, const std::string& key, const std::string& sign,
-                   const std::string& name) {
-    const auto found = text.find("const float " + key);
-    const auto at = found == std::string::npos ? found : text.find(sign, found);
-    if (at == std::string::npos)
-        refuse(name, "constant " + std::string{spectral::trimmed(key)} + ": missing");
-    return at + sign.size();
-}
-
-std::vector<float> numbers_of(const std::string& text, const std::string& key, const std::string& name) {
-    std::vector<float> values;
-    const auto begin = behind(text, key + "[", "](", name);
-    for (auto at = begin; at != std::string::npos && text[at - 1] != ')';) {
-        values.push_back(number_at(text, at, name));
-        at = text.find_first_of(",)", at);
-        if (at != std::string::npos) ++at;
-    }
-    if (values.size() > most_shader_wavelengths) refuse(name, "constant " + key + ": too long");
-    return values;
-}
-
-}  // namespace
-
-std::string glsl_text(const spectral::Reflectance& brdf) {
-    const auto& surface = surface_of(brdf);
+std::string code(const spectral::Reflectance& brdf, const std::string& format) {
+    const auto& surface = surface_of(brdf, format);
     const auto samples = brdf.samples();
     const auto rgb = rgb_weights(brdf.wavelengths());
     const auto constant = [](const char* name, double value) {
@@ -273,7 +243,7 @@ std::string glsl_text(const spectral::Reflectance& brdf) {
     const auto each = [&](const char* name, const auto& of) {
         return list("float", name, samples, [&](const SpectralSample& s) { return literal(of(s)); });
     };
-    std::string text = head(brdf) + std::string{spectral::embedded_text(shader_files(), "he_torrance")};
+    std::string text{spectral::embedded_text(shader_files(), "he_torrance")};
     text +=
         "\n// ---- this material "
         "----------------------------------------------------------------------------\n\n";
@@ -294,19 +264,75 @@ std::string glsl_text(const spectral::Reflectance& brdf) {
     return text;
 }
 
-Exported exported_glsl(const spectral::Reflectance& brdf, const std::string& path) {
+// ---- reading it
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw Error{name + ": " + what + ": must be a shader that hts table export has written"};
+}
+
+float number_at(std::string_view text, std::size_t at, const std::string& name) {
+    const auto digits = text.substr(at, text.find_first_of(",);", at) - at);
+    return spectral::located(
+        name, [&] { return static_cast<float>(spectral::number_in(spectral::trimmed(digits))); });
+}
+
+///   key   as GLSL has it or as WGSL has it
+std::size_t behind(const std::string& text, const std::string& key, char glsl, const char* wgsl,
+                   const std::string& sign, const std::string& name) {
+    auto found = text.find("const float " + key + glsl);
+    if (found == std::string::npos) found = text.find("const " + key + wgsl);
+    const auto at = found == std::string::npos ? found : text.find(sign, found);
+    if (at == std::string::npos) refuse(name, "constant " + key + ": missing");
+    return at + sign.size();
+}
+
+std::vector<float> numbers_of(const std::string& text, const std::string& key, const std::string& name) {
+    std::vector<float> values;
+    const auto begin = behind(text, key, '[', " = array", "(", name);
+    for (auto at = begin; at != std::string::npos && text[at - 1] != ')';) {
+        values.push_back(number_at(text, at, name));
+        at = text.find_first_of(",)", at);
+        if (at != std::string::npos) ++at;
+    }
+    if (values.size() > most_shader_wavelengths) refuse(name, "constant " + key + ": too long");
+    return values;
+}
+
+}  // namespace
+
+std::string glsl_text(const spectral::Reflectance& brdf) {
+    return head(brdf, "GLSL ES 3.00, to stand below \"#version 300 es\" and \"precision highp float;\".",
+                "glsl") +
+           code(brdf, "glsl");
+}
+std::string wgsl_text(const spectral::Reflectance& brdf) {
+    return head(brdf, "WGSL.", "wgsl") + wgsl_of(code(brdf, "wgsl"));
+}
+
+namespace {
+
+Exported exported(const char* language, std::string text, const std::string& path) {
     Sidecar sidecar;
-    sidecar.format = "GLSL ES 3.00";
+    sidecar.format = language;
     sidecar.value = "f, the BRDF without the cosine";
     sidecar.normalisation = "none";
     sidecar.specular = "in the file, hts_specular";
     sidecar.notes = {"Phi: 35 coefficients, 140 bytes, in the code; no texture"};
-    return {{{path, glsl_text(brdf)}}, std::move(sidecar)};
+    return {{{path, std::move(text)}}, std::move(sidecar)};
 }
 
-spectral::Reflectance glsl_brdf(const std::string& text, const std::string& name) {
+}  // namespace
+
+Exported exported_glsl(const spectral::Reflectance& brdf, const std::string& path) {
+    return exported("GLSL ES 3.00", glsl_text(brdf), path);
+}
+Exported exported_wgsl(const spectral::Reflectance& brdf, const std::string& path) {
+    return exported("WGSL", wgsl_text(brdf), path);
+}
+
+spectral::Reflectance shader_brdf(const std::string& text, const std::string& name) {
     const auto constant = [&](const char* key) {
-        return number_at(text, behind(text, std::string{key} + " ", "= ", name), name);
+        return number_at(text, behind(text, key, ' ', " :", "= ", name), name);
     };
     ShaderMaterial material{constant("HTS_SIGMA0"),
                             constant("HTS_TAU"),

@@ -1,24 +1,24 @@
-/// A material as functions of GLSL ES 3.00, for WebGL 2, OpenGL ES 3 and OpenGL 3.3: text that
-/// needs no texture, no buffer and no other file.
+/// A material as functions of a shading language, GLSL ES 3.00 for WebGL 2, OpenGL ES 3 and OpenGL 3.3, or
+/// WGSL for WebGPU: text that needs no texture, no buffer and no other file.
 ///
 /// The text holds the whole model in single precision (he_torrance.glsl: Phi by its terms below g = 6, above
-/// by 35 coefficients about its saddle point), then the constants of one material at its
-/// wavelengths. Of the model alone:
+/// by 35 coefficients about its saddle point), then the constants of one material at its wavelengths. Of the
+/// model alone:
 ///
-///     float hts_he_brdf(vec3 wi, vec3 wo, float wavelength, float sigma0, float tau, float n, float k, float
-///     albedo) float hts_he_specular(vec3 wi, float wavelength, float sigma0, float tau, float n, float k)
-///     HtsDraw hts_he_sample(vec3 wi, vec3 u, float wavelength, …)      float hts_he_pdf(vec3 wi, vec3
-///     wo, float wavelength, …)
+///     float hts_he_brdf(vec3 wi, vec3 wo, float wavelength, float sigma0, float tau, float n, float k,
+///                       float albedo)
+///     float hts_he_specular(vec3 wi, float wavelength, float sigma0, float tau, float n, float k)
+///     HtsDraw hts_he_sample(vec3 wi, vec3 u, float wavelength, …)
+///     float hts_he_pdf(vec3 wi, vec3 wo, float wavelength, …)
 ///
 /// whose arguments may be uniforms, and of the material, with the index of a wavelength:
 ///
-///     float hts_brdf(vec3 wi, vec3 wo, int w)     float hts_specular(vec3 wi, int w)
-///     HtsDraw hts_sample(vec3 wi, vec3 u, int w)  float hts_pdf(vec3 wi, vec3 wo, int w)
-///     vec3 hts_brdf_rgb(vec3 wi, vec3 wo)         vec3 hts_specular_rgb(vec3
-///     wi) linear sRGB under D65
+///     float hts_brdf(vec3 wi, vec3 wo, int w)         float hts_specular(vec3 wi, int w)
+///     HtsDraw hts_sample(vec3 wi, vec3 u, int w)      float hts_pdf(vec3 wi, vec3 wo, int w)
+///     vec3 hts_brdf_rgb(vec3 wi, vec3 wo)             vec3 hts_specular_rgb(vec3 wi)
 ///
-/// The last two are there where the wavelengths have a colour: three as blue, green and red, or those
-/// that cover 0.40 ... 0.70 um.
+/// The last two, linear sRGB under D65, are there where the wavelengths have a colour: three as blue, green
+/// and red, or those that cover 0.40 ... 0.70 um.
 #pragma once
 
 #include <string>
@@ -42,12 +42,14 @@ inline constexpr std::size_t most_shader_wavelengths = 64;
 /// The text.
 ///   brdf   of the model he at 1 ... most_shader_wavelengths wavelengths, else hts::Error
 [[nodiscard]] std::string glsl_text(const spectral::Reflectance& brdf);
+[[nodiscard]] std::string wgsl_text(const spectral::Reflectance& brdf);
 /// The same with what stands beside it.
 [[nodiscard]] Exported exported_glsl(const spectral::Reflectance& brdf, const std::string& path);
+[[nodiscard]] Exported exported_wgsl(const spectral::Reflectance& brdf, const std::string& path);
 
 /// What the text computes, in single precision: its constants are read, its functions are
 /// those hts was built with.
-///   text   by glsl_text, else hts::Error      name   its path, for messages
-[[nodiscard]] spectral::Reflectance glsl_brdf(const std::string& text, const std::string& name);
+///   text   by glsl_text or wgsl_text, else hts::Error      name   its path, for messages
+[[nodiscard]] spectral::Reflectance shader_brdf(const std::string& text, const std::string& name);
 
 }  // namespace hts::tables

@@ -1,5 +1,5 @@
 // ---- the model, for any surface, wavelength and index ------------------------------------------------------
-// This part is GLSL ES 3.00 and C++ alike: hts compiles and tests the same text.
+// hts compiles and tests the same text, of GLSL ES 3.00 and C++ alike.
 
 const float HTS_PI = 3.14159265f;
 
@@ -44,8 +44,8 @@ float hts_phi(float g, float t) {
     float s = t / g / g;
     float d = 0.5f * hts_lambert(2.0f * s);
     float below = exp(-d);
-    float bend = d < 0.3f ? d * d * (0.5f - d * (0.16666667f - d * (0.041666667f - d * 0.0083333333f)))
-                          : d - 1.0f + below;
+    float bend = d - 1.0f + below;
+    if (d < 0.3f) bend = d * d * (0.5f - d * (0.16666667f - d * (0.041666667f - d * 0.0083333333f)));
     float exponent = -g / below * (bend + s * below * below);
     float z = min(d / (0.3f + d) * (2.0f / 0.842f) - 1.0f, 1.0f);
     return exp(exponent + hts_phi_correction(12.0f / g - 1.0f, z)) * below / (g * sqrt(1.0f + 2.0f * d));
@@ -59,12 +59,17 @@ float hts_fresnel(float c, float n, float k) {
     float square_re = (n - k) * (n + k);
     float im = 2.0f * n * k;
     // r = sqrt(N^2 - sin^2)
-    float under_re = abs(excess_re) + abs(im) < 0.5f ? excess_re + c * c : square_re - sine2;
+    float under_re = square_re - sine2;
+    if (abs(excess_re) + abs(im) < 0.5f) under_re = excess_re + c * c;
     float size = sqrt(under_re * under_re + im * im);
     float root = sqrt(0.5f * (size + abs(under_re)));
-    float other = root > 0.0f ? 0.5f * im / root : 0.0f;
-    float r_re = under_re >= 0.0f ? root : other;
-    float r_im = under_re >= 0.0f ? other : root;
+    float r_re = root;
+    float r_im = 0.0f;
+    if (root > 0.0f) r_im = 0.5f * im / root;
+    if (under_re < 0.0f) {
+        r_re = r_im;
+        r_im = root;
+    }
     float excess2 = excess_re * excess_re + im * im;
     float s2 = (c + r_re) * (c + r_re) + r_im * r_im;
     float p_re = square_re * c + r_re;

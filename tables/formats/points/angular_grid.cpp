@@ -34,8 +34,9 @@ class Axis {
   public:
     ///   first, last   natural ends [deg]
     ///   coarsest      step of which half is taken beyond an end
-    Axis(const std::vector<double>& nodes, double first, double last, double coarsest, double gap)
-        : nodes_{&nodes}, from_{nodes.front() - slack}, to_{nodes.back() + slack}, gap_{gap + slack} {
+    Axis(const std::vector<double>& nodes, double first, double last, double coarsest, double gap,
+         double reach = slack)
+        : nodes_{&nodes}, from_{nodes.front() - reach}, to_{nodes.back() + reach}, gap_{gap + slack} {
         if (nodes.size() < 2) return;
         const double low = nodes[1] - nodes[0], high = nodes.back() - nodes[nodes.size() - 2];
         if (low <= coarsest && nodes.front() - low / 2 <= first) from_ = first;
@@ -90,6 +91,10 @@ ViewAngles view_angles(PolarAxis axis, const DirectionPair& pair) noexcept {
     if (axis == PolarAxis::normal)
         return {std::atan2(y, x) / degree, std::atan2(out.sin_theta(), out.cos_theta()) / degree};
     const Vector3 view{out.sin_theta() * x, out.sin_theta() * y, out.cos_theta()};
+    if (axis == PolarAxis::mirror_sine) {
+        const double from_mirror = view.x + in.sin_theta();
+        return {std::atan2(-view.y, -from_mirror) / degree, std::hypot(from_mirror, view.y)};
+    }
     const double along = dot(view, {-in.sin_theta(), 0, in.cos_theta()});
     const double across = dot(view, {in.cos_theta(), 0, in.sin_theta()});
     return {std::atan2(view.y, across) / degree, std::atan2(std::hypot(across, view.y), along) / degree};
@@ -105,7 +110,7 @@ class GriddedBrdf final : public spectral::Evaluator {
           phi_i_{grid_.phi_i, 0, 360, 0, azimuth_gap()},
           theta_i_{grid_.theta_i, 0, 90, 10, polar_gap()},
           azimuth_{grid_.azimuth, 0, 180, 20, azimuth_gap()},
-          polar_{grid_.polar, 0, about_normal() ? 90.0 : 180.0, 10, polar_gap()} {
+          polar_{polar_axis()} {
         theta_i_.reaches_horizon();
         if (about_normal()) polar_.reaches_horizon();
         const auto dark = [&](std::size_t node) {
@@ -148,7 +153,11 @@ class GriddedBrdf final : public spectral::Evaluator {
     [[nodiscard]] spectral::MeasuredDomain domain() const override {
         std::string axes = axis_in_words("theta_i", grid_.theta_i) + ", ";
         if (grid_.phi_i.size() > 1) axes += axis_in_words("phi_i", grid_.phi_i) + ", ";
-        axes += axis_in_words(about_normal() ? "theta_r" : "angle from the mirror direction", grid_.polar);
+        if (grid_.axis == PolarAxis::mirror_sine)
+            axes += axis_in_words("|beta - beta_0|", grid_.polar, "");
+        else
+            axes +=
+                axis_in_words(about_normal() ? "theta_r" : "angle from the mirror direction", grid_.polar);
         axes += ", " + axis_in_words(about_normal() ? "phi" : "azimuth about it", grid_.azimuth);
         if (!about_normal() && grid_.azimuth.size() == 1) axes += ", which stands for all";
         return {grid_.theta_i, axes};
@@ -156,6 +165,10 @@ class GriddedBrdf final : public spectral::Evaluator {
 
   private:
     [[nodiscard]] bool about_normal() const noexcept { return grid_.axis == PolarAxis::normal; }
+    [[nodiscard]] Axis polar_axis() const {
+        if (grid_.axis == PolarAxis::mirror_sine) return {grid_.polar, 0, 2, 0.2, 360, 1e-3};
+        return {grid_.polar, 0, about_normal() ? 90.0 : 180.0, 10, polar_gap()};
+    }
     [[nodiscard]] double polar_gap() const noexcept { return grid_.of_points ? largest_polar_gap : 360; }
     [[nodiscard]] double azimuth_gap() const noexcept { return grid_.of_points ? largest_azimuth_gap : 360; }
     [[nodiscard]] std::array<Neighbours, 4> around(const DirectionPair& pair) const noexcept {
@@ -166,7 +179,9 @@ class GriddedBrdf final : public spectral::Evaluator {
             grid_.symmetric ? azimuth_.at(std::abs(azimuth)) : azimuth_.around(in_turn(azimuth)),
             polar_.at(polar)};
         if (grid_.phi_i.size() == 1) axes[0] = {0, 0, 0};
-        if (polar <= slack || (!about_normal() && grid_.azimuth.size() == 1)) axes[2].known = true;
+        if (polar <= (grid_.axis == PolarAxis::mirror_sine ? 1e-3 : slack) ||
+            (!about_normal() && grid_.azimuth.size() == 1))
+            axes[2].known = true;
         return axes;
     }
     // Nodes that were not measured hold the value of the nearest one in their row, for who asks for it.
@@ -218,25 +233,25 @@ class GriddedBrdf final : public spectral::Evaluator {
     Axis phi_i_, theta_i_, azimuth_, polar_;
 };
 
-void check_axis(const char* name, const std::vector<double>& nodes, double most) {
+void check_axis(const char* name, const std::vector<double>& nodes, double most, const char* unit = "deg") {
     if (nodes.empty()) throw Error{std::string{name}.append(": must have at least one value")};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!(nodes[i] >= 0 && nodes[i] <= most))
-            throw out_of_range(name, nodes[i], "deg", "from 0 to " + shortest(most));
+            throw out_of_range(name, nodes[i], unit, "from 0 to " + shortest(most));
         if (i > 0 && !(nodes[i] > nodes[i - 1]))
-            throw out_of_range(name, nodes[i], "deg", "> the one before it, " + shortest(nodes[i - 1]));
+            throw out_of_range(name, nodes[i], unit, "> the one before it, " + shortest(nodes[i - 1]));
     }
 }
 
 }  // namespace
 
-std::string axis_in_words(const char* name, const std::vector<double>& nodes) {
+std::string axis_in_words(const char* name, const std::vector<double>& nodes, const char* unit) {
     std::string text = std::string{name} + " ";
     if (nodes.size() > 4) {
-        return text + brief(nodes.front(), 6) + " to " + brief(nodes.back(), 6) + " deg (" +
+        return text + brief(nodes.front(), 6) + " to " + brief(nodes.back(), 6) + unit + " (" +
                std::to_string(nodes.size()) + " values)";
     }
-    return text + brief(nodes, 6) + " deg";
+    return text + brief(nodes, 6) + unit;
 }
 
 namespace {
@@ -257,18 +272,26 @@ Node node_of(const AngularGrid& grid, std::size_t node) {
                  phi = grid.phi_i[node / grid.theta_i.size()];
     const Direction in = Direction::from_degrees(theta, phi);
     if (grid.axis == PolarAxis::normal) return {in, Direction::from_degrees(r, phi + a).vector()};
+    const auto turned = [&in](double x, double y, double z) {
+        return Vector3{x * in.cos_phi() - y * in.sin_phi(), x * in.sin_phi() + y * in.cos_phi(), z};
+    };
+    if (grid.axis == PolarAxis::mirror_sine) {
+        const double x = -in.sin_theta() - r * std::cos(a * degree), y = -r * std::sin(a * degree);
+        const double rest = 1 - x * x - y * y;
+        return {in, turned(x, y, rest > 0 ? std::sqrt(rest) : -1)};
+    }
     const double along = std::cos(r * degree), across = std::sin(r * degree) * std::cos(a * degree);
     const double y = std::sin(r * degree) * std::sin(a * degree);
     const double x = across * in.cos_theta() - along * in.sin_theta();
     const double z = along * in.cos_theta() + across * in.sin_theta();
-    return {in, {x * in.cos_phi() - y * in.sin_phi(), x * in.sin_phi() + y * in.cos_phi(), z}};
+    return {in, turned(x, y, z)};
 }
 
 }  // namespace
 
 std::optional<DirectionPair> AngularGrid::pair(std::size_t node) const {
     const auto [in, view] = node_of(*this, node);
-    if (axis == PolarAxis::mirror && !(view.z > 0)) return std::nullopt;
+    if (axis != PolarAxis::normal && !(view.z > 0)) return std::nullopt;
     return DirectionPair{in, Direction::from_unit_vector(view)};
 }
 
@@ -282,7 +305,10 @@ void AngularGrid::check() const {
     check_axis("azimuth of the light", phi_i, 360);
     check_axis("polar angle of the light", theta_i, 90);
     check_axis("azimuth of the view", azimuth, symmetric ? 180 : 360);
-    check_axis("polar angle of the view", polar, axis == PolarAxis::normal ? 90 : 180);
+    if (axis == PolarAxis::mirror_sine)
+        check_axis("|beta - beta_0|", polar, 2, "");
+    else
+        check_axis("polar angle of the view", polar, axis == PolarAxis::normal ? 90 : 180);
 }
 
 std::vector<double> values_on(const AngularGrid& grid, const spectral::Reflectance& brdf,

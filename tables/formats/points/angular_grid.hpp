@@ -6,6 +6,9 @@
 ///   polar angle   between view and mirror direction
 ///   azimuth       about the mirror direction, 0 towards the normal, growing counter-clockwise seen
 ///                 against the mirrored ray
+/// or about it in the plane of direction cosines, as optical designers have them:
+///   polar         |beta - beta_0|, the distance there, 0 ... 2
+///   azimuth       about the mirror direction, 0 away from the normal
 #pragma once
 
 #include <cstddef>
@@ -18,7 +21,7 @@
 
 namespace hts::tables {
 
-enum class PolarAxis { normal, mirror };
+enum class PolarAxis { normal, mirror, mirror_sine };
 
 /// Neighbouring points further apart [deg] say nothing of what lies between.
 inline constexpr double largest_polar_gap = 45, largest_azimuth_gap = 90;
@@ -30,8 +33,9 @@ struct AngularGrid {
     std::vector<double> theta_i;   ///< 0 ... 90
     std::vector<double>
         azimuth;  ///< 0 ... 180 if the surface is symmetric to the plane of incidence, else within 360
-    std::vector<double> polar;  ///< 0 ... 90 about the normal, 0 ... 180 about the mirror direction
-    bool symmetric = true;      ///< whether azimuths above 180 follow from those below
+    std::vector<double>
+        polar;              ///< 0 ... 90 about the normal, 0 ... 180 about the mirror direction, or 0 ... 2
+    bool symmetric = true;  ///< whether azimuths above 180 follow from those below
     /// Whether nothing is known between neighbours that are further apart than largest_polar_gap and
     /// largest_azimuth_gap: of a list of points, whose grid nobody promised.
     bool of_points = false;
@@ -70,7 +74,8 @@ enum class BelowHorizon {
                                                  AngularGrid grid, std::vector<double> values);
 
 /// "theta_i 0 to 75 deg (6 values)", or all of them if they are few.
-[[nodiscard]] std::string axis_in_words(const char* name, const std::vector<double>& nodes);
+[[nodiscard]] std::string axis_in_words(const char* name, const std::vector<double>& nodes,
+                                        const char* unit = " deg");
 
 /// Whether the BRDF is the same on both sides of the plane of incidence, as far as
 /// random pairs can tell (1e-6).

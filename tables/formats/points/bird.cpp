@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
 #include "hts/error.hpp"
+#include "hts/version.hpp"
 #include "spectral/text/json_value.hpp"
 #include "spectral/text/suggestion.hpp"
 #include "spectral/text/text.hpp"
@@ -29,8 +32,10 @@ double unit_of(const JsonValue& variable, const std::map<std::string, double>& k
     throw unit.error(spectral::in_quotes(unit.text()) + ": " + spectral::must_be_one_of(unit.text(), names));
 }
 
-const std::map<std::string, double> angles{{"deg", 1}, {"rad", 180 / std::numbers::pi}};
-const std::map<std::string, double> lengths{{"nm", 1e-3}, {"um", 1}, {"µm", 1}, {"m", 1e6}};
+const std::map<std::string, double> angles{{"deg", 1}, {"°", 1}, {"rad", 180 / std::numbers::pi}};
+// "\u00b5m" of a keyboard and "\u03bcm" of the schema
+const std::map<std::string, double> lengths{
+    {"nm", 1e-3}, {"um", 1}, {"\u00b5m", 1}, {"\u03bcm", 1}, {"m", 1e6}};
 const std::map<std::string, double> per_steradian{
     {"sr-1", 1}, {"1/sr", 1}, {"sr^-1", 1}, {"sr**-1", 1}, {"sr⁻¹", 1}};
 
@@ -58,15 +63,25 @@ class Variables {
     [[nodiscard]] std::vector<double> angle(const char* name) const {
         return as_long(name, numbers_of(data_[name], unit_of(data_[name], angles)));
     }
+    /// Of the light and of what is seen of it, which must be the same.
     [[nodiscard]] std::optional<std::vector<double>> wavelengths() const {
-        const auto variable = data_.find("wavelength");
-        if (!variable) return std::nullopt;
-        return as_long("wavelength", numbers_of(*variable, unit_of(*variable, lengths)));
+        std::optional<std::vector<double>> result;
+        for (const char* name : {"wavelength", "wavelength_i", "wavelength_r"}) {
+            const auto variable = data_.find(name);
+            if (!variable) continue;
+            auto list = as_long(name, numbers_of(*variable, unit_of(*variable, lengths)));
+            const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
+            if (result && !std::ranges::equal(list, *result, same))
+                throw variable->error("differs from the wavelengths before it: must be one of each point");
+            result = std::move(list);
+        }
+        return result;
     }
     /// What is said of polarisation; hts::Error where it is not the same of all points.
     [[nodiscard]] std::string polarisation() const {
         std::set<std::string> kinds;
-        for (const char* name : {"polarisation", "polarization", "polarisation_i", "polarization_i"}) {
+        for (const char* name : {"polarisation", "polarization", "polarisation_i", "polarization_i",
+                                 "polarisation_r", "polarization_r"}) {
             const auto variable = data_.find(name);
             if (!variable) continue;
             for (const JsonValue& value : (*variable)["values"].items())
@@ -78,7 +93,9 @@ class Variables {
         }
         return kinds.empty() ? "" : *kinds.begin();
     }
-    [[nodiscard]] bool has_uncertainty() const { return data_["BRDF"].find("uncertainty").has_value(); }
+    [[nodiscard]] bool has_uncertainty() const {
+        return data_["BRDF"].find("uncertainty") || data_.find("uBRDF");
+    }
 
   private:
     [[nodiscard]] std::vector<double> as_long(const char* name, std::vector<double> list) const {
@@ -91,6 +108,62 @@ class Variables {
     JsonValue data_;
     std::vector<double> values_;
 };
+
+/// What the schema requires, with "not stated" for what only the user knows.
+nlohmann::ordered_json metadata_of(const spectral::Reflectance& brdf, const std::string& uuid) {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm utc{};
+    ::gmtime_r(&now, &utc);
+    std::array<char, 32> timestamp{};
+    std::strftime(timestamp.data(), timestamp.size(), "%Y-%m-%dT%H:%M:%S+00:00", &utc);
+    using nlohmann::ordered_json;
+    const char* const open = "not stated";
+    ordered_json parameters = ordered_json::array();
+    if (const auto& surface = brdf.properties().surface) {
+        parameters.push_back({{"name", "rms roughness"},
+                              {"description", "root mean square of the heights"},
+                              {"value", surface->rms_roughness()},
+                              {"unit", "um"}});
+        parameters.push_back({{"name", "correlation length"},
+                              {"description", "length of the heights' autocorrelation"},
+                              {"value", surface->correlation_length()},
+                              {"unit", "um"}});
+    }
+    return {{"schema",
+             "https://raw.githubusercontent.com/BiRD-project/BiRD_view/master/BRDF_JSON_schema/"
+             "brdf_json_schema_v1.0.json"},
+            {"id", "urn:uuid:" + uuid},
+            {"type", "BRDF"},
+            {"timestamp", timestamp.data()},
+            {"provenance",
+             {{"organization", open},
+              {"location",
+               {{"country", open},
+                {"city", open},
+                {"street", open},
+                {"building_nr", open},
+                {"postal_code", open}}},
+              {"email", "not.stated@example.invalid"},
+              {"contact_person", open}}},
+            {"license", {{"type", open}, {"rights_holder", open}}},
+            {"method", "simulation"},
+            {"instrumentation", "NA"},
+            {"software",
+             {{"name", "hts"},
+              {"version", HTS_VERSION},
+              {"description", "physical-optics reflectance of rough surfaces"},
+              {"simulation_model",
+               {{"name", brdf.name()},
+                {"description", "model of a material file of hts; diffuse terms, without the mirror term"},
+                {"parameters", parameters}}}}},
+            {"sample",
+             {{"name", brdf.name()},
+              {"type", "computed surface"},
+              {"shape", "plane"},
+              {"dimensions", ordered_json::object()},
+              {"zero_azimuth_location", "x axis of the surface"}}},
+            {"environment", "NA"}};
+}
 
 double polar_angle(double degrees, const std::string& name, const char* variable, std::size_t i) {
     if (degrees >= 0 && degrees <= 90 + 1e-4) return std::min(degrees, 90.0);
@@ -183,26 +256,25 @@ std::string bird_text(const spectral::Reflectance& brdf, AngularGrid grid) {
             append(0, grid.theta_i[slice % grid.theta_i.size()], 9);
             append(1, phi_i, 9);
             append(2, grid.polar[node % grid.polar.size()], 9);
-            append(3, phi_i + grid.azimuth[row % grid.azimuth.size()], 9);
+            append(3, std::fmod(phi_i + grid.azimuth[row % grid.azimuth.size()], 360), 9);
             append(4, 1000 * um[w], 9);
             append(5, values[node * um.size() + w], 6);
         }
     }
-    const nlohmann::ordered_json metadata{
-        {"schema_version", "1.0"},
-        {"provenance", "computed by hts, a physical-optics reflectance library"},
-        {"licence", "not stated"},
-        {"sample", {{"name", brdf.name()}}},
-        {"instrumentation", "none: computed"},
-        {"simulation_model", {{"name", "hts"}, {"parameters", {{"material", brdf.name()}}}}}};
-    std::string text = "{\n\"metadata\": " + metadata.dump(2) + ",\n\"data\": {\n";
-    constexpr std::array names{"theta_i", "phi_i", "theta_r", "phi_r", "wavelength", "BRDF"};
-    constexpr std::array units{"deg", "deg", "deg", "deg", "nm", "sr-1"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        text.append("\"").append(names[i]).append("\": {\"unit\": \"").append(units[i]);
-        text.append("\", \"values\": [").append(lists[i]).append(i + 1 < names.size() ? "]},\n" : "]}\n");
-    }
-    return text + "}\n}\n";
+    for (std::string& list : lists) list = "[" + list + "]";
+    const auto unit = [](const char* name) {
+        return std::string{"\"unit\": \""} + name + "\", \"values\": ";
+    };
+    std::string data;
+    constexpr std::array names{"theta_i", "phi_i", "theta_r", "phi_r", "wavelength_i"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        data += std::string{"\""} + names[i] + "\": {" + unit(i < 4 ? "deg" : "nm") + lists[i] + "},\n";
+    data +=
+        "\"BRDF\": {\"uncertainty\": {\"value\": 0.001, \"unit\": \"%\"}, \"comments\": "
+        "\"uncertainty of the numbers; that of the model is not in it\", " +
+        unit("1/sr") + lists[5] + "}\n";
+    return "{\n\"metadata\": " + metadata_of(brdf, uuid_of(data)).dump(2) + ",\n\"data\": {\n" + data +
+           "}\n}\n";
 }
 
 }  // namespace hts::tables

@@ -13,7 +13,7 @@ namespace hts::tables {
 [[nodiscard]] bool is_bird_file(std::string_view text);
 
 /// Its points.
-///   wavelengths      of a file without a variable "wavelength"
+///   wavelengths      of a file without a variable "wavelength", "wavelength_i" or "wavelength_r"
 ///   mirror_azimuth   where azimuths have the mirror direction as the file counts them from phi_i [deg], 0 or
 ///                    180
 /// hts::Error "path: key …": for lists that are not equally long, units that are not known, a variable that
@@ -22,7 +22,8 @@ namespace hts::tables {
                                            const std::optional<spectral::WavelengthGrid>& wavelengths,
                                            double mirror_azimuth = 180);
 
-/// A reflectance on a grid of directions.
+/// A reflectance on a grid of directions, with metadata as the schema requires: what only the user knows is
+/// "not stated", the time is that of writing.
 ///   grid   axis normal
 [[nodiscard]] std::string bird_text(const spectral::Reflectance& brdf, AngularGrid grid);
 

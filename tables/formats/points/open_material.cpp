@@ -23,6 +23,7 @@ using spectral::JsonValue;
 constexpr double metre = 1e6;                // [um]
 constexpr double room_temperature = 293.15;  // [K]
 constexpr double degree = std::numbers::pi / 180;
+constexpr double full_turn_written = 6.283185;                   // the schema's greatest azimuth
 constexpr std::uint64_t largest_table = std::uint64_t{1} << 30;  // [bytes]
 
 /// A number within a range, else an error that names the key and what it must be.
@@ -110,29 +111,16 @@ BrdfRow brdf_row(const JsonValue& row, double mirror_azimuth) {
 
 // ---- writing
 
-/// In 8-4-4-4-12 digits: of the file's content, so that the same material has the same.
-std::string uuid_of(const std::string& text) {
-    std::string digits;
-    for (std::uint64_t hash : {std::uint64_t{14695981039346656037U}, std::uint64_t{1099511628211U}}) {
-        for (const char c : text) {
-            hash ^= static_cast<unsigned char>(c);
-            hash *= 1099511628211U;
-        }
-        for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 15];
-    }
-    for (const std::size_t at : {8U, 13U, 18U, 23U}) digits.insert(at, "-");
-    return digits;
-}
-
 ordered_json metadata_of(const std::string& name, const std::string& content) {
     return {{"name", name},
             {"description", "Computed by hts, a physical-optics reflectance library."},
             {"uuid", uuid_of(content)},
             {"materialVersion", "1.0.0"},
             {"openMaterial3dVersion", "1.0.0"},
-            {"copyrights", ordered_json::array()},
+            {"copyrights", {"not stated"}},
             {"license", "NOASSERTION"},
-            {"authors", {"hts"}}};
+            {"authors", {"hts"}},
+            {"sources", "simulated by hts from a material file"}};
 }
 
 /// A text with `{…}` of the metadata and one more member, whose rows stand in lines.
@@ -186,12 +174,6 @@ std::string brdf_member(const spectral::Reflectance& brdf, double mirror_azimuth
         text += w == 0 ? "" : ", ";
         append_rounded(text, um[w] / metre, 12);
     }
-    text += "],\n    \"receiverSolidAngles\": [";
-    for (std::size_t w = 0; w < um.size(); ++w) {
-        text += w == 0 ? "{\"wavelength\": " : ", {\"wavelength\": ";
-        append_rounded(text, um[w] / metre, 12);
-        text += ", \"solidAngle\": 0}";
-    }
     text += "],\n    \"lookupTable\": [";
     const char* before = "\n      [";
     for (std::size_t w = 0; w < um.size(); ++w)
@@ -206,7 +188,7 @@ std::string brdf_member(const spectral::Reflectance& brdf, double mirror_azimuth
                     append_rounded(text, um[w] / metre, 12);
                     for (const double angle : {grid.theta_i[i], grid.polar[r], turns[a]}) {
                         text += ", ";
-                        append_rounded(text, angle * degree, 9);
+                        append_rounded(text, std::min(angle * degree, full_turn_written), 9);
                     }
                     text += ", ";
                     append_rounded(text, values[node * um.size() + w]);
@@ -327,8 +309,8 @@ Exported exported_open_material(const spectral::Reflectance& brdf, const std::fi
     result.sidecar.normalisation = "none";
     result.sidecar.notes = {"phi_r from the light's azimuth; the mirror direction is at " +
                                 shortest(mirror_azimuth) + " deg, which the schema leaves open",
-                            "receiverSolidAngles are 0: values are those of single directions",
-                            "license is SPDX's NOASSERTION and copyrights are empty: fill them in"};
+                            "no receiverSolidAngles: values are those of single directions",
+                            "license is SPDX's NOASSERTION, copyrights are not stated: fill them in"};
     const std::string stem = path.stem().string();
     const auto beside_it = [&](const char* ending) {
         return (path.parent_path() / (stem + ending)).string();

@@ -143,19 +143,15 @@ class CsvPoints {
 
     [[nodiscard]] ScatterPoints read(const std::optional<WavelengthGrid>& given) const {
         const std::vector<std::string> unused = unused_columns();
-        const auto um = table_.find_column("wavelength_um"), nm = table_.find_column("wavelength_nm");
+        const auto wavelength = table_.find_wavelength();
         const auto value = table_.find_column("brdf");
-        if (um && nm)
-            throw Error{table_.where_header() +
-                        R"(columns "wavelength_um" and "wavelength_nm": must be one of the two)"};
-        if ((um || nm) && given)
+        if (wavelength && given)
             throw Error{table_.name() + ": says its wavelengths, which must not be given"};
-        if ((um || nm) && !value) {
-            throw Error{table_.where_header() + "column " +
-                        spectral::in_quotes(um ? "wavelength_um" : "wavelength_nm") +
+        if (wavelength && !value) {
+            throw Error{table_.where_header() + "column " + spectral::in_quotes(wavelength->name()) +
                         ": must come with one column \"brdf\""};
         }
-        ScatterPoints points = um || nm ? by_rows(*value, um ? *um : *nm, um ? 1 : 1e-3) : by_columns(given);
+        ScatterPoints points = wavelength ? by_rows(*value, *wavelength) : by_columns(given);
         if (!unused.empty()) points.notes.push_back("columns not used: " + spectral::joined(unused));
         const std::string dialect = table_.dialect_in_words();
         if (!dialect.empty()) points.notes.push_back(dialect);
@@ -230,10 +226,10 @@ class CsvPoints {
     }
     // A row per point and wavelength, in any order.
     //   unit   of the wavelengths [um]
-    [[nodiscard]] ScatterPoints by_rows(std::size_t value, std::size_t wavelength, double unit) const {
+    [[nodiscard]] ScatterPoints by_rows(std::size_t value, const spectral::WavelengthColumn& column) const {
+        const auto um = [&](std::size_t row) { return column.micrometres(table_.number(row, column.place)); };
         std::vector<double> wavelengths;
-        for (std::size_t row = 0; row < table_.row_count(); ++row)
-            wavelengths.push_back(unit * table_.number(row, wavelength));
+        for (std::size_t row = 0; row < table_.row_count(); ++row) wavelengths.push_back(um(row));
         std::sort(wavelengths.begin(), wavelengths.end());
         wavelengths.erase(std::unique(wavelengths.begin(), wavelengths.end()), wavelengths.end());
         ScatterPoints points{
@@ -244,8 +240,8 @@ class CsvPoints {
         std::map<std::array<double, 4>, std::map<double, std::size_t>> found;
         for (std::size_t row = 0; row < table_.row_count(); ++row) {
             const ScatterAngles at = angles(row);
-            const auto [first, fresh] = found[{at.phi_i, at.theta_i, at.phi_r, at.theta_r}].emplace(
-                unit * table_.number(row, wavelength), row);
+            const auto [first, fresh] =
+                found[{at.phi_i, at.theta_i, at.phi_r, at.theta_r}].emplace(um(row), row);
             if (fresh || table_.number(row, value) == table_.number(first->second, value)) continue;
             throw table_.error(row, "the directions and wavelength of line " +
                                         std::to_string(table_.line(first->second)) + " again, BRDF " +

@@ -183,12 +183,37 @@ ScatterPoints without_repetitions(const std::string& name, const ScatterPoints& 
     return result;
 }
 
+/// Whether the mean of what goes to the light's side of the plane of incidence is more than twice that of the
+/// mirror's side, at oblique angles and where both were measured.
+bool brighter_towards_light(const ScatterPoints& points) {
+    constexpr double oblique = 5, beside = 1;  // [deg]
+    constexpr std::size_t enough = 3;
+    std::array<double, 2> sums{};  // the mirror's side, the light's
+    std::array<std::size_t, 2> counts{};
+    const std::size_t each = points.wavelengths.size();
+    for (std::size_t i = 0; i < points.angles.size(); ++i) {
+        const ScatterAngles& at = points.angles[i];
+        const double turn = std::abs(std::remainder(at.phi_r - at.phi_i, 360));
+        const bool in_plane = turn < beside || turn > 180 - beside;
+        if (at.theta_i < oblique || at.theta_r < oblique || !in_plane) continue;
+        const std::size_t side = turn < beside ? 1 : 0;
+        for (std::size_t w = 0; w < each; ++w) sums[side] += points.values[i * each + w];
+        ++counts[side];
+    }
+    return counts[0] >= enough && counts[1] >= enough &&
+           sums[1] / static_cast<double>(counts[1]) > 2 * sums[0] / static_cast<double>(counts[0]);
+}
+
 }  // namespace
 
 PointsBrdf brdf_from(const std::string& name, const ScatterPoints& given) {
     check(name, given);
     const ScatterPoints points = without_repetitions(name, given);
     std::vector<std::string> notes = points.notes;
+    if (brighter_towards_light(points))
+        notes.push_back(
+            "more than twice as bright towards the light as about the mirror direction, which is "
+            "taken to be at phi_i + 180 deg: are azimuths counted from the mirror direction?");
     const std::string count = std::to_string(points.angles.size()) + " points ";
     if (is_in_plane(points)) {
         notes.push_back(count +

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "spectral/text/text.hpp"
@@ -112,6 +113,19 @@ void append_rounded(std::string& text, double value, int digits) {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                    std::chars_format::general, digits);
     text.append(buffer.data(), end.ptr);
+}
+
+std::string uuid_of(std::string_view content) {
+    std::string digits;
+    for (std::uint64_t hash : {std::uint64_t{14695981039346656037U}, std::uint64_t{1099511628211U}}) {
+        for (const char c : content) {
+            hash ^= static_cast<unsigned char>(c);
+            hash *= 1099511628211U;
+        }
+        for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 15];
+    }
+    for (const std::size_t at : {8U, 13U, 18U, 23U}) digits.insert(at, 1, '-');
+    return digits;
 }
 
 }  // namespace hts::tables

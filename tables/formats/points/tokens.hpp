@@ -64,4 +64,7 @@ class Tokens {
 /// Appends a number with so many significant digits.
 void append_rounded(std::string& text, double value, int digits = 6);
 
+/// An identifier in 8-4-4-4-12 digits, the same of the same content.
+[[nodiscard]] std::string uuid_of(std::string_view content);
+
 }  // namespace hts::tables

@@ -1,7 +1,6 @@
 #include "tables/formats/radiance/klems.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -40,39 +39,83 @@ class KlemsBrdf final : public spectral::Evaluator {
     std::vector<double> means_;
 };
 
-// Mean over a pair of patches by an even sequence of points (Roberts' R4), twice as many until
-// it changes by 1 % at most.
-double mean_of(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light,
-               std::size_t view) {
-    constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
-                                          0.5385972572236101};
-    constexpr int first = 256, most = 1 << 15;
-    double sum = 0, before = -1;
-    for (int count = 0, next = first;; next *= 2) {
-        for (; count < next; ++count) {
-            const auto at = [&](std::size_t axis) { return std::fmod(0.5 + (count + 1) * steps[axis], 1.0); };
-            double value = 0;
-            brdf.brdf({basis.point(light, at(0), at(1)).mirror(), basis.point(view, at(2), at(3))},
-                      {&value, 1});
-            sum += value;
+/// Points of all patches by an even sequence (Roberts' R4): two of its four dimensions are for the light, two
+/// for the view, so that a patch's are the same whatever the other. As many are kept as most pairs need.
+class PatchPoints {
+  public:
+    static constexpr std::size_t block = 256, most = std::size_t{1} << 15;
+
+    explicit PatchPoints(const KlemsBasis& basis)
+        : basis_{basis}, each_{std::min(16 * block, (std::size_t{1} << 20) / basis.size() / block * block)} {
+        for (std::size_t patch = 0; patch < basis.size(); ++patch) {
+            for (std::size_t i = 0; i < each_; ++i) kept_.push_back({light(patch, i), view(patch, i)});
         }
-        const double mean = sum / count;
-        if (next >= most || std::abs(mean - before) <= 0.01 * mean) return mean;
-        before = mean;
+    }
+    /// Those of a block from `first` on.
+    void fill(std::size_t of_light, std::size_t of_view, std::size_t first,
+              std::vector<DirectionPair>& pairs) const {
+        pairs.clear();
+        for (std::size_t i = first; i < first + block; ++i) {
+            if (i < each_) {
+                pairs.push_back({kept_[of_light * each_ + i].in, kept_[of_view * each_ + i].out});
+            } else {
+                pairs.push_back({light(of_light, i), view(of_view, i)});
+            }
+        }
+    }
+
+  private:
+    [[nodiscard]] Direction point(std::size_t patch, std::size_t i, double across, double along) const {
+        const auto at = [&](double step) { return std::fmod(0.5 + static_cast<double>(i + 1) * step, 1.0); };
+        return basis_.point(patch, at(across), at(along));
+    }
+    [[nodiscard]] Direction light(std::size_t patch, std::size_t i) const {
+        return point(patch, i, 0.8566748838545029, 0.7338918566271260).mirror();
+    }
+    [[nodiscard]] Direction view(std::size_t patch, std::size_t i) const {
+        return point(patch, i, 0.6287067210378087, 0.5385972572236101);
+    }
+
+    const KlemsBasis& basis_;
+    std::size_t each_;                 // points kept of each patch
+    std::vector<DirectionPair> kept_;  // as light and as view
+};
+
+/// Means over a pair of patches, one per channel, each of twice as many points until it changes by 1 % at
+/// most.
+std::vector<double> means_of(const spectral::Reflectance& brdf, const PatchPoints& points, std::size_t light,
+                             std::size_t view) {
+    const std::size_t channels = brdf.size();
+    std::vector<double> sums(channels, 0), means(channels, -1), values(PatchPoints::block * channels);
+    std::vector<bool> settled(channels, false);
+    std::vector<DirectionPair> pairs;
+    for (std::size_t count = 0, next = PatchPoints::block;; next *= 2) {
+        for (; count < next; count += PatchPoints::block) {
+            points.fill(light, view, count, pairs);
+            brdf.evaluator().brdf_batch(pairs, values);
+            for (std::size_t i = 0; i < values.size(); ++i) sums[i % channels] += values[i];
+        }
+        for (std::size_t i = 0; i < channels; ++i) {
+            if (settled[i]) continue;
+            const double mean = sums[i] / static_cast<double>(count);
+            settled[i] = next >= PatchPoints::most || std::abs(mean - means[i]) <= 0.01 * mean;
+            means[i] = mean;
+        }
+        if (std::ranges::find(settled, false) == settled.end()) return means;
     }
 }
 
-// Mean of the specular reflectance over a patch of light.
-double mean_mirrored(const spectral::Reflectance& brdf, const KlemsBasis& basis, std::size_t light) {
+/// Means of the specular reflectance over a patch of light, one per channel.
+std::vector<double> means_mirrored(const spectral::Reflectance& brdf, const KlemsBasis& basis,
+                                   std::size_t light) {
     constexpr int across = 64, along = 8;
-    double sum = 0;
+    std::vector<double> means(brdf.size(), 0), values(brdf.size());
     for (int i = 0; i < across * along; ++i) {
-        double value = 0;
         const double ring = (i / along + 0.5) / across, turn = (i % along + 0.5) / along;
-        brdf.specular_reflectance(basis.point(light, ring, turn).mirror(), {&value, 1});
-        sum += value;
+        brdf.specular_reflectance(basis.point(light, ring, turn).mirror(), values);
+        for (std::size_t c = 0; c < means.size(); ++c) means[c] += values[c] / (across * along);
     }
-    return sum / (across * along);
+    return means;
 }
 
 }  // namespace
@@ -165,17 +208,21 @@ Direction KlemsBasis::point(std::size_t patch, double across, double along) cons
     return Direction::from_angles(std::min(std::asin(sine), pi / 2), phi);
 }
 
-std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis, bool specular) {
-    if (brdf.wavelengths().size() != 1) {
-        throw out_of_range("number of wavelengths", static_cast<double>(brdf.wavelengths().size()), "",
-                           "1 in a table over Klems' patches");
-    }
+std::vector<std::vector<double>> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis,
+                                             bool specular) {
     const std::size_t size = basis.size();
-    std::vector<double> means(size * size, 0);
-    const auto mean = [&](std::size_t pair) { means[pair] = mean_of(brdf, basis, pair % size, pair / size); };
+    std::vector<std::vector<double>> means(brdf.size(), std::vector<double>(size * size, 0));
+    const PatchPoints points{basis};
+    const auto mean = [&](std::size_t pair) {
+        const auto found = means_of(brdf, points, pair % size, pair / size);
+        for (std::size_t c = 0; c < found.size(); ++c) means[c][pair] = found[c];
+    };
     spectral::parallel_for(size * size, mean, 16);
-    for (std::size_t patch = 0; specular && patch < size; ++patch)
-        means[patch * size + patch] += mean_mirrored(brdf, basis, patch) / basis.projected_solid_angle(patch);
+    for (std::size_t patch = 0; specular && patch < size; ++patch) {
+        const auto mirrored = means_mirrored(brdf, basis, patch);
+        for (std::size_t c = 0; c < means.size(); ++c)
+            means[c][patch * size + patch] += mirrored[c] / basis.projected_solid_angle(patch);
+    }
     return means;
 }
 

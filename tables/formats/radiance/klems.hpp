@@ -55,13 +55,12 @@ class KlemsBasis {
     std::size_t size_ = 0;
 };
 
-/// Means of a BRDF of one wavelength over all pairs of patches, weighted by projected solid angle [1/sr], at
+/// Means of a BRDF over all pairs of patches, weighted by projected solid angle [1/sr], of each wavelength at
 /// [view * size + light]; 512 to 32768 points per pair, until twice as many change the mean by 1 % at most.
 ///   specular   whether the specular term is added: a patch of light is mirrored into the
 ///              patch of the same number
-/// hts::Error for more wavelengths.
-[[nodiscard]] std::vector<double> klems_means(const spectral::Reflectance& brdf, const KlemsBasis& basis,
-                                              bool specular = false);
+[[nodiscard]] std::vector<std::vector<double>> klems_means(const spectral::Reflectance& brdf,
+                                                           const KlemsBasis& basis, bool specular = false);
 
 /// The means as a BRDF, constant within patches.
 ///   means   basis.size()^2 of them, >= 0

@@ -2,6 +2,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hts/error.hpp"
 #include "spectral/text/text.hpp"
 #include "tables/formats/channels.hpp"
 #include "tables/formats/points/tokens.hpp"
@@ -101,8 +102,11 @@ std::string document(const std::string& name, std::string_view structure, std::s
 }  // namespace
 
 std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis, bool specular) {
-    const auto data = [&](const spectral::Reflectance& channel) {
-        const std::vector<double> means = klems_means(channel, basis, specular);
+    if (brdf.size() != 3 && brdf.size() != 1)
+        throw out_of_range("number of channels", static_cast<double>(brdf.size()), "", "1, or 3 of a colour");
+    const auto all = klems_means(brdf, basis, specular);
+    const auto data = [&](std::size_t channel) {
+        const std::vector<double>& means = all[channel];
         std::string text;
         for (std::size_t i = 0; i < means.size(); ++i) {
             append_rounded(text, means[i]);
@@ -112,11 +116,9 @@ std::string klems_xml(const spectral::Reflectance& brdf, const KlemsBasis& basis
     };
     std::vector<Channel> channels;
     if (brdf.size() == 3) {
-        channels = {{"CIE-X", "X", data(brdf_at(brdf, 2))},
-                    {"Visible", "Y", data(brdf_at(brdf, 1))},
-                    {"CIE-Z", "Z", data(brdf_at(brdf, 0))}};
+        channels = {{"CIE-X", "X", data(2)}, {"Visible", "Y", data(1)}, {"CIE-Z", "Z", data(0)}};
     } else {
-        channels = {{"Visible", "Y", data(brdf)}};
+        channels = {{"Visible", "Y", data(0)}};
     }
     std::string bases = "<ColumnAngleBasis>";
     bases.append(escaped(basis.name()))

@@ -292,7 +292,7 @@ TEST_CASE("a file is recognised by what it holds, or refused with the list of fo
     };
     CHECK(message("Lorem ipsum") ==
           "unknown.dat: of no format that is known: merl, rgl, pbsdf, radiance, zemax, lighttools, fred, "
-          "openmaterial, bird, astm, csv");
+          "tracepro, openmaterial, bird, astm, csv");
     CHECK(message("") == "unknown.dat: file is empty");
     CHECK_THROWS_WITH(read_brdf(folder.path() / "none.dat"), Catch::Contains("no such file"));
     CHECK_THROWS_WITH(read_brdf(folder.path()), Catch::Contains("is a directory"));

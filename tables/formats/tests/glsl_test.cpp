@@ -2,6 +2,9 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <regex>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -52,7 +55,7 @@ TEST_CASE("the shader's arithmetic agrees with the model over surfaces, indices 
         const RefractiveIndex index{std::pow(10, -1 + 1.7 * random.uniform()),
                                     surface % 3 == 0 ? 0 : std::pow(10, -3 + 5 * random.uniform())};
         const auto model = rough(sigma, tau, index, wavelength, surface % 4 == 0 ? random.uniform() : 0);
-        const auto shader = glsl_brdf(glsl_text(model), "shader");
+        const auto shader = shader_brdf(glsl_text(model), "shader");
         for (int pair = 0; pair < 50; ++pair) {
             const Direction in = rounded(random.direction(lowest));
             // about the mirror direction, closer and closer, and anywhere
@@ -87,6 +90,29 @@ TEST_CASE("the shader's arithmetic agrees with the model over surfaces, indices 
     CHECK(median < 5e-5);
 }
 
+TEST_CASE("the shader in WGSL holds the same constants and functions") {
+    const auto model = rough(0.28, 1.77, {0.8, 4.5}, 0.5, 0.1);
+    const std::string text = wgsl_text(model);
+    const auto wgsl = shader_brdf(text, "w"), glsl = shader_brdf(glsl_text(model), "g");
+    Random random{5};
+    for (int i = 0; i < 100; ++i) {
+        const DirectionPair pair{random.direction(1e-3), random.direction(1e-3)};
+        CHECK(wgsl.brdf(pair)[0] == glsl.brdf(pair)[0]);
+    }
+    for (const char* function : {"fn hts_brdf(wi : vec3<f32>, wo : vec3<f32>, w : i32) -> f32 {",
+                                 "fn hts_phi(g : f32, t : f32) -> f32 {",
+                                 "fn hts_sample(wi : vec3<f32>, u : vec3<f32>, w : i32) -> HtsDraw {",
+                                 "const HTS_SIGMA0 : f32 = 0.28;"})
+        CHECK(text.find(function) != std::string::npos);
+    // no word that GLSL alone has, but in a comment
+    std::istringstream lines{text};
+    for (std::string line; std::getline(lines, line);) {
+        const std::string code = line.substr(0, line.find("//"));
+        CAPTURE(code);
+        CHECK(!std::regex_search(code, std::regex{R"(\bfloat\b|\bint\b|\bvec3\b[^<]|\?)"}));
+    }
+}
+
 TEST_CASE("a shader's text holds the material, and its colour where the wavelengths have one") {
     const auto aluminium =
         he_torrance_material("aluminium\nof two lines", {0.28, 1.77}, built_in_optical_constants("Al"));
@@ -106,7 +132,7 @@ TEST_CASE("a shader's text holds the material, and its colour where the waveleng
     CHECK(text_at(WavelengthGrid::from_micrometres({0.46, 0.55, 0.62})).find("hts_brdf_rgb") !=
           std::string::npos);
     CHECK(text_at(WavelengthGrid::from_micrometres({2.0})).find("hts_brdf_rgb") == std::string::npos);
-    const auto read = glsl_brdf(text, "al.glsl");
+    const auto read = shader_brdf(text, "al.glsl");
     CHECK(read.size() == 8);
     CHECK(read.wavelengths().micrometres()[7] == Approx(0.7));
     CHECK(read.properties().specular_term);
@@ -128,12 +154,13 @@ TEST_CASE("shaders are refused where the model is another, and texts that are no
     for (const char* key : {"HTS_SIGMA0 =", "HTS_N[1]", "HTS_ALBEDO[1]"}) {
         std::string damaged = text;
         damaged.erase(damaged.find(key), 6);
-        CHECK_THROWS_WITH(glsl_brdf(damaged, "x.glsl"), Catch::Matchers::Contains("x.glsl: constant HTS_") &&
-                                                            Catch::Matchers::Contains(": missing"));
+        CHECK_THROWS_WITH(
+            shader_brdf(damaged, "x.glsl"),
+            Catch::Matchers::Contains("x.glsl: constant HTS_") && Catch::Matchers::Contains(": missing"));
     }
     std::string word = text;
     word.replace(word.find("HTS_SIGMA0 = ") + 13, 3, "one");
-    CHECK_THROWS_WITH(glsl_brdf(word, "x.glsl"), Catch::Matchers::Contains("is not a number"));
+    CHECK_THROWS_WITH(shader_brdf(word, "x.glsl"), Catch::Matchers::Contains("is not a number"));
 }
 
 TEST_CASE("the shader draws directions with the density it states, and their mean weight is the albedo") {
@@ -144,7 +171,7 @@ TEST_CASE("the shader draws directions with the density it states, and their mea
     for (const Case& c :
          {Case{0.28, 1.77, 30}, Case{0.05, 1, 60}, Case{0.02, 3, 10}, Case{1, 4, 75}, Case{0, 1, 40}}) {
         const auto model = rough(c.sigma, c.tau, {1.2, 6}, 0.5, 0.1);
-        const auto shader = glsl_brdf(glsl_text(model), "shader");
+        const auto shader = shader_brdf(glsl_text(model), "shader");
         const auto sampler = shader.sampler(0);
         const Direction in = Direction::from_degrees(c.theta, 0);
         double weights = 0, squares = 0, inside = 0, drawn_inside = 0;

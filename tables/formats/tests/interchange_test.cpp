@@ -1,15 +1,16 @@
 // OpenMATERIAL 3D, BiRD and LightTools: what is written holds to the schemas, what is read is what was
 // written, and what is wrong is named.
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <regex>
 #include <set>
 
 #include <catch2/catch.hpp>
 
+#include "bird_schema.hpp"
 #include "damaged_files.hpp"
 #include "materials.hpp"
 #include "spectral/text/text.hpp"
@@ -26,15 +27,15 @@ namespace {
 using namespace hts;
 using namespace hts::tables;
 using hts::tables::testing::brdf_of;
+using hts::tables::testing::check_bird;
 using hts::testing::complaint;
 using hts::testing::TemporaryFolder;
 using nlohmann::json;
 
 const auto two_wavelengths = spectral::WavelengthGrid::from_micrometres({0.45, 0.65});
-constexpr double right_angle = std::numbers::pi / 2;
 
 /// What of the schemas of OpenMATERIAL 3D a "metadata" must be.
-void check_metadata(const json& metadata) {
+void check_metadata(const json& metadata, bool of_table) {
     for (const char* key : {"name", "uuid", "materialVersion", "openMaterial3dVersion", "license"}) {
         INFO(key);
         REQUIRE(metadata.contains(key));
@@ -43,8 +44,11 @@ void check_metadata(const json& metadata) {
     for (const char* key : {"copyrights", "authors"}) {
         INFO(key);
         REQUIRE(metadata.contains(key));
-        CHECK(metadata[key].is_array());
+        REQUIRE(metadata[key].is_array());
+        CHECK_FALSE(metadata[key].empty());
+        for (const json& each : metadata[key]) CHECK(each.is_string());
     }
+    if (of_table) CHECK(metadata.at("sources").is_string());
     const auto matches = [&](const char* key, const char* pattern) {
         INFO(key);
         CHECK(std::regex_match(metadata[key].get<std::string>(), std::regex{pattern}));
@@ -55,7 +59,7 @@ void check_metadata(const json& metadata) {
 }
 
 void check_material(const json& file) {
-    check_metadata(file.at("metadata"));
+    check_metadata(file.at("metadata"), false);
     const json& properties = file.at("materialProperties");
     if (properties.contains("surfaceRoughness")) {
         const json& roughness = properties["surfaceRoughness"];
@@ -70,33 +74,33 @@ void check_material(const json& file) {
 }
 
 void check_optical(const json& file) {
-    check_metadata(file.at("metadata"));
+    check_metadata(file.at("metadata"), true);
     REQUIRE(!file.at("opticalProperties").empty());
     for (const json& row : file["opticalProperties"]) {
         REQUIRE(row.size() == 4);
         CHECK(row[0].get<double>() < 1e-3);  // metres
         CHECK(row[0].get<double>() > 1e-8);
-        CHECK(row[1].get<double>() > 0);
+        for (std::size_t i : {1U, 2U, 3U}) CHECK(row[i].get<double>() >= 0);
     }
 }
 
 void check_brdf(const json& file) {
-    check_metadata(file.at("metadata"));
+    check_metadata(file.at("metadata"), true);
     const json& brdf = file.at("brdf");
     std::set<double> wavelengths;
     for (const json& each : brdf.at("wavelengths")) wavelengths.insert(each.get<double>());
-    for (const json& each : brdf.at("receiverSolidAngles")) {
-        CHECK(wavelengths.contains(each.at("wavelength").get<double>()));
-        CHECK(each.at("solidAngle").is_number());
-    }
+    CHECK_FALSE(brdf.contains("receiverSolidAngles"));  // optional, > 0, of a detector
+    CHECK(*wavelengths.begin() >= 1e-9);
+    CHECK(*wavelengths.rbegin() <= 17.16e-3);
     std::vector<double> before;
     double last_turn = 0;
     bool sorted = true, in_range = true;
     for (const json& row : brdf.at("lookupTable")) {
         const auto v = row.get<std::vector<double>>();
         REQUIRE(v.size() == 5);
-        in_range = in_range && wavelengths.contains(v[0]) && v[1] >= 0 && v[1] <= right_angle && v[2] >= 0 &&
-                   v[2] <= right_angle && v[3] >= 0 && v[3] <= 4 * right_angle + 1e-6 && v[4] >= 0;
+        // the schema's own digits
+        in_range = in_range && wavelengths.contains(v[0]) && v[1] >= 0 && v[1] <= 1.570796 && v[2] >= 0 &&
+                   v[2] <= 1.570796 && v[3] >= 0 && v[3] <= 6.283185 && v[4] >= 0;
         const std::vector<double> key{v.begin(), v.end() - 1};
         sorted = sorted && (before.empty() || before < key);
         before = key;
@@ -104,7 +108,7 @@ void check_brdf(const json& file) {
     }
     CHECK(sorted);
     CHECK(in_range);
-    CHECK(last_turn == Approx(4 * right_angle));
+    CHECK(last_turn == 6.283185);
 }
 
 constexpr const char* metadata_text = R"("metadata": {"name": "a", "uuid": "b", "materialVersion": "1.0.0",
@@ -254,15 +258,7 @@ TEST_CASE("BiRD: lists are equally long, units and pairs come back, what is wron
             grid.azimuth = {0, 90, 180};
         }
         const std::string text = bird_text(brdf, grid);
-        const json data = json::parse(text).at("data");
-        const std::size_t count = data.at("BRDF").at("values").size();
-        for (const char* name : {"theta_i", "phi_i", "theta_r", "phi_r", "wavelength", "BRDF"}) {
-            CHECK(data.at(name).at("unit").is_string());
-            CHECK(data.at(name).at("values").size() == count);
-        }
-        for (const char* key : {"provenance", "licence", "sample", "instrumentation", "simulation_model"})
-            CHECK(json::parse(text).at("metadata").contains(key));
-        CHECK(json::parse(text)["metadata"]["simulation_model"].contains("parameters"));
+        check_bird(json::parse(text));
         const auto read = brdf_from("b", points_of_bird(text, "b", std::nullopt));
         const DirectionPair node{Direction::from_degrees(30, 60), Direction::from_degrees(30, 240)};
         for (std::size_t i : {0U, 1U})
@@ -287,6 +283,13 @@ TEST_CASE("BiRD: lists are equally long, units and pairs come back, what is wron
         std::string::npos);
     CHECK(message(replaced(bird_good, "\"nm\"", "\"Angstrom\"")).find("data.wavelength.unit") !=
           std::string::npos);
+    // as the schema has them: wavelengths of the light and of what is seen, in its spelling of micrometres
+    const std::string in_um =
+        replaced(bird_good, "\"wavelength\": {\"unit\": \"nm\", \"values\": [550, 550, 550, 550]",
+                 "\"wavelength_r\": {\"unit\": \"\u03bcm\", \"values\": [0.55, 0.55, 0.55, 0.55]");
+    CHECK(message(replaced(in_um, "\"deg\"", "\"\u00b0\"")).empty());
+    CHECK(message(in_um + R"(, "wavelength_i": {"unit": "nm", "values": [550, 550, 550, 600]})")
+              .find("differs from the wavelengths before it") != std::string::npos);
     CHECK(message(replaced(bird_good, "[10, 10,", "[100, 10,")) ==
           "b.json: theta_i, value 1: polar angle 100 deg: must be from 0 to 90");
     CHECK(message(replaced(bird_good, "0.1,", "\"x\",")).find("must be a number, not a string") !=

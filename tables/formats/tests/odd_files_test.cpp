@@ -357,7 +357,7 @@ TEST_CASE("odd files of Radiance and OpticStudio") {
              {"matrices/unknown.bsdf",
               "matrices/unknown.bsdf: of no format that is known: merl, rgl, pbsdf, radiance, zemax, "
               "lighttools, "
-              "fred, openmaterial, bird, astm, "
+              "fred, tracepro, openmaterial, bird, astm, "
               "csv"},
          })
         check(each);

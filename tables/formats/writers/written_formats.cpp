@@ -206,8 +206,12 @@ Exported glsl(const Reflectance& brdf, const std::string& path, const ExportDeta
     return exported_glsl(brdf, path);
 }
 
-Reflectance glsl_as_read(const Exported& exported) {
-    return glsl_brdf(only_file(exported).text, only_file(exported).path);
+Exported wgsl(const Reflectance& brdf, const std::string& path, const ExportDetails& /*details*/) {
+    return exported_wgsl(brdf, path);
+}
+
+Reflectance shader_as_read(const Exported& exported) {
+    return shader_brdf(only_file(exported).text, only_file(exported).path);
 }
 
 }  // namespace
@@ -293,7 +297,18 @@ const std::vector<WrittenFormat>& written_formats() {
          "shader functions for WebGL 2 and OpenGL: brdf, specular, sample, pdf, RGB; model he",
          "0.40:0.70:8",
          glsl,
-         glsl_as_read,
+         shader_as_read,
+         nullptr,
+         Colour::rgb,
+         false,
+         {},
+         SpecularSpread::facets,
+         true},
+        {"wgsl",
+         "the same for WebGPU",
+         "0.40:0.70:8",
+         wgsl,
+         shader_as_read,
          nullptr,
          Colour::rgb,
          false,

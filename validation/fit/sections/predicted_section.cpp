@@ -3,8 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "hts/correlation/correlation.hpp"
-#include "spectral/models/he_torrance_material.hpp"
 #include "spectral/models/uncertainty.hpp"
 #include "spectral/output/script.hpp"
 #include "spectral/text/csv.hpp"
@@ -33,32 +31,35 @@ constexpr std::array descriptions{
     Description{"k_correlation", "K-correlation"}, Description{"measured", "measured spectrum, none beyond"}};
 constexpr std::array indices{1.5, 1.75, 2.0};
 
-/// The material of a description.
+/// The material file of a description.
 ///   set   "anodised-ec1"
-spectral::Material material_of(const std::string& set, const Description& description, const char* model,
-                               double n, double albedo) {
+std::string material_text(const std::string& set, const Description& description, const char* model, double n,
+                          double albedo) {
     const std::string stem = set + "-" + description.name;
     const std::string text{spectral::embedded_text(surface_descriptions(), stem)};
-    if (std::string_view{description.name} != "measured") {
-        auto file = ordered_json::parse(text);
-        file["model"] = model;
-        file["index"] = {{"n", n}, {"k", 0}};
-        file["diffuse_albedo"] = albedo;
-        return spectral::material_from_text(file.dump(), stem + ".json");
+    ordered_json file;
+    if (std::string_view{description.name} == "measured") {
+        const auto table = spectral::CsvTable::parse(text, stem + ".csv");
+        ordered_json rows = ordered_json::array();
+        for (std::size_t row = 0; row < table.row_count(); ++row) {
+            auto& cells = rows.emplace_back(ordered_json::array());
+            for (const char* column : {"frequency_per_um", "psd_um4", "psd_um4_error"})
+                cells.push_back(table.number(row, table.column(column)));
+        }
+        file["correlation"] = {{"type", "psd"}, {"psd", "2d"}, {"table", rows}};
+    } else {
+        file = ordered_json::parse(text);
     }
-    const auto table = spectral::CsvTable::parse(text, stem + ".csv");
-    const std::size_t f = table.column("frequency_per_um"), s = table.column("psd_um4");
-    std::vector<double> frequency, density;
-    for (std::size_t row = 0; row < table.row_count(); ++row) {
-        frequency.push_back(table.number(row, f));
-        density.push_back(table.number(row, s));
-    }
-    const auto made = Correlation::of_spectrum(frequency, density, false);
-    const Surface surface = Surface{made.rms_roughness, made.length}.correlated(made.shape);
-    const bool unified = std::string_view{model} == "he_unified";
-    return spectral::he_torrance_material(
-        stem, unified ? spectral::RoughSurface{surface, UnifiedChoices{}} : spectral::RoughSurface{surface},
-        spectral::OpticalConstants::constant({n, 0}), spectral::DiffuseAlbedo{albedo});
+    file["model"] = model;
+    file["index"] = {{"n", n}, {"k", 0}};
+    file["diffuse_albedo"] = albedo;
+    return file.dump();
+}
+
+spectral::Material material_of(const std::string& set, const Description& description, const char* model,
+                               double n, double albedo) {
+    return spectral::material_from_text(material_text(set, description, model, n, albedo),
+                                        set + "-" + description.name);
 }
 
 struct Predicted {
@@ -131,12 +132,11 @@ const Predicted& row_of(const std::vector<Predicted>& all, const Description& de
 
 /// Median over the points of the standard deviation that the errors of the map's description leave, relative.
 double map_error(const CurveSet& set, const Description& description) {
-    const std::string stem = set.stem + "-" + description.name;
-    const std::string text{spectral::embedded_text(surface_descriptions(), stem)};
-    const spectral::UncertainMaterial uncertain{text, stem + ".json"};
+    const std::string text = material_text(set.stem, description, "he", indices[0], 0),
+                      name = set.stem + "-" + description.name;
     const auto grid = spectral::WavelengthGrid::from_micrometres({set.curves.front().band.first});
-    const auto of = uncertain.at(grid);
-    const auto own = spectral::material_from_text(text, stem + ".json").at(grid);
+    const auto of = spectral::UncertainMaterial{text, name}.at(grid);
+    const auto own = spectral::material_from_text(text, name).at(grid);
     std::vector<double> relative;
     for (const Curve& curve : set.curves) {
         for (const CurvePoint& point : curve.points) {

@@ -10,7 +10,7 @@
 #include "spectral/energy/validity.hpp"
 #include "validation/scattering/dielectric_scattering.hpp"
 #include "validation/scattering/exact_scattering.hpp"
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 #include "validation/scattering/rays/ray_report.hpp"
 
 using namespace hts::validation;

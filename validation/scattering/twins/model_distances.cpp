@@ -100,10 +100,16 @@ std::vector<Group> groups(const Cases& cases) {
     return all;
 }
 
+/// The shortcut is of unpolarised light alone.
+bool knows(TwinModel model, Polarisation polarisation) {
+    return model != TwinModel::he_unified_shortcut || polarisation == Polarisation::unpolarised;
+}
+
 std::vector<double> values(const Cases& cases, const Group& group, Of model, Polarisation polarisation) {
     std::vector<double> all;
     for (const CaseDistances& each : cases) {
-        if (group.has(each)) all.push_back((each.*model)[polarisation]);
+        if (group.has(each) && knows(kept_sets()[each.set].successor, polarisation))
+            all.push_back((each.*model)[polarisation]);
     }
     return all;
 }
@@ -130,6 +136,7 @@ ReportTable summary_table(const Cases& cases) {
         {}};
     for (const Group& group : groups(cases)) {
         for (const Polarisation polarisation : polarisations) {
+            if (values(cases, group, &CaseDistances::he, polarisation).empty()) continue;
             const auto he = values(cases, group, &CaseDistances::he, polarisation),
                        unified = values(cases, group, &CaseDistances::unified, polarisation),
                        he_above = values(cases, group, &CaseDistances::he_above, polarisation),
@@ -160,7 +167,9 @@ ReportTable loss_table(const Cases& cases) {
         {}};
     for (const CaseDistances& each : cases) {
         for (const Polarisation polarisation : polarisations) {
-            if (each.unified[polarisation] <= each.he[polarisation] + 0.05) continue;
+            if (each.unified[polarisation] <= each.he[polarisation] + 0.05 ||
+                kept_sets()[each.set].successor == TwinModel::he_unified_shortcut)
+                continue;
             table.rows.push_back(
                 {kept_sets()[each.set].title, shortest(each.surface.rms_roughness),
                  shortest(each.surface.correlation_length), shortest(each.theta_i_deg), name(polarisation),
@@ -251,7 +260,8 @@ std::vector<Check> distance_checks(const Cases& cases) {
     const CaseDistances* where = nullptr;
     double most = -1;
     for (const CaseDistances& each : cases) {
-        if (each.surface.nu) continue;  // a set of its own in the tables
+        if (each.surface.nu || kept_sets()[each.set].successor == TwinModel::he_unified_shortcut)
+            continue;  // sets of their own in the tables
         for (const Polarisation polarisation : polarisations) {
             const double loss = each.unified_above[polarisation] - each.he_above[polarisation];
             if (loss <= most) continue;
@@ -303,7 +313,6 @@ FigureTable distance_table(const Cases& cases) {
 }
 
 void add_nothing(Section&, const std::vector<FigureTable>&, const std::string&) {}
-
 }  // namespace
 
 const std::vector<KeptSet>& kept_sets() {
@@ -313,7 +322,8 @@ const std::vector<KeptSet>& kept_sets() {
         {"dielectric", "glass 1.5, mixing", {1.5, 0}, TwinModel::he_unified_mixing},
         {"metal", "metal 0.16 + 3.6i", {0.16, 3.6}, TwinModel::he_unified},
         {"grazing", "conductor, long profiles", perfect_conductor(), TwinModel::he_unified, true},
-        {"k-correlation", "conductor, K-correlated", perfect_conductor(), TwinModel::he_unified, true}};
+        {"k-correlation", "conductor, K-correlated", perfect_conductor(), TwinModel::he_unified, true},
+        {"metal", "metal, conductor_shortcut", {0.16, 3.6}, TwinModel::he_unified_shortcut, true}};
     return sets;
 }
 

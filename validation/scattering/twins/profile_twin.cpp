@@ -55,9 +55,10 @@ double ggx_lambda(double theta, double alpha) {
 }  // namespace
 
 std::string_view name(TwinModel model) noexcept {
-    constexpr std::array<std::string_view, 10> names{"he",
+    constexpr std::array<std::string_view, 11> names{"he",
                                                      "he_unified",
                                                      "he_unified_mixing",
+                                                     "he_unified_shortcut",
                                                      "he_first_order",
                                                      "he_rough_limit",
                                                      "kirchhoff",
@@ -148,9 +149,14 @@ ProfileLobe ProfileTwin::unified(double theta_i, double theta_r) const {
         kicks.rest = 0;
         wave.lift = 0;
     }
+    double facet = 1;
+    if (model_ == TwinModel::he_unified_shortcut) {
+        facet = fresnel(std::cos((theta_i + theta_r) / 2), index_).unpolarised_reflectance();
+        wave.index = CoatedIndex{perfect_conductor()};
+    }
     const UnifiedLobe lobe = lobe_of_kicks(in, out, wave, g, t, kicks);
     const double cosine = std::cos(theta_r);
-    double scale = 2 * std::sqrt(pi) * cosine / (k * length);
+    double scale = facet * 2 * std::sqrt(pi) * cosine / (k * length);
     if (model_ == TwinModel::ssa1) scale /= 1 + in.masked / std::cos(theta_i) + out.masked / cosine;
     const double te = scale * std::norm(lobe.jones.ss), tm = scale * std::norm(lobe.jones.pp);
     const double mixed = model_ == TwinModel::he_unified_mixing ? mixed_share(heights_.seen()) : 0;

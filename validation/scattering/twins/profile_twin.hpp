@@ -16,15 +16,16 @@
 namespace hts::validation {
 
 enum class TwinModel {
-    he,                 ///< the published model
-    he_unified,         ///< its successor
-    he_unified_mixing,  ///< with "polarisation_mixing": true
-    he_first_order,     ///< the published model with the first term of Phi
-    he_rough_limit,     ///< with exp(-t/g)/sqrt(g) in place of Phi
-    kirchhoff,          ///< sigma_0, not shadowed
-    smith,              ///< sigma_0, shadowing of correlated heights
-    ssa1,               ///< small-slope approximation: Bragg's coefficient in all orders, shadowed as smith
-    beckmann,           ///< microfacets of Walter et al. 2007, shadowed by both directions apart
+    he,                   ///< the published model
+    he_unified,           ///< its successor
+    he_unified_mixing,    ///< with "polarisation_mixing": true
+    he_unified_shortcut,  ///< with "conductor_shortcut": true, in unpolarised light; TE and TM mean nothing
+    he_first_order,       ///< the published model with the first term of Phi
+    he_rough_limit,       ///< with exp(-t/g)/sqrt(g) in place of Phi
+    kirchhoff,            ///< sigma_0, not shadowed
+    smith,                ///< sigma_0, shadowing of correlated heights
+    ssa1,                 ///< small-slope approximation: Bragg's coefficient in all orders, shadowed as smith
+    beckmann,             ///< microfacets of Walter et al. 2007, shadowed by both directions apart
     ggx,
 };
 /// "he", "he_unified", … as material files and tables name them.

@@ -7,6 +7,7 @@
 #include "hts/error.hpp"
 #include "spectral/output/script.hpp"
 #include "spectral/statistics.hpp"
+#include "validation/scattering/distance_map.hpp"
 
 namespace hts::validation {
 namespace {
@@ -171,6 +172,40 @@ ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes) {
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+Figure vector_map_figure(const std::vector<ComparedLobe>& lobes) {
+    DistanceMap figure;
+    figure.title = "Distance of models from exact scattering by rough surfaces, dB";
+    figure.subtitle =
+        "Perfect conductors, rough in both directions; rms over the hemisphere up to 80°, weighted with the "
+        "exact "
+        "energy. Cross: polarisation exchanged.";
+    figure.x_label = "θ_i [degrees]";
+    figure.y_label = "σ_0/λ, τ/λ";
+    const auto place = [](std::vector<std::string>& names, const std::string& name) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        const auto at = static_cast<std::size_t>(found - names.begin());
+        if (found == names.end()) names.push_back(name);
+        return at;
+    };
+    for (const VectorLight light : vector_lights) figure.columns.emplace_back(name(light));
+    for (const VectorModel model : vector_models) {
+        for (const ComparedLobe& lobe : lobes) {
+            const auto x = place(figure.x, shortest(lobe.of.theta_i_deg));
+            const auto y =
+                place(figure.y, shortest(lobe.of.surface.rms_roughness) + ", " + tau_text(lobe.of.surface) +
+                                    (lobe.of.azimuth_deg != 0 ? " across" : ""));
+            for (const VectorLight light : vector_lights)
+                figure.cells.push_back({figure.rows.size(), static_cast<std::size_t>(light), x, y,
+                                        lobe.distance_of(model, light, VectorRegion::all).rms});
+        }
+        figure.rows.emplace_back(name(model));
+    }
+    return {"vector-map",
+            {},
+            figure.script(),
+            "The same distances by surface, angle of incidence and polarisation."};
 }
 
 Figure vector_lobe_figure(const std::vector<ComparedLobe>& lobes, double theta_i_deg) {

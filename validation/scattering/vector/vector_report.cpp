@@ -100,8 +100,10 @@ void add_results(Section& section, const std::vector<FigureTable>& tables, const
     section.checks.push_back(energy_check(tables[0]));
     for (const VectorLight light : vector_lights) section.checks.push_back(nearer_check(lobes, light));
     section.tables = {vector_summary_table(lobes), vector_case_table(lobes)};
-    section.figures.push_back(vector_lobe_figure(lobes, drawn_theta_i_deg));
-    section.figures.back().caption.append(" ").append(provenance);
+    for (Figure figure : {vector_map_figure(lobes), vector_lobe_figure(lobes, drawn_theta_i_deg)}) {
+        figure.caption.append(" ").append(provenance);
+        section.figures.push_back(std::move(figure));
+    }
 }
 
 Section empty_section() {

@@ -1,5 +1,6 @@
 #include "validation/topography/surface_study.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iostream>
@@ -7,7 +8,9 @@
 #include <numbers>
 #include <string>
 
+#include "spectral/parallel.hpp"
 #include "synthetic_map.hpp"
+#include "validation/topography/surface_report.hpp"
 
 using namespace hts::validation;
 
@@ -77,47 +80,77 @@ std::map<std::string, double> truth(const Case& wanted) {
     return values;
 }
 
+/// Integral of the spectrum that was fitted, and its noise, over the frequencies of a map, by quadrature.
+double rms_by_quadrature(const SpectrumFit& fit, double first) {
+    double variance = std::pow(fit.value("noise_rms_um").value, 2);
+    constexpr int parts = 4000;
+    const double width = std::log(1e4) / parts;
+    for (int k = 0; k < parts; ++k) {
+        const double f = first * std::exp(width * (k + 0.5));
+        variance += fit.power(f) * 2 * std::numbers::pi * f * f * width;
+    }
+    return std::sqrt(variance);
+}
+
+/// What one map gave back: deviations from the truth in stated errors, and errors over values.
+struct Found {
+    std::map<std::string, std::pair<double, double>> values;
+    bool named = false;
+    double rms_apart = 0;  // greatest relative difference of the three places
+};
+
+Found found_in(const HeightMap& map, const Case& wanted, const std::map<std::string, double>& expected) {
+    const SurfaceStudy study = studied({map}, {{wanted.level, wanted.gaps, 8}});
+    const auto& fit = fit_named(study, wanted.model);
+    Found found;
+    found.named = best(study.fits).model == wanted.model;
+    const double rms_of_heights = study.statistics.rms;
+    for (const double other :
+         {study.rms_of_spectra(), fit.rms_of_rings, rms_by_quadrature(fit, study.known.first)})
+        found.rms_apart = std::max(found.rms_apart, std::fabs(other / rms_of_heights - 1));
+    std::map<std::string, FittedValue> given;
+    for (const FittedValue& value : fit.values) given[value.name] = value;
+    const auto& anisotropy = study.anisotropy;
+    given["ratio"] = {"ratio", anisotropy.ellipse.ratio, anisotropy.ratio_error};
+    given["azimuth"] = {"azimuth", anisotropy.ellipse.azimuth, anisotropy.azimuth_error};
+    for (const auto& [name, value] : expected)
+        found.values[name] = {(given.at(name).value - value) / given.at(name).error,
+                              given.at(name).error / value};
+    return found;
+}
+
 /// How often each value came back within so many of its stated errors, and how its
 /// deviations compare with those.
 void check_coverage(const Case& wanted, int draws, std::size_t side, double errors_allowed) {
     const SyntheticSurface surface{rms, wanted.scales, wanted.ellipse, step, side};
     const auto expected = truth(wanted);
+    std::vector<Found> all(static_cast<std::size_t>(draws));
+    hts::spectral::parallel_for(all.size() / 2, [&](std::size_t k) {
+        const auto [first, second] = surface.draw(HeightMap::fewest + 2 * k);
+        for (std::size_t i : {2 * k, 2 * k + 1}) {
+            const auto& heights = i % 2 == 0 ? first : second;
+            all[i] =
+                found_in(surface.map(measured(heights, surface, wanted.flaws, 1000 + i)), wanted, expected);
+        }
+    });
     std::map<std::string, int> hits;
     std::map<std::string, double> squares, biases, errors;
-    int named = 0, three = 0;
-    for (int k = 0; k < draws; k += 2) {
-        const auto pair = surface.draw(hts::validation::HeightMap::fewest + static_cast<std::uint64_t>(k));
-        int which = 0;
-        for (const auto* heights : {&pair.first, &pair.second}) {
-            const auto seed = static_cast<std::uint64_t>(1000 + k + which++);
-            const HeightMap map = surface.map(measured(*heights, surface, wanted.flaws, seed));
-            const SurfaceStudy study = studied({map}, {{wanted.level, wanted.gaps, 8}});
-            const auto& fits = study.fits;
-            const auto& fit = *std::find_if(fits.begin(), fits.end(),
-                                            [&](const auto& f) { return f.model == wanted.model; });
-            named += best(fits).model == wanted.model ? 1 : 0;
-            const double heights_rms = study.statistics.rms;
-            three += std::fabs(study.rms_of_spectra() / heights_rms - 1) < 1e-9 &&
-                             std::fabs(fit.rms_of_rings / heights_rms - 1) < 0.03
-                         ? 1
-                         : 0;
-            std::map<std::string, FittedValue> found;
-            for (const FittedValue& value : fit.values) found[value.name] = value;
-            const auto& anisotropy = study.anisotropy;
-            found["ratio"] = {"ratio", anisotropy.ellipse.ratio, anisotropy.ratio_error};
-            found["azimuth"] = {"azimuth", anisotropy.ellipse.azimuth, anisotropy.azimuth_error};
-            for (const auto& [name, value] : expected) {
-                const FittedValue& f = found.at(name);
-                const double off = (f.value - value) / f.error;
-                hits[name] += std::fabs(off) <= errors_allowed ? 1 : 0;
-                squares[name] += off * off / draws;
-                biases[name] += off / draws;
-                errors[name] += f.error / value / draws;
-            }
+    int named = 0, agreeing = 0;
+    double farthest = 0;
+    for (const Found& each : all) {
+        named += each.named ? 1 : 0;
+        agreeing += each.rms_apart <= 0.01 ? 1 : 0;
+        farthest = std::max(farthest, each.rms_apart);
+        for (const auto& [name, off] : each.values) {
+            hits[name] += std::fabs(off.first) <= errors_allowed ? 1 : 0;
+            squares[name] += off.first * off.first / draws;
+            biases[name] += off.first / draws;
+            errors[name] += off.second / draws;
         }
     }
     std::cout << wanted.title << ", " << draws << " maps of " << side << " by " << side << ": named " << named
-              << ", three rms within 3 %: " << three << '\n';
+              << ", the rms of three places within 1 % in " << agreeing << ", worst " << 100 * farthest
+              << " %\n";
     for (const auto& [name, value] : expected) {
         INFO(wanted.title << ": " << name);
         std::cout << "  " << name << " " << value << ": error " << errors[name] * 100 << " %, within "
@@ -125,7 +158,7 @@ void check_coverage(const Case& wanted, int draws, std::size_t side, double erro
                   << std::sqrt(squares[name]) << " errors\n";
         CHECK(hits[name] >= 0.95 * draws);
     }
-    CHECK(three >= 0.95 * draws);
+    CHECK(agreeing == draws);
 }
 
 const std::vector<Case>& cases() {
@@ -157,6 +190,8 @@ TEST_CASE("maps of known roughness give it back within the stated errors") {
     for (const std::size_t number : {0U, 2U, 4U, 7U}) check_coverage(cases()[number], 2, 128, 4);
 }
 
-TEST_CASE("100 maps of each kind give their roughness back within the stated errors", "[.][exhaustive]") {
-    for (const Case& each : cases()) check_coverage(each, 100, 256, 2);
+TEST_CASE("100 maps of each kind give their roughness back within twice the stated errors in 95",
+          "[.][exhaustive]") {
+    for (const Case& each : cases()) check_coverage(each, 100, 128, 2);
+    check_coverage(cases()[2], 100, 256, 2);
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hts/sampling/random.hpp"
-#include "validation/topography/height_map.hpp"
 #include "validation/topography/map_spectrum.hpp"
+#include "validation/topography/maps/height_map.hpp"
 #include "validation/topography/plane_transform.hpp"
 #include "validation/topography/roughness_model.hpp"
 

@@ -72,8 +72,9 @@ export function validityView() {
         (f.severity === "fine" ? "" : ` ${f.reason}.`));
   async function update(frame: Frame): Promise<void> {
     const { validity } = frame.detail;
-    const error = validity.decibels ? `Expected error ${validity.decibels[0]} to ${validity.decibels[1]} dB.` : "The error there has not been measured.";
-    const verdict = { fine: "Yes.", caution: "With caution.", outside: "No: outside the model's assumptions." }[validity.severity];
+    const [least, most] = (validity.decibels ?? []).map((db) => brief(db, 2));
+    const error = least === undefined ? "The error there has not been measured." : `Expected error ${least === most ? "" : `${least} to `}${most} dB.`;
+    const verdict = { fine: "Yes.", caution: "With caution.", outside: "No: outside the model's validity." }[validity.severity];
     view.body.replaceChildren(
       html("p", { class: `verdict ${validity.severity}`, id: "verdict", "data-severity": validity.severity },
         html("span", { class: "lamp", "aria-hidden": "true" }), html("strong", {}, verdict), ` ${error}`),

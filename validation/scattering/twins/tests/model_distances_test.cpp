@@ -50,6 +50,8 @@ TEST_CASE("the kept rows of he beside he_unified are those that were found befor
     CHECK(has({metal, "9", "tm", "1.14", "0.57", "0.71", "3", "1.05", "0.41", "0.63", "5", "8", "7"}));
     CHECK(
         has({metal, "9", "unpolarised", "0.75", "0.40", "0.46", "7", "0.68", "0.33", "0.42", "7", "5", "7"}));
+    CHECK(has({"metal, conductor_shortcut", "9", "unpolarised", "0.75", "0.40", "0.46", "7", "0.48", "0.41",
+               "0.37", "9", "6", "2"}));
     // surfaces that were drawn by a seed before anything was evaluated on them
     const std::string drawn = "conductor, drawn by a seed";
     CHECK(has({drawn, "42", "te", "2.11", "0.58", "0.84", "15", "0.95", "0.26", "0.36", "37", "42", "42"}));

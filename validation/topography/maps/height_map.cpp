@@ -1,4 +1,4 @@
-#include "validation/topography/height_map.hpp"
+#include "validation/topography/maps/height_map.hpp"
 
 #include <algorithm>
 #include <cmath>

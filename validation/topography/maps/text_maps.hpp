@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "validation/topography/map_files.hpp"
+#include "validation/topography/maps/map_files.hpp"
 
 namespace hts::validation {
 

@@ -1,4 +1,4 @@
-#include "validation/topography/map_files.hpp"
+#include "validation/topography/maps/map_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,8 @@
 #include "spectral/text/png.hpp"
 #include "spectral/text/run_files.hpp"
 #include "spectral/text/text.hpp"
-#include "validation/topography/text_maps.hpp"
+#include "validation/topography/maps/instrument_files.hpp"
+#include "validation/topography/maps/text_maps.hpp"
 
 namespace hts::validation {
 namespace {
@@ -201,7 +202,7 @@ HeightMap map_from(std::string_view bytes, const std::string& name, const MapUni
     if (bytes.starts_with(spectral::byte_order_mark)) bytes.remove_prefix(spectral::byte_order_mark.size());
     if (spectral::is_text(bytes)) return map_from_text(bytes, name, units);
     throw Error{
-        "must be a .gsf, .npy or 16-bit PNG file, or text; export others (.sdf, .x3p, .al3d) as .gsf"};
+        "must be a .gsf, .npy or 16-bit PNG file, text, or a file of an instrument (.sdf, .x3p, .al3d …)"};
 }
 
 }  // namespace
@@ -221,8 +222,11 @@ double length_unit(std::string_view text) {
 HeightMap read_height_map(const std::filesystem::path& path, const MapUnits& units) {
     // require_file names the path itself
     spectral::require_file(path);
-    return spectral::located(path.string(),
-                             [&] { return map_from(file_bytes(path), path.stem().string(), units); });
+    return spectral::located(path.string(), [&] {
+        const bool foreign = is_instrument_file(path);
+        return map_from(foreign ? instrument_file_as_gsf(std::filesystem::absolute(path)) : file_bytes(path),
+                        path.stem().string(), units);
+    });
 }
 
 }  // namespace hts::validation

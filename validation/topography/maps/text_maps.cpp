@@ -1,4 +1,4 @@
-#include "validation/topography/text_maps.hpp"
+#include "validation/topography/maps/text_maps.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -9,6 +9,7 @@
 /// | matrix of numbers: commas, semicolons, tabs or spaces | no: --step, --height-unit |
 /// | NumPy array (.npy) of two dimensions | no: --step, --height-unit |
 /// | PNG, grey of 16 bits | no: --step, --height-unit |
+/// | of instruments (.sdf, .x3p, .sur …), by Python where it has surfalize or SurfaceTopography | yes |
 ///
 /// Rows stand from the top. No value is "nan" or an empty field, in an ESRI grid NODATA_value too.
 #pragma once
@@ -18,7 +19,7 @@
 #include <string>
 #include <string_view>
 
-#include "validation/topography/height_map.hpp"
+#include "validation/topography/maps/height_map.hpp"
 
 namespace hts::validation {
 

@@ -6,7 +6,7 @@
 #include "spectral/jobs/progress.hpp"
 #include "spectral/output/script.hpp"
 #include "validation/report/prose.hpp"
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 
 namespace hts::validation {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/scattering/fourier_integral.hpp"
+#include "validation/scattering/fourier/fourier_integral.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/topography/map_files.hpp"
+#include "validation/topography/maps/map_files.hpp"
 
 #include <array>
 #include <bit>
