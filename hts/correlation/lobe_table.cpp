@@ -235,7 +235,10 @@ LobeRow LobeIntegral::row(double g) const {
     row.reach_ = std::exp(row.first_log_q_ + static_cast<double>(end - 4) * row.step_);
     row.at_reach_ = row.transformed(row.reach_);
     const double inside = std::exp(-8 * row.step_);
-    row.slope_ = (row.at_reach_.log_lobe - row.transformed(row.reach_ * inside).log_lobe) / (8 * row.step_);
+    // where the lobe ends at once, its last digits may rise; as the light is finite it falls faster than q^-2
+    const double slope =
+        (row.at_reach_.log_lobe - row.transformed(row.reach_ * inside).log_lobe) / (8 * row.step_);
+    row.slope_ = std::min(slope, -2.1);
     return row;
 }
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t points = 8192;
 constexpr double step = 80.0 / points;
-constexpr double edge = 0.05;  // ln f over which a spectrum falls to 0
+constexpr std::ptrdiff_t margin = 600;  // of its points a transform feels its own ends
+constexpr double edge = 0.05;           // ln f over which a spectrum falls to 0
 using Complexes = std::vector<std::complex<double>>;
 
 /// Spectrum W of unit variance over q = k length.
@@ -61,18 +62,28 @@ class TabulatedSpectrum final : public HeightShape {
             correlation[i] = whole[i].real() * std::exp(-log_x) / total;
             log_complement[i] = std::log(std::max(rest[i].real() / total, 1e-300)) + bias * log_x;
         }
-        // Far beyond the first period, and beyond the length over which C has its integral W(0), C is what
-        // rounding and the points' own corners leave. The factor smears the spectrum over a thirtieth of the
-        // first frequency, or a two-hundredth of where its plateau ends.
-        const double plateau = std::exp(log_norm_ + log_density(curve_.first_log_x()));
-        const double nearly_nothing =
-            std::max(std::exp(curve_.first_log_x() + log_scale_) / 60, 1 / (500 * std::sqrt(2 * plateau)));
+        // Far beyond the first period C is what rounding and the points' own corners leave. The factor smears
+        // the spectrum over a thirtieth of the first frequency.
+        const double least_q = std::exp(curve_.first_log_x() + log_scale_);
         for (std::size_t i = 0; i < points; ++i) {
             const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
-            const double far = nearly_nothing * std::exp(log_x);
+            const double far = least_q * std::exp(log_x) / 60;
             correlation[i] *= std::exp(-far * far);
         }
-        return on(grid, centre, correlation, log_complement);
+        // towards x = 0 the transform of 1 - C falls into its rounding
+        constexpr double sound = 1e-8;
+        const auto real = [](const std::complex<double>& a, const std::complex<double>& b) {
+            return a.real() < b.real();
+        };
+        const auto greatest = std::max_element(rest.begin(), rest.end(), real);
+        auto first = greatest;
+        while (first - rest.begin() > margin && first->real() > sound * greatest->real()) --first;
+        const auto begin = first - rest.begin();
+        const auto half = std::find_if(log_complement.begin() + begin, log_complement.end(),
+                                       [](double log) { return log > -std::numbers::ln2; });
+        return on(grid, centre,
+                  {static_cast<double>(begin), static_cast<double>(half - log_complement.begin())},
+                  correlation, log_complement);
     }
     [[nodiscard]] bool oscillates() const override { return true; }
     [[nodiscard]] bool ends() const override { return !continued_; }
@@ -98,21 +109,20 @@ class TabulatedSpectrum final : public HeightShape {
     }
 
   private:
-    [[nodiscard]] Heights on(const LogGrid& grid, double centre, const std::vector<double>& correlation,
-                             const std::vector<double>& log_complement) const {
-        constexpr double ends = 600, last = points - ends;  // beyond, a transform feels its own ends
-        // near x = 0 a power of x, no steeper than the square; of a spectrum that ends the square, from where
-        // rounding is still far below it
-        constexpr double nearly_zero = 1e-5;  // x q
-        const double square_from =
-            (std::log(nearly_zero) - log_end_ - log_scale_ + centre) / step + points / 2.0;
-        const double first = continued_ ? ends : std::max(ends, square_from);
+    /// Points from which 1 - C is known, and where it has come to a half: each transform has its digits on its
+    /// side of that, farther on it may say anything.
+    struct Rise {
+        double first, half;
+    };
+    [[nodiscard]] static Heights on(const LogGrid& grid, double centre, const Rise& rise,
+                                    const std::vector<double>& correlation,
+                                    const std::vector<double>& log_complement) {
+        const auto [first, half] = rise;
+        constexpr double last = points - margin;
+        // near x = 0 a power of x, no steeper than the square
         const double log_rise =
             (interpolated(log_complement, first + 40) - interpolated(log_complement, first)) / (40 * step);
         const double power = std::clamp(log_rise, 0.0, 2.0);
-        // each transform has its digits on its side of a half; farther on it may say anything
-        auto half = static_cast<std::size_t>(first);
-        while (half < static_cast<std::size_t>(last) && log_complement[half] < std::log(0.5)) ++half;
         Heights result{std::vector<double>(grid.count), std::vector<double>(grid.count)};
         for (std::size_t i = 0; i < grid.count; ++i) {
             const double position = (grid[i] + centre) / step + points / 2.0;
@@ -120,7 +130,7 @@ class TabulatedSpectrum final : public HeightShape {
             if (position < first) {
                 rest = std::exp(interpolated(log_complement, first) + power * (position - first) * step);
                 c = 1 - rest;
-            } else if (position < static_cast<double>(half)) {
+            } else if (position < half) {
                 rest = std::exp(interpolated(log_complement, position));
                 c = 1 - rest;
             } else if (position < last) {

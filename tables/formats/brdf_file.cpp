@@ -11,6 +11,7 @@
 #include "tables/formats/merl.hpp"
 #include "tables/formats/mitsuba/pbsdf.hpp"
 #include "tables/formats/mitsuba/rgl.hpp"
+#include "tables/formats/points/astm.hpp"
 #include "tables/formats/points/bird.hpp"
 #include "tables/formats/points/fred.hpp"
 #include "tables/formats/points/lighttools.hpp"
@@ -40,17 +41,6 @@ std::string_view first_line(std::string_view text) {
 std::string_view without_mark(std::string_view text) {
     if (text.starts_with(spectral::byte_order_mark)) text.remove_prefix(spectral::byte_order_mark.size());
     return text;
-}
-
-// Whether a line begins with the word VARS, which blanks, tabs, commas or semicolons may follow.
-bool has_line_vars(std::string_view text) {
-    for (auto at = text.find("VARS"); at != std::string_view::npos; at = text.find("VARS", at + 1)) {
-        const bool begins = at == 0 || text[at - 1] == '\n';
-        if (begins && at + 4 < text.size() &&
-            std::string_view{" \t,;"}.find(text[at + 4]) != std::string_view::npos)
-            return true;
-    }
-    return false;
 }
 
 /// A header of points, whatever the case of its names: the reader says what is wrong with them.
@@ -240,7 +230,7 @@ const std::vector<BrdfFormat>& readable_formats() {
                  "bird");
          }},
         {"astm", "ASTM E1392 (E2387) scatter file, KEY value lines, VARS and points",
-         [](std::string_view bytes, const Path&) { return has_line_vars(without_mark(bytes)); },
+         [](std::string_view bytes, const Path&) { return is_astm_file(without_mark(bytes)); },
          [](std::string bytes, const Path& path, const BrdfReading& how) {
              const std::string text = spectral::checked_text(std::move(bytes), path);
              return file_of_points(path, points_of_astm(text, path.string(), how.wavelengths), "astm");

@@ -248,7 +248,7 @@ class SpectrumFitter {
         MatrixXd directions = MatrixXd::Zero(static_cast<Index>(found.size()), spread.rows());
         directions.leftCols(by_coordinates.cols()) = by_coordinates;
         directions(0, spread.rows() - 1) = directions(directions.rows() - 1, spread.rows() - 1) = 0.5;
-        fit.covariances = covariances(directions, spread);
+        fit.covariances = covariances(directions, here);
         for (std::size_t i = 0; i + 1 < found.size(); ++i) {
             const VectorXd along = directions.row(static_cast<Index>(i)).transpose();
             const double value = i == 0 ? std::sqrt(fit.variance) : own[i - 1].value;

@@ -51,12 +51,34 @@ void Numbers::require(std::size_t in_count, std::size_t out_count) const {
                     std::to_string(out_count)};
 }
 
+namespace {
+
+// What was made from files that have been replaced is not asked for again: this stands in its key.
+int generation = 0;
+
+}  // namespace
+
+json forget() {
+    return {{"generation", ++generation}};
+}
+
 // Dropped files stand in the root folder of the page's file system.
 const spectral::Material& material_of_request(const json& request) {
     static Recent<spectral::Material> materials;
     const std::string text = request.at("material").dump();
-    return materials(text, [&] { return spectral::material_from_text(text, "/material.json"); });
+    return materials(text + std::to_string(generation),
+                     [&] { return spectral::material_from_text(text, "/material.json"); });
 }
+
+namespace {
+
+std::string key_of(const json& request) {
+    return json{generation, request.at("material"), request.at("wavelengths"),
+                request.value("tolerance", 1e-6), request.value("outside", "")}
+        .dump();
+}
+
+}  // namespace
 
 const spectral::Reflectance& reflectance_of(const json& request) {
     static Recent<spectral::Reflectance> reflectances;
@@ -64,14 +86,19 @@ const spectral::Reflectance& reflectance_of(const json& request) {
     const auto outside = request.value("outside", "error") == std::string{"hold"}
                              ? spectral::OutsideRange::hold
                              : spectral::OutsideRange::error;
-    const std::string key =
-        json{request.at("material"), request.at("wavelengths"), tolerance, request.value("outside", "")}
-            .dump();
-    return reflectances(key, [&] {
+    return reflectances(key_of(request), [&] {
         auto wavelengths =
             spectral::WavelengthGrid::from_micrometres(request.at("wavelengths").get<std::vector<double>>());
         return material_of_request(request).at(wavelengths,
                                                {.tolerance = Tolerance{tolerance}, .outside = outside});
+    });
+}
+
+const spectral::Sampler& sampler_of(const json& request) {
+    static Recent<spectral::Sampler> samplers;
+    return samplers(key_of(request), [&] {
+        const auto& brdf = reflectance_of(request);
+        return brdf.sampler(brdf.size() / 2);
     });
 }
 

@@ -1,4 +1,4 @@
-// Measured points beside the model, and the parameters that come closest to them.
+// The parameters that come closest to measured points, or to another lobe.
 
 #include <cmath>
 #include <limits>
@@ -11,8 +11,6 @@
 #include "engine.hpp"
 #include "hts/error.hpp"
 #include "hts/he_torrance_gradient.hpp"
-#include "spectral/text/csv.hpp"
-#include "spectral/text/text.hpp"
 
 namespace hts::page {
 namespace {
@@ -135,11 +133,6 @@ Eigen::VectorXd errors_of(const Residuals& residuals, const Found& found) {
     return (covariance.diagonal() * (found.squares / freedom)).cwiseMax(0).cwiseSqrt();
 }
 
-double value_at(const spectral::CsvTable& table, std::size_t row, std::optional<std::size_t> column,
-                double otherwise) {
-    return column ? table.number(row, *column) : otherwise;
-}
-
 }  // namespace
 
 json fit(const json& request, const Numbers& numbers) {
@@ -179,6 +172,8 @@ json match(const json& request) {
     json beside = request.at("beside");
     const auto reflectance = [&](double width) {
         for (const auto& key : request.at("keys")) beside[json::json_pointer{key.get<std::string>()}] = width;
+        for (const auto& key : request.at("exponents"))
+            beside[json::json_pointer{key.get<std::string>()}] = 2 / (width * width);
         return spectral::material_from_text(beside.dump(), "/beside.json").at(brdf.wavelengths());
     };
     const auto distance = [&](double log_width) {
@@ -204,38 +199,6 @@ json match(const json& request) {
     }
     const double middle = (low + high) / 2, near = distance(middle);
     return {{"width", std::exp(middle)}, {"distance", near}, {"material", beside}};
-}
-
-json curve(const json& request) {
-    const std::string file = request.at("file");
-    const auto table = spectral::CsvTable::parse(spectral::checked_text(request.at("text"), file), file);
-    const auto brdf = table.find_column("brdf") ? table.find_column("brdf") : table.find_column("value");
-    if (!brdf)
-        throw Error{table.where_header() + "column \"brdf\" or \"value\": missing; must be the BRDF in 1/sr"};
-    const auto theta_i = table.column("theta_i_deg"), theta_r = table.column("theta_r_deg");
-    const auto phi_i = table.find_column("phi_i_deg");
-    const auto phi_r =
-        table.find_column("phi_r_deg") ? table.find_column("phi_r_deg") : table.find_column("phi_deg");
-    const auto um = table.find_column("wavelength_um"), nm = table.find_column("wavelength_nm");
-    const auto first = table.find_column("first_um"), last = table.find_column("last_um");
-    json points = json::array();
-    for (std::size_t row = 0; row < table.row_count(); ++row) {
-        double wavelength = value_at(table, row, um, request.at("wavelength_um"));
-        if (nm) wavelength = table.number(row, *nm) / 1000;
-        if (first && last) wavelength = (table.number(row, *first) + table.number(row, *last)) / 2;
-        const double i = table.number(row, theta_i), r = table.number(row, theta_r);
-        if (!(i >= 0 && i <= 90))
-            throw table.error(row, out_of_range("theta_i_deg", i, "deg", "0 ... 90").what());
-        if (!(std::abs(r) <= 90))
-            throw table.error(row, out_of_range("theta_r_deg", r, "deg", "-90 ... 90").what());
-        if (!(wavelength > 0))
-            throw table.error(row, out_of_range("wavelength", wavelength, "um", "> 0").what());
-        double phi = value_at(table, row, phi_r, 180) - value_at(table, row, phi_i, 0);
-        if (r < 0) phi += 180;
-        points.push_back({i, std::abs(r), std::remainder(phi, 360), wavelength, table.number(row, *brdf)});
-    }
-    if (points.empty()) throw Error{file + ": table without a row: must have at least one"};
-    return {{"points", points}, {"wavelength_from_page", !um && !nm && !(first && last)}};
 }
 
 }  // namespace hts::page

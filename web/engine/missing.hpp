@@ -33,24 +33,30 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
     return {first + length, errc{}};
 }
 
-/// The fewest digits that give the same number back.
-inline to_chars_result to_chars(char* first, char* last, double value) {
-    char text[64];
-    for (int digits = 1; digits <= 17; ++digits) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, nullptr) == value)
-            return to_chars(first, last, value, chars_format::general, digits);
+/// The fewest digits of which `read` makes the same number again, without an exponent where that is no longer.
+template <class Number, class Read>
+to_chars_result fewest_digits(char* first, char* last, Number value, int most, Read read) {
+    char text[64], plain[400];
+    const double wide = value;
+    int digits = 1;
+    for (; digits <= most; ++digits) {
+        snprintf(text, sizeof text, "%.*e", digits - 1, wide);
+        if (digits == most || read(text) == value) break;
     }
-    return to_chars(first, last, value, chars_format::general, 17);
+    const char* exponent = strchr(text, 'e');
+    const int decimals = exponent == nullptr ? 0 : digits - 1 - atoi(exponent + 1);
+    snprintf(plain, sizeof plain, "%.*f", decimals > 0 ? decimals : 0, wide);
+    const char* chosen = strlen(plain) <= strlen(text) && read(plain) == value ? plain : text;
+    const size_t length = strlen(chosen);
+    if (length > static_cast<size_t>(last - first)) return {last, errc::value_too_large};
+    memcpy(first, chosen, length);
+    return {first + length, errc{}};
+}
+inline to_chars_result to_chars(char* first, char* last, double value) {
+    return fewest_digits(first, last, value, 17, [](const char* text) { return strtod(text, nullptr); });
 }
 inline to_chars_result to_chars(char* first, char* last, float value) {
-    char text[64];
-    for (int digits = 1; digits <= 9; ++digits) {
-        snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(value));
-        if (strtof(text, nullptr) == value)
-            return to_chars(first, last, static_cast<double>(value), chars_format::general, digits);
-    }
-    return to_chars(first, last, static_cast<double>(value), chars_format::general, 9);
+    return fewest_digits(first, last, value, 9, [](const char* text) { return strtof(text, nullptr); });
 }
 
 /// A number without sign + and without spaces before it.

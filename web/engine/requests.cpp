@@ -67,6 +67,7 @@ json describe(const json& request, const Numbers& numbers) {
                 {"polarised", properties.polarised},
                 {"specular_term", properties.specular_term},
                 {"rough_surface", properties.surface.has_value()},
+                {"rms_roughness_um", properties.surface ? properties.surface->rms_roughness() : 0},
                 {"n", json::array()},
                 {"k", json::array()}};
     for (const SpectralSample& sample : brdf.samples()) {
@@ -100,6 +101,27 @@ json verdict(const spectral::RoughSurface& surface, const DirectionPair& pair, c
     return result;
 }
 
+json decibels_of(const spectral::TrueDecibels& of) {
+    return {{"te", of.te}, {"tm", of.tm}, {"unpolarised", of.unpolarised}};
+}
+
+// What hts info says of the distance from exact scattering.
+json distance(const spectral::RoughSurface& surface, const SpectralSample& sample, const Direction& in) {
+    const auto expected = spectral::expected_distance(surface, sample, in);
+    const auto& study = spectral::distance_study(sample.index.substrate());
+    json result{{"studied", expected.studied},
+                {"he", decibels_of(expected.distance.he)},
+                {"he_unified", decibels_of(expected.distance.unified)},
+                {"substance", study.substance},
+                {"cases", study.cases},
+                {"range", study.range},
+                {"fine", spectral::fine_distance},
+                {"greatest", spectral::greatest_distance}};
+    if (spectral::judged_by_distance(surface))
+        result["severity"] = spectral::name(spectral::judgement(expected).severity);
+    return result;
+}
+
 // "detail": what one value is made of, and whether the model can be believed there; the first wavelength.
 json detail(const json& request, const Numbers& numbers) {
     const Reflectance& brdf = reflectance_of(request);
@@ -120,7 +142,9 @@ json detail(const json& request, const Numbers& numbers) {
     result["fresnel"] = first.fresnel;
     result["method"] = name(first.method);
     result["regime"] = spectral::name(spectral::regime(first.phase_variance));
-    result["validity"] = verdict(*brdf.properties().surface, pair, brdf.samples()[0]);
+    const auto& surface = *brdf.properties().surface;
+    result["validity"] = verdict(surface, pair, brdf.samples()[0]);
+    result["distance"] = distance(surface, brdf.samples()[0], pair.in);
     return result;
 }
 
@@ -196,9 +220,14 @@ json answer(const json& request, const Numbers& numbers) {
         {"index", index},
         {"catalogue", catalogue},
         {"shader", shader},
+        {"picture", picture},
+        {"forget", [](const json&, const Numbers&) { return forget(); }},
         {"fit", fit},
         {"match", [](const json& r, const Numbers&) { return match(r); }},
-        {"curve", [](const json& r, const Numbers&) { return curve(r); }}};
+        {"curve", [](const json& r, const Numbers&) { return curve(r); }},
+        {"is_scatter_file", [](const json& r, const Numbers&) -> json {
+             return {{"is", is_scatter_file(r.at("text"))}};
+         }}};
     const auto found = requests.find(request.at("do"));
     if (found == requests.end()) throw Error{"request " + request.at("do").dump() + ": not known"};
     return found->second(request, numbers);

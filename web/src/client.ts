@@ -3,7 +3,7 @@
 import packedEngine from "@engine/engine.bin?url";
 import EngineWorker from "./worker?worker&inline";
 import type { Answer, Call } from "./worker";
-import type { Material } from "./material";
+import type { Facets, Material } from "./material";
 
 export class EngineError extends Error {}
 
@@ -21,6 +21,7 @@ export interface Description {
   polarised: boolean;
   specular_term: boolean;
   rough_surface: boolean;
+  rms_roughness_um: number; // of all frequencies
   n: number[];
   k: number[];
 }
@@ -33,6 +34,11 @@ export interface Finding {
   outside: number;
   least: boolean;
   severity: Severity;
+}
+export interface Decibels {
+  te: number;
+  tm: number;
+  unpolarised: number;
 }
 export type Severity = "fine" | "caution" | "outside";
 export interface Detail {
@@ -47,6 +53,17 @@ export interface Detail {
   method: string;
   regime: string;
   validity: { severity: Severity; findings: Finding[]; decibels?: [number, number]; perturbation_advised: boolean };
+  distance: {
+    studied: boolean;
+    he: Decibels;
+    he_unified: Decibels;
+    substance: string;
+    cases: number;
+    range: string;
+    fine: number;
+    greatest: number;
+    severity?: Severity; // of he_unified, which is judged by it
+  };
 }
 export interface Energy {
   specular: number;
@@ -60,6 +77,11 @@ export interface Fit {
   relative_errors: [number | null, number | null];
   points: number;
   rms_db: number;
+}
+export interface Curve {
+  points: number[][]; // theta_i, theta_r, phi [deg], wavelength [um], BRDF [1/sr]
+  wavelength_from_page: boolean;
+  notes: string[];
 }
 export interface Match {
   width: number;
@@ -100,7 +122,7 @@ export class Engine {
       this.worker.postMessage(call, transfer);
     });
     const answer = JSON.parse(text);
-    if (answer.error) throw new EngineError(answer.error);
+    if (answer.error) throw new EngineError(answer.error.replace(/^\//, "")); // dropped files stand in the root folder
     return { answer: answer as never, output };
   }
 
@@ -109,7 +131,10 @@ export class Engine {
   }
 
   // A dropped file, where materials find it by its name.
-  putFile = (name: string, data: Uint8Array) => this.call({ id: 0, file: name, data });
+  async putFile(name: string, data: Uint8Array): Promise<void> {
+    await this.call({ id: 0, file: name, data });
+    await this.request({ do: "forget" });
+  }
 
   // Triples theta_i, theta_r, phi_r [deg]; for each pair all wavelengths, of matrices 16 elements each.
   async evaluate(setting: Setting, of: Of, triples: Float64Array): Promise<Float64Array> {
@@ -130,10 +155,15 @@ export class Engine {
   catalogue = async () => (await this.request<{ version: string; indices: string[] }>({ do: "catalogue" })).answer;
   shader = async (setting: Setting, language: "glsl" | "wgsl") =>
     (await this.request<{ text: string }>({ do: "shader", language, ...setting })).answer.text;
-  match = async (setting: Setting, beside: { material: Material; keys: string[] }, theta_i_deg: number) =>
-    (await this.request<Match>({ do: "match", beside: beside.material, keys: beside.keys, theta_i_deg, ...setting })).answer;
-  curve = async (file: string, text: string, wavelength_um: number) =>
-    (await this.request<{ points: number[][]; wavelength_from_page: boolean }>({ do: "curve", file, text, wavelength_um })).answer;
+  match = async (setting: Setting, beside: Facets, theta_i_deg: number) =>
+    (await this.request<Match>({ do: "match", beside: beside.material, keys: beside.keys, exponents: beside.exponents ?? [], theta_i_deg, ...setting })).answer;
+  // Whether a text is a scatter file of another program, CSV apart.
+  isScatterFile = async (text: string) => (await this.request<{ is: boolean }>({ do: "is_scatter_file", text })).answer.is;
+  curve = async (file: string, text: string, wavelength_um: number, mirror_azimuth_deg: number) =>
+    (await this.request<Curve>({ do: "curve", file, text, wavelength_um, mirror_azimuth_deg })).answer;
+  // Of pixels nine numbers each, twelve: web/engine/engine.hpp.
+  picture = async (setting: Setting, weights: number[], pixels: Float64Array) =>
+    (await this.request({ do: "picture", weights, ...setting }, pixels, (pixels.length / 9) * 12)).output;
   fit = async (setting: Setting, albedo: boolean, points: Float64Array) =>
     (await this.request<Fit>({ do: "fit", albedo, ...setting }, points)).answer;
 }

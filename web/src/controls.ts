@@ -2,7 +2,7 @@
 
 import { brief, html } from "./dom";
 import { besideNames } from "./frame";
-import { isAnisotropic } from "./material";
+import { hasBand, hasRoughness, hasTau, isAnisotropic, isKCorrelation, isTable } from "./material";
 import { initial, presets, ranges, type State } from "./state";
 
 type Change = (part: Partial<State>) => void;
@@ -25,9 +25,13 @@ interface Slider {
 const sliders: Record<string, Slider> = {
   sigma: { key: "sigma", label: "rms roughness σ₀", unit: "µm", from: 0.001, to: 50, logarithmic: true },
   tau: { key: "tau", label: "correlation length τ", unit: "µm", from: 0.05, to: 200, logarithmic: true },
-  across: { key: "across", label: "τ across, 0: the same", unit: "µm", from: 0, to: 20 },
-  axis: { key: "axis", label: "azimuth of τ", unit: "°", from: -180, to: 180 },
+  b: { key: "b", label: "B", unit: "µm", from: 0.1, to: 1000, logarithmic: true },
+  c: { key: "c", label: "C", unit: "", from: 1.1, to: 6 },
+  across: { key: "across", label: "length across, 0: the same", unit: "µm", from: 0, to: 20 },
+  axis: { key: "axis", label: "azimuth of the first", unit: "°", from: -180, to: 180 },
   nu: { key: "nu", label: "ν of Matérn", unit: "", from: 0.5, to: 5 },
+  shortest: { key: "shortest", label: "σ₀ of periods from, 0: all", unit: "µm", from: 0, to: 5 },
+  longest: { key: "longest", label: "to, 0: infinity", unit: "µm", from: 0, to: 1000 },
   thickness: { key: "thickness", label: "thickness", unit: "µm", from: 0, to: 1 },
   albedo: { key: "albedo", label: "diffuse albedo", unit: "", from: 0, to: 1 },
   n: { key: "n", label: "n", unit: "", from: 0.05, to: 10, logarithmic: true },
@@ -78,7 +82,7 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     for (const [value, text] of options) element.append(html("option", { value }, text));
     element.addEventListener("change", () => change({ [key]: key === "tolerance" ? Number(element.value) : element.value } as Partial<State>));
     followers.push((state) => (element.value = String(state[key])));
-    return html("div", { class: "field" }, html("label", { for: key }, label), element);
+    return html("div", { class: "field", id: `${key}-field` }, html("label", { for: key }, label), element);
   }
 
   const preset = html("select", { id: "preset" }, html("option", { value: "" }, "choose …"));
@@ -109,17 +113,32 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     film.replaceChildren(html("option", { value: "none" }, "none"), ...names.map((name) => html("option", { value: name }, name)));
     film.value = chosen;
   };
+  // A table of heights is chosen by dropping its file.
+  const correlation = select("correlation", "correlation of heights",
+    [["gaussian", "Gaussian"], ["exponential", "exponential"], ["matern", "Matérn"], ["k_correlation", "K-correlation"], ["psd", "power spectrum"], ["autocorrelation", "table of C"]]);
+  const heights = html("p", { class: "note", id: "heights-note" });
+  followers.push((state) => {
+    for (const option of correlation.querySelector("select")!.options)
+      option.disabled = (option.value === "psd" || option.value === "autocorrelation") && state.heights === "none";
+    heights.textContent = isTable(state) ? `Of ${state.heights}.` : "";
+  });
   followers.push((state) => {
     indices(known, state.index);
     const hide = (key: string, hidden: boolean) => (document.getElementById(`${key}-field`)!.hidden = hidden);
     for (const key of ["n", "k"]) hide(key, state.index !== "nk");
+    hide("sigma", !hasRoughness(state));
+    hide("shortest", !hasRoughness(state));
+    hide("longest", !hasBand(state));
+    hide("tau", !hasTau(state));
+    for (const key of ["b", "c", "psd"]) hide(key, !isKCorrelation(state));
+    hide("across", isTable(state));
     hide("axis", !isAnisotropic(state));
     hide("nu", state.correlation !== "matern");
     hide("thickness", state.film === "none");
     films(state.film);
   });
 
-  const file = html("input", { type: "file", id: "file", multiple: true, accept: ".yml,.yaml,.csv,.txt,.tsv,.json" });
+  const file = html("input", { type: "file", id: "file", multiple: true, "aria-describedby": "file-note" });
   file.addEventListener("change", () => {
     if (file.files) files(file.files);
     file.value = "";
@@ -129,8 +148,10 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
   const group = (title: string, ...children: (Node | string)[]) => html("fieldset", {}, html("legend", {}, title), ...children);
   form.append(
     html("div", { class: "field" }, html("label", { for: "preset" }, "Example"), preset),
-    group("Surface", slider(sliders.sigma), slider(sliders.tau), slider(sliders.across), slider(sliders.axis),
-      select("correlation", "correlation of heights", [["gaussian", "Gaussian"], ["exponential", "exponential"], ["matern", "Matérn"]]), slider(sliders.nu),
+    group("Surface", slider(sliders.sigma), slider(sliders.shortest), slider(sliders.longest), correlation, heights, slider(sliders.nu),
+      slider(sliders.tau), slider(sliders.b), slider(sliders.c),
+      select("psd", "B and C are those of", [["2d", "the surface (2d)"], ["1d one-sided", "a profile (1d)"]]),
+      slider(sliders.across), slider(sliders.axis),
       html("div", { class: "field" }, html("label", { for: "index" }, "optical constants"), index), note,
       slider(sliders.n), slider(sliders.k),
       html("div", { class: "field" }, html("label", { for: "film" }, "film on it"), film), slider(sliders.thickness), slider(sliders.albedo)),
@@ -142,7 +163,11 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     group("Pictures", select("radius", "radius of the plot", [["relative", "over specular direction"], ["absolute", "BRDF"], ["log", "logarithm"]]),
       select("shape", "object", [["sphere", "sphere"], ["plate", "plate"], ["cylinder", "cylinder"]]),
       select("light", "colour of the object", [["white", "white light"], ["one", "one wavelength"]])),
-    group("Your files", html("label", { for: "file" }, "Optical constants of refractiveindex.info (.yml), measured points (.csv), material files (.json): choose, or drop them anywhere"), file),
+    group("Your files", html("label", { for: "file" }, "Choose files, or drop them anywhere"), file,
+      html("p", { class: "note", id: "file-note" }, "Optical constants of refractiveindex.info, material files, power spectra and correlation functions (CSV), ",
+        "measured points (CSV, ASTM E1392, FRED, LightTools, BiRD)."),
+      html("div", { class: "field" }, html("label", { for: "mirror-azimuth" }, "mirror direction in FRED's files"),
+        html("select", { id: "mirror-azimuth" }, html("option", { value: 0 }, "azimuth 0°"), html("option", { value: 180 }, "azimuth 180°")))),
   );
   // a number of the tolerance is written in several ways
   followers.push((state) => {

@@ -25,7 +25,7 @@ export interface Frame {
   description: Description;
   detail: Detail;
   specular: number; // of the polarisation chosen
-  beside: { setting: Setting; name: string; match: Match | null } | null;
+  beside: { setting: Setting; name: string; match: (Match & { exponent: boolean }) | null } | null;
   measured: Measured | null;
 }
 
@@ -34,8 +34,14 @@ export const visible = Array.from({ length: 31 }, (_, i) => Number((0.4 + 0.01 *
 export const besideNames: Record<string, string> = {
   ggx: "GGX (Walter)",
   beckmann: "Beckmann (Walter)",
+  phong: "Phong (Walter)",
   ward: "Ward",
+  ward_duer: "Ward-Duer",
   cook_torrance: "Cook-Torrance",
+  kurt: "Kurt",
+  blinn_phong: "Blinn-Phong",
+  ashikhmin_shirley: "Ashikhmin-Shirley",
+  ashikhmin: "Ashikhmin, Gaussian normals",
   he: "He-Torrance",
   he_unified: "he_unified",
 };
@@ -74,6 +80,7 @@ export async function withBeside(frame: Frame): Promise<Frame> {
     return { ...frame, beside: { setting: settingOf(state, [state.lambda], state.beside), name, match: null } };
   const n = description.n[0], k = description.k[0];
   const f0 = ((n - 1) ** 2 + k ** 2) / ((n + 1) ** 2 + k ** 2);
-  const match = await engine.match(setting, microfacet(state, f0)!, state.ti);
+  const facets = microfacet(state, f0)!;
+  const match = { ...(await engine.match(setting, facets, state.ti)), exponent: facets.exponents !== undefined };
   return { ...frame, beside: { setting: { material: match.material, wavelengths: [state.lambda] }, name, match } };
 }

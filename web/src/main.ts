@@ -5,8 +5,8 @@ import { Engine } from "./client";
 import { controls } from "./controls";
 import { brief, html } from "./dom";
 import { frameOf, settingOf, withBeside, type Frame, type Measured } from "./frame";
-import { isFile, type Material } from "./material";
-import { fromAddress, initial, ranges, toAddress, type State } from "./state";
+import { filesOf, stateOf } from "./material";
+import { fromAddress, initial, toAddress, type State } from "./state";
 import { takeAway } from "./takeaway";
 import { litView } from "./views/lit";
 import { hemisphereView, muellerView, phiView } from "./views/maps";
@@ -22,8 +22,7 @@ status.after(problem);
 let state: State = { ...initial };
 let engine: Engine;
 let measured: Measured | null = null;
-const files = new Set<string>();
-let known: string[] = [];
+let known: string[] = [], constants: string[] = [];
 const fitting = html("div", { id: "fitting" });
 
 const say = (text: string) => (status.textContent = text);
@@ -45,17 +44,21 @@ function restore(address: string): void {
 
 const panel = controls(document.getElementById("controls") as HTMLFormElement, change, restore, (list) => void take(list));
 const polar = polarView(change);
-const views = [polar, hemisphereView(change), litView(), scatterView(), spectrumView(), valuesView(), validityView(), energyView(), muellerView(), phiView()];
+const lit = litView();
+const views = [polar, hemisphereView(change), lit, scatterView(), spectrumView(), valuesView(), validityView(), energyView(), muellerView(), phiView()];
 const away = takeAway(polar.root, say);
 main.append(...views.map((v) => v.section), away.section);
 polar.section.append(fitting);
 
-// ---- drawing: the newest state wins, and the plot of the plane of incidence comes first
+// ---- drawing: the newest state wins, the plot of the plane of incidence comes first, and the lit object last
 
 let dirty = false, busy = false;
 
+const drawn = [...views.filter((view) => view !== lit), lit];
+
 function schedule(): void {
   dirty = true;
+  lit.pause();
   if (!busy && engine) void drawAll();
 }
 
@@ -65,6 +68,7 @@ async function drawAll(): Promise<void> {
     dirty = false;
     const now = state;
     try {
+      requireFiles(now);
       const frame = await frameOf(now, engine, measured);
       const failed = await drawOne(frame);
       if (!dirty) {
@@ -98,7 +102,7 @@ async function drawOne(frame: Frame): Promise<string[]> {
     failed.push(`The model beside: ${error instanceof Error ? error.message : String(error)}.`);
   }
   away.update(full);
-  for (const view of views) {
+  for (const view of drawn) {
     if (dirty) return failed;
     try {
       await view.update(full);
@@ -116,76 +120,79 @@ async function describeIndex(now: State): Promise<void> {
   if (now.index === described) return;
   described = now.index;
   if (now.index === "nk") return panel.setNote("");
-  const of = await engine.indexOf(isFile(now) ? { file: "/" + now.index } : { name: now.index });
+  const of = await engine.indexOf(files.has(now.index) ? { file: "/" + now.index } : { name: now.index });
   panel.setNote(`${of.source} ${brief(of.from_um)} to ${brief(of.to_um)} µm. ${of.warnings.join(" ")}`);
 }
 
 // ---- files
 
-const stateOfMaterial: Record<string, keyof State> = { rms_roughness_um: "sigma", correlation_length_um: "tau", diffuse_albedo: "albedo" };
+// Files by name, as the engine has them; one that cannot be used leaves what stood there before.
+const files = new Map<string, Uint8Array>();
 
-function materialFile(name: string, text: string): Partial<State> {
-  const material = JSON.parse(text) as Material;
-  if (material.model !== "he" && material.model !== "he_unified")
-    throw new Error(`${name}: key "model": must be "he" or "he_unified" to be shown with these controls`);
-  const part: Partial<State> = { model: material.model, across: 0, film: "none", albedo: 0, correlation: "gaussian" };
-  for (const [key, value] of Object.entries(material)) {
-    if (key === "correlation_length_um" && Array.isArray(value)) {
-      Object.assign(part, { tau: value[0], across: value[1], axis: Number(material.azimuth_deg ?? 0) });
-      continue;
-    }
-    if (key === "correlation") {
-      const of = value as { type?: string; nu?: number } | string;
-      if (of === "gaussian" || of === "exponential") part.correlation = of;
-      else if (typeof of === "object" && of.type === "matern") Object.assign(part, { correlation: "matern", nu: of.nu });
-      else throw new Error(`${name}: key "correlation": Gaussian, exponential and Matern have a control here`);
-      continue;
-    }
-    if (key === "films") {
-      const films = value as { index: string; thickness_um: number }[];
-      if (films.length > 1 || (films[0] && typeof films[0].index !== "string")) throw new Error(`${name}: key "films": one film of built-in constants has a control here`);
-      if (films[0]) Object.assign(part, { film: films[0].index, thickness: films[0].thickness_um });
-      continue;
-    }
-    if (key === "azimuth_deg" || key === "name" || key === "model" || key === "index" || key === "fitted") continue;
-    const target = stateOfMaterial[key];
-    if (!target || typeof value !== "number") throw new Error(`${name}: key "${key}": has no control here`);
-    const [least, most] = ranges[target]!;
-    if (!(value >= least && value <= most)) throw new Error(`${name}: key "${key}" ${value}: must be from ${least} to ${most}`);
-    part[target] = value as never;
+async function keep<T>(name: string, data: Uint8Array, use: () => Promise<T>): Promise<T> {
+  const before = files.get(name);
+  await engine.putFile(name, data);
+  try {
+    const result = await use();
+    files.set(name, data);
+    return result;
+  } catch (error) {
+    if (before) await engine.putFile(name, before);
+    throw error;
   }
-  const index = material.index as { n?: number; k?: number } | string | undefined;
-  if (typeof index === "string") part.index = index;
-  else if (index && typeof index.n === "number") Object.assign(part, { index: "nk", n: index.n, k: index.k ?? 0 });
-  else throw new Error(`${name}: key "index": must be a built-in name or n and k to be shown with these controls`);
-  return part;
+}
+
+function requireFiles(of: State): void {
+  const missing = filesOf(of).find((name) => !files.has(name));
+  if (missing) throw new Error(missing === "none" ? "correlation of heights: drop the file of its table onto the page" : `${missing}: is not here; drop the file onto the page`);
+}
+
+const describe = (part: Partial<State>) => engine.describe(settingOf({ ...state, ...part }, [part.lambda ?? state.lambda]));
+
+async function takeMaterial(name: string, text: string): Promise<string> {
+  const part = stateOf(name, JSON.parse(text));
+  requireFiles({ ...state, ...part });
+  await describe(part);
+  change(part);
+  return `${name}: the material is shown.`;
+}
+
+async function takePoints(name: string, text: string): Promise<string> {
+  const mirror = Number((document.getElementById("mirror-azimuth") as HTMLSelectElement).value);
+  const { points, wavelength_from_page, notes } = await engine.curve(name, text, state.lambda, mirror);
+  measured = { name, points: points.map(([ti, tr, phi, um, brdf]) => ({ ti, tr, phi, um, brdf })) };
+  showFitting([wavelength_from_page ? "The file names no wavelength: the page's is taken." : "", ...notes].filter(Boolean).join(" "));
+  change({ ti: Number(points[Math.floor(points.length / 2)][0].toPrecision(9)), lambda: points[0][3] });
+  return `${name}: ${points.length} measured points are shown beside the model.`;
+}
+
+async function takeHeights(name: string, data: Uint8Array, correlation: "psd" | "autocorrelation"): Promise<string> {
+  const part = { correlation, heights: name } as const;
+  await keep(name, data, () => describe(part));
+  change(part);
+  return `${name}: the heights follow this ${correlation === "psd" ? "power spectrum" : "correlation function"}.`;
+}
+
+async function takeConstants(name: string, data: Uint8Array): Promise<string> {
+  const of = await keep(name, data, () => engine.indexOf({ file: "/" + name }));
+  if (!constants.includes(name)) constants.push(name);
+  panel.setIndices([...known, ...constants]);
+  described = "";
+  change({ index: name, lambda: Math.min(Math.max(state.lambda, of.from_um), of.to_um) });
+  return `${name}: the optical constants are used.`;
 }
 
 async function takeOne(file: File): Promise<string> {
   const data = new Uint8Array(await file.arrayBuffer());
   const name = file.name.replaceAll(/[^\w.+-]/g, "_");
   const text = new TextDecoder().decode(data);
-  if (/\.json$/i.test(name)) {
-    const part = materialFile(file.name, text);
-    await engine.describe(settingOf({ ...state, ...part }, [state.lambda]));
-    change(part);
-    return `${file.name}: the material is shown.`;
-  }
+  if (await engine.isScatterFile(text)) return takePoints(file.name, text);
+  if (/\.json$/i.test(name)) return takeMaterial(file.name, text);
   const header = text.split(/\r?\n/).find((line) => line.trim() && !line.startsWith("#")) ?? "";
-  if (/theta_i_deg/.test(header) || (/\.csv$/i.test(name) && /brdf/.test(header))) {
-    const { points, wavelength_from_page } = await engine.curve(file.name, text, state.lambda);
-    measured = { name: file.name, points: points.map(([ti, tr, phi, um, brdf]) => ({ ti, tr, phi, um, brdf })) };
-    showFitting(wavelength_from_page);
-    change({ ti: points[Math.floor(points.length / 2)][0], lambda: points[0][3] });
-    return `${file.name}: ${points.length} measured points are shown beside the model.`;
-  }
-  await engine.putFile(name, data);
-  const of = await engine.indexOf({ file: "/" + name });
-  files.add(name);
-  panel.setIndices([...known, ...files]);
-  described = "";
-  change({ index: name, lambda: Math.min(Math.max(state.lambda, of.from_um), of.to_um) });
-  return `${file.name}: the optical constants are used.`;
+  if (/frequency_per_um/.test(header)) return takeHeights(name, data, "psd");
+  if (/distance_um/.test(header)) return takeHeights(name, data, "autocorrelation");
+  if (/theta_i_deg/.test(header) || (/\.csv$/i.test(name) && /brdf/.test(header))) return takePoints(file.name, text);
+  return takeConstants(name, data);
 }
 
 async function take(list: FileList): Promise<void> {
@@ -199,22 +206,21 @@ async function take(list: FileList): Promise<void> {
   }
 }
 
-function showFitting(wavelength_from_page: boolean): void {
+function showFitting(note: string): void {
   const albedo = html("input", { type: "checkbox", id: "fit-albedo" });
   const run = html("button", { type: "button", id: "fit" }, "Fit σ₀ and τ to the points");
   const remove = html("button", { type: "button", id: "remove-points" }, "Remove the points");
-  const result = html("p", { class: "note", id: "fit-result", "aria-live": "polite" },
-    wavelength_from_page ? "The file names no wavelength: the page's is taken." : "");
+  const result = html("p", { class: "note", id: "fit-result", "aria-live": "polite" }, note);
   run.addEventListener("click", async () => {
     const points = Float64Array.from(measured!.points.flatMap((p) => [p.ti, p.tr, p.phi, p.um, p.brdf]));
     run.disabled = true;
     try {
-      const fit = await engine.fit(settingOf(state, [state.lambda], "he"), albedo.checked, points);
+      const fit = await engine.fit(settingOf({ ...state, across: 0, correlation: "gaussian", shortest: 0 }, [state.lambda], "he"), albedo.checked, points);
       const [s, t] = fit.relative_errors.map((e) => (e === null || e > 1 ? "open" : `± ${brief(100 * e, 2)} %`));
       result.textContent = `σ₀ ${brief(fit.rms_roughness_um)} µm (${s}), τ ${brief(fit.correlation_length_um)} µm (${t}), albedo ${brief(fit.diffuse_albedo)}; ` +
         `rms distance ${brief(fit.rms_db, 3)} dB over ${fit.points} points. The errors take the distances for noise.`;
       const round = (v: number) => Number(v.toPrecision(6));
-      change({ model: "he", across: 0, correlation: "gaussian", sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
+      change({ model: "he", across: 0, correlation: "gaussian", shortest: 0, sigma: round(fit.rms_roughness_um), tau: round(fit.correlation_length_um), albedo: round(fit.diffuse_albedo) });
     } catch (error) {
       complain(error instanceof Error ? error.message : String(error));
     }
@@ -252,7 +258,7 @@ async function start(): Promise<void> {
     complain(`The engine did not start: ${error instanceof Error ? error.message : String(error)}`);
     return;
   }
-  (window as unknown as { hts: object }).hts = { engine, settingOf, state: () => state, change };
+  (window as unknown as { hts: object }).hts = { engine, settingOf, state: () => state, measured: () => measured, change };
   schedule();
 }
 void start();

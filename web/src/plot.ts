@@ -35,7 +35,7 @@ export function linear(from: number, to: number, title: string, most = 6): Axis 
   return { from, to, ticks, title };
 }
 
-const width = 480, height = 300, left = 58, right = 14, top = 12, bottom = 44;
+const width = 480, height = 316, left = 78, right = 18, top = 12, bottom = 62; // room for letters that are read in a narrow card
 
 export function plot(label: string, x: Axis, y: Axis, curves: Curve[]): SVGSVGElement {
   const px = (v: number) => left + ((v - x.from) / (x.to - x.from)) * (width - left - right);
@@ -43,16 +43,16 @@ export function plot(label: string, x: Axis, y: Axis, curves: Curve[]): SVGSVGEl
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label });
   for (const tick of x.ticks) {
     root.append(svg("line", { class: "grid", x1: px(tick.at), x2: px(tick.at), y1: top, y2: height - bottom }));
-    root.append(svg("text", { class: "tick", x: px(tick.at), y: height - bottom + 18, "text-anchor": "middle" }, tick.label));
+    root.append(svg("text", { class: "tick", x: px(tick.at), y: height - bottom + 24, "text-anchor": "middle" }, tick.label));
   }
   for (const tick of y.ticks) {
     root.append(svg("line", { class: "grid", x1: left, x2: width - right, y1: py(tick.at), y2: py(tick.at) }));
-    root.append(svg("text", { class: "tick", x: left - 7, y: py(tick.at) + 4, "text-anchor": "end" }, tick.label));
+    root.append(svg("text", { class: "tick", x: left - 7, y: py(tick.at) + 6, "text-anchor": "end" }, tick.label));
   }
   root.append(svg("text", { class: "axis", x: (left + width - right) / 2, y: height - 6, "text-anchor": "middle" }, x.title));
   const middle = (top + height - bottom) / 2;
   root.append(
-    svg("text", { class: "axis", x: 13, y: middle, "text-anchor": "middle", transform: `rotate(-90 13 ${middle})` }, y.title),
+    svg("text", { class: "axis", x: 16, y: middle, "text-anchor": "middle", transform: `rotate(-90 16 ${middle})` }, y.title),
   );
   const clip = (v: number, axis: Axis) => Math.min(Math.max(v, axis.from), axis.to);
   for (const curve of curves) {

@@ -2,18 +2,26 @@
 
 export type Model = "he" | "he_unified";
 export type Polarisation = "none" | "s" | "p" | "plus" | "minus" | "right" | "left";
-export type Beside = "none" | "ggx" | "beckmann" | "ward" | "cook_torrance" | "he" | "he_unified";
+const besides = ["none", "ggx", "beckmann", "phong", "ward", "ward_duer", "cook_torrance", "kurt", "blinn_phong", "ashikhmin_shirley", "ashikhmin", "he", "he_unified"] as const;
+export type Beside = (typeof besides)[number];
 export type Radius = "relative" | "absolute" | "log";
 export type Shape = "sphere" | "plate" | "cylinder";
+export type Correlation = "gaussian" | "exponential" | "matern" | "k_correlation" | "psd" | "autocorrelation";
 
 export interface State {
   model: Model;
   sigma: number; // um
   tau: number; // um
-  across: number; // um, the correlation length along the second axis; 0: the same
+  across: number; // um, the length (tau or B) along the second axis; 0: the same
   axis: number; // degrees, azimuth of the first axis from the plane of incidence
-  correlation: "gaussian" | "exponential" | "matern";
+  correlation: Correlation;
   nu: number; // of Matern's correlation
+  b: number; // um, B of the K-correlation
+  c: number; // C of the K-correlation
+  psd: "2d" | "1d one-sided"; // which spectrum its numbers are of
+  heights: string; // the dropped file of a power spectrum or a correlation function, or "none"
+  shortest: number; // um, periods between which sigma holds; 0: all
+  longest: number; // um; 0: no longest
   index: string; // a built-in name, "nk", or the name of a dropped file
   n: number;
   k: number;
@@ -41,6 +49,12 @@ export const initial: State = {
   axis: 0,
   correlation: "gaussian",
   nu: 1.5,
+  b: 5,
+  c: 2.5,
+  psd: "2d",
+  heights: "none",
+  shortest: 0,
+  longest: 0,
   index: "Al",
   n: 1.5,
   k: 0,
@@ -63,11 +77,12 @@ export const initial: State = {
 const polarisations = ["none", "s", "p", "plus", "minus", "right", "left"];
 const choices: { [key in keyof State]?: readonly (string | number)[] } = {
   model: ["he", "he_unified"],
-  correlation: ["gaussian", "exponential", "matern"],
+  correlation: ["gaussian", "exponential", "matern", "k_correlation", "psd", "autocorrelation"],
+  psd: ["2d", "1d one-sided"],
   light: ["white", "one"],
   in: polarisations,
   out: polarisations,
-  beside: ["none", "ggx", "beckmann", "ward", "cook_torrance", "he", "he_unified"],
+  beside: besides,
   radius: ["relative", "absolute", "log"],
   shape: ["sphere", "plate", "cylinder"],
 };
@@ -78,6 +93,10 @@ export const ranges: { [key in keyof State]?: [number, number] } = {
   axis: [-180, 180],
   thickness: [0, 10],
   nu: [0.5, 10],
+  b: [0.01, 10000],
+  c: [1.1, 102],
+  shortest: [0, 10000],
+  longest: [0, 100000],
   n: [0.01, 100],
   k: [0, 100],
   albedo: [0, 1],
@@ -142,6 +161,7 @@ export const presets: Preset[] = [
   { name: "Fine aluminium: lobe and mirror", address: "sigma=0.05&tau=1" },
   { name: "Brushed-fine gold", address: "sigma=0.12&tau=1.2&index=Au&lambda=0.6&shape=cylinder" },
   { name: "Brushed steel, two correlation lengths", address: "sigma=0.15&tau=8&across=1&axis=60&index=Fe&tr=40&phi=150" },
+  { name: "Polished optic: K-correlation, 3 nm from 633 nm on", address: "model=he_unified&sigma=0.003&correlation=k_correlation&b=5.02655&c=3&shortest=0.6328&lambda=0.6328&tr=40&radius=log" },
   { name: "Silicon dioxide of 0.3 µm on aluminium", address: "sigma=0.05&tau=1&film=SiO2&thickness=0.3&tr=40" },
   { name: "Copper at grazing incidence", address: "sigma=0.15&tau=1&index=Cu&ti=80&tr=80&lambda=0.6" },
 ];

@@ -3,7 +3,7 @@
 import type { Engine } from "./client";
 import { html } from "./dom";
 import { settingOf, type Frame } from "./frame";
-import { isFile, materialOf } from "./material";
+import { filesOf, materialOf } from "./material";
 import { toAddress, type State } from "./state";
 import { shaderWavelengths } from "./views/lit";
 import { angles, triplesOf } from "./views/polar";
@@ -81,9 +81,10 @@ export function takeAway(picture: SVGSVGElement, say: (text: string) => void) {
   const lines = html("pre", { id: "command", tabindex: 0, "aria-label": "Command line" });
   const code = html("pre", { id: "python", tabindex: 0, "aria-label": "Python" });
   const buttons = html("div", { class: "buttons" });
+  const note = html("p", { class: "note", id: "take-note" });
   const section = html("section", { id: "take", class: "card", "aria-labelledby": "take-title" },
     html("h2", { id: "take-title" }, "Take away"), buttons, html("h3", {}, "The same numbers on the command line"), lines,
-    html("h3", {}, "and in Python"), code);
+    html("h3", {}, "and in Python"), code, note);
   let frame: Frame | null = null;
 
   const actions: Action[] = [
@@ -118,7 +119,8 @@ export function takeAway(picture: SVGSVGElement, say: (text: string) => void) {
     const { state } = of;
     lines.textContent = `cat > material.json <<'END'\n${materialText(state)}END\n${command(state)}`;
     code.textContent = python(state);
-    section.dataset.file = isFile(state) ? state.index : "";
+    const files = filesOf(state);
+    note.textContent = files.length ? `Beside the material file must stand ${files.join(" and ")}.` : "";
   }
   return { section, update };
 }

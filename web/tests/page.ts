@@ -9,10 +9,13 @@ export interface Setting {
 }
 export interface Hts {
   engine: {
+    picture(setting: Setting, weights: number[], pixels: Float64Array): Promise<Float64Array>;
+    energy(setting: Setting, theta_i_deg: number): Promise<{ directional_diffuse: number; uniform_diffuse: number }>;
     evaluate(setting: Setting, of: string, triples: Float64Array): Promise<Float64Array>;
     shader(setting: Setting, language: "glsl" | "wgsl"): Promise<string>;
   };
   state(): Record<string, unknown>;
+  measured(): { name: string; points: Record<string, number>[] } | null;
 }
 declare global {
   interface Window {
@@ -52,3 +55,20 @@ export async function open(page: Page, address = ""): Promise<void> {
 
 export const value = async (page: Page, key: string): Promise<number> =>
   Number(await page.locator(`[data-key="${key}"]`).getAttribute("data-value"));
+
+export const drop = (page: Page, name: string, text: string): Promise<void> =>
+  page.locator("#file").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+
+// What each view shows, text or pixels, as a hash.
+export const shown = (page: Page) =>
+  page.evaluate(() => {
+    const hash = (s: string) => [...s].reduce((h, c) => (Math.imul(h, 31) + c.charCodeAt(0)) | 0, s.length);
+    const pixels = (id: string) => hash((document.getElementById(id) as HTMLCanvasElement).toDataURL());
+    const text = (id: string) => hash(document.getElementById(id)!.innerHTML);
+    return {
+      polar: hash(document.getElementById("polar-curve")!.getAttribute("points")!), hemisphere: pixels("hemisphere-map"), lit: pixels("lit-picture"),
+      scatter: text("scatter"), spectrum: text("spectrum"), values: text("values"), validity: text("validity"), energy: text("energy"),
+      mueller: pixels("mueller-maps"), phi: pixels("phi-map"), take: text("take"),
+    };
+  });
+export type View = keyof Awaited<ReturnType<typeof shown>>;

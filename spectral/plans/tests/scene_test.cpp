@@ -202,9 +202,9 @@ TEST_CASE("a distance from exact scattering is that of model and arithmetic toge
     const auto prepared = scene.materials[0].at(scene.wavelengths);
     for (const SpectralSample& sample : prepared.samples()) {
         for (const double theta : {0., 15., 30., 45., 60.})
-            greatest =
-                std::max(greatest, expected_distance(*scene.materials[0].properties().surface, sample, theta)
-                                       .distance.unified.unpolarised);
+            greatest = std::max(greatest, expected_distance(*scene.materials[0].properties().surface, sample,
+                                                            hts::Direction::from_degrees(theta, 0))
+                                              .distance.unified.unpolarised);
     }
     CHECK(greatest + 10 * std::log10(1 + scene.tolerance) == Approx(0.9).epsilon(1e-12));
     CHECK(at("he_unified", "0.9", R"(, "polarised": true)").tolerance < scene.tolerance);

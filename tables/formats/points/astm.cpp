@@ -94,6 +94,16 @@ void append_row(AstmFile& file, const std::vector<std::string_view>& words, cons
 
 }  // namespace
 
+bool is_astm_file(std::string_view text) {
+    for (auto at = text.find("VARS"); at != std::string_view::npos; at = text.find("VARS", at + 1)) {
+        const bool begins = at == 0 || text[at - 1] == '\n';
+        if (begins && at + 4 < text.size() &&
+            std::string_view{" \t,;"}.find(text[at + 4]) != std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
 AstmFile astm_file(std::string_view text, const std::string& name) {
     std::optional<AstmFile> file;
     std::optional<std::size_t> announced;

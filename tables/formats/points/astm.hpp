@@ -31,6 +31,9 @@ struct AstmFile {
     }
 };
 
+/// Whether a text has such a line VARS.
+[[nodiscard]] bool is_astm_file(std::string_view text);
+
 /// hts::Error "name:line: …" for what is no such file: no VARS, columns missing or named twice, a row of
 /// other length, an empty cell or a word that is no number, rows that are not as many as NUM_POINTS says.
 [[nodiscard]] AstmFile astm_file(std::string_view text, const std::string& name);

@@ -196,11 +196,11 @@ ScatterPoints points_of_lighttools(std::string_view text, const std::string& nam
             &block;
     }
     for (const auto& [light, of_light] : lights) {
-        if (std::ranges::count(of_light, nullptr) > 0) {
+        const auto missing = std::count(of_light.begin(), of_light.end(), nullptr);
+        if (missing > 0) {
             throw Error{name + ": AOI " + shortest(light.first) + ", POI " + shortest(light.second) + ": " +
-                        std::to_string(of_light.size() -
-                                       static_cast<std::size_t>(std::ranges::count(of_light, nullptr))) +
-                        " of " + std::to_string(of_light.size()) + " channels: must have all"};
+                        std::to_string(of_light.size() - static_cast<std::size_t>(missing)) + " of " +
+                        std::to_string(of_light.size()) + " channels: must have all"};
         }
         for (std::size_t node = 0; node < header.azimuth.size() * header.polar.size(); ++node) {
             const double polar = header.polar[node % header.polar.size()];

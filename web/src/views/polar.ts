@@ -129,7 +129,7 @@ export function polarView(change: (part: Partial<State>) => void) {
     ];
     if (frame.beside) {
       const match = frame.beside.match;
-      const width = match ? `, best width ${brief(match.width)}, rms difference ${brief(100 * match.distance, 2)} % of the lobe's` : "";
+      const width = match ? `, best ${match.exponent ? `exponent ${brief(2 / match.width ** 2)}` : `width ${brief(match.width)}`}, rms difference ${brief(100 * match.distance, 2)} % of the lobe's` : "";
       note.push(html("span", { class: "key beside-key", id: "beside-key" }, `${frame.beside.name}${width}`));
     }
     view.note.replaceChildren(...note);
