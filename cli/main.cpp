@@ -15,6 +15,7 @@
 #include "cli/io/signals.hpp"
 #include "cli/io/usage.hpp"
 #include "cli/verbs/verbs.hpp"
+#include "hts/correlation/kept_tables.hpp"
 #include "hts/version.hpp"
 #include "spectral/jobs/progress.hpp"
 #include "spectral/text/run_files.hpp"
@@ -85,6 +86,7 @@ int main(int argc, char** argv) {
     const hts::cli::ProgressWatcher watcher;
     hts::spectral::RunFiles files;
     files.serve_process();
+    hts::keep_correlation_tables_in(hts::user_cache_folder());
     CLI::App program{"Reflectance of rough surfaces from physical optics (He, Torrance et al. 1991)", "hts"};
     program.set_version_flag("--version", "hts " HTS_VERSION);
     program.require_subcommand(1);

@@ -1,5 +1,7 @@
 #include "hts/he_torrance_gradient.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,28 +51,6 @@ ByAngles<double> log_geometrical_factor(const WaveVectorChange& change, const Wa
             by.squared.phi * over_squared};
 }
 
-/// Of the logarithm of the slope width along the azimuth of a direction: by the axes, of which that by the
-/// azimuth of the direction is the negative of the last.
-ByAxes log_slope_by_axes(const Surface& surface, const Direction& direction) {
-    const auto& [along, across] = surface.correlation_lengths();
-    const Direction& axis = surface.axis();
-    const double c = direction.cos_phi() * axis.cos_phi() + direction.sin_phi() * axis.sin_phi();
-    const double s = direction.sin_phi() * axis.cos_phi() - direction.cos_phi() * axis.sin_phi();
-    const double x = c * (surface.correlation_length() / along);
-    const double y = s * (surface.correlation_length() / across);
-    const double sum = x * x + y * y;
-    const double turned =
-        x * s * (surface.correlation_length() / along) - y * c * (surface.correlation_length() / across);
-    return {-x * x / sum, -y * y / sum, surface.isotropic() ? 0 : turned / sum};
-}
-
-ByAxes operator*(double scale, const ByAxes& by) {
-    return {scale * by.x, scale * by.y, scale * by.azimuth};
-}
-ByAxes operator+(const ByAxes& a, const ByAxes& b) {
-    return {a.x + b.x, a.y + b.y, a.azimuth + b.azimuth};
-}
-
 /// v_xy along the axes, each component times tau_x/tau or tau_y/tau.
 struct StretchedChange {
     HorizontalChange value;
@@ -111,8 +91,22 @@ struct PhiSlopes {
     double value, by_log_g, by_t;
 };
 
-PhiSlopes phi_slopes(DiffuseLobe lobe, double g, double t) {
+/// Those of 2 D, see PairFactors::phi.
+PhiSlopes correlated_slopes(const Correlation& shape, DiffuseLobe lobe, double g, double t) {
+    const double q = 2 * std::sqrt(t);
+    if (lobe == DiffuseLobe::first_order) {
+        constexpr double single_kicks = 1e-5;  // where D is g W
+        const double value = std::exp(std::numbers::ln2 + std::log(g) - g + shape.log_spectrum(q));
+        return {value, (1 - g) * value, value * shape.lobe_slopes(single_kicks, t).by_t};
+    }
+    const double value = shape.lobe(g, q).value;
+    const ScatteringSlopes slopes = shape.lobe_slopes(g, t);
+    return {value, value * slopes.by_log_g, value * slopes.by_t};
+}
+
+PhiSlopes phi_slopes(const Surface& surface, DiffuseLobe lobe, double g, double t) {
     if (lobe == DiffuseLobe::none || g == 0) return {0, 0, 0};
+    if (surface.correlation()) return correlated_slopes(*surface.correlation(), lobe, g, t);
     if (lobe == DiffuseLobe::first_order) {
         const double value = std::exp(std::log(g) - g - t);
         return {value, (1 - g) * value, -value};
@@ -129,7 +123,7 @@ PhiSlopes phi_slopes(DiffuseLobe lobe, double g, double t) {
 BrdfGradient lobe_gradient(const PairGradient& pair, const Wavelength& wavelength, DiffuseLobe lobe_of) {
     const PairFactors& factors = pair.factors();
     const double t = factors.lobe_argument(wavelength);
-    const PhiSlopes phi = phi_slopes(lobe_of, factors.phase_variance(wavelength), t);
+    const PhiSlopes phi = phi_slopes(pair.surface(), lobe_of, factors.phase_variance(wavelength), t);
     const double lobe = factors.lobe(phi.value, wavelength);
     if (lobe == 0 || is_at_horizon(pair.in()) || is_at_horizon(pair.out())) return {lobe, {}};
     const double t_over_squared = square(wavelength.wave_number() * pair.surface().correlation_length() / 2);
@@ -156,8 +150,10 @@ BrdfGradient lobe_gradient(const PairGradient& pair, const Wavelength& wavelengt
     const double by_log_g = factors.lobe(2 * phi.by_log_g, wavelength);
     const double by_log_slope =
         by_log_g * pair.log_roughness_by_log_slope() + lobe * pair.log_geometry_by_log_slope();
+    const double by_log_length =
+        by_log_g * pair.log_roughness_by_log_length() + lobe * pair.log_geometry_by_log_length();
     by.rms_roughness = (by_log_slope + by_log_g) / pair.surface().rms_roughness();
-    by.correlation_length = (2 * lobe + factors.lobe(2 * t * phi.by_t, wavelength) - by_log_slope) /
+    by.correlation_length = (2 * lobe + factors.lobe(2 * t * phi.by_t, wavelength) - by_log_length) /
                             pair.surface().correlation_length();
     return {lobe, by};
 }
@@ -179,8 +175,8 @@ BrdfGradient coherent_gradient(const Surface& surface, const ViewGradient& in, c
         2 * (seen.log_shadowing_by_log_slope - g * log_slope * seen.log_obstruction_by_log_slope);
     Gradient<> by;
     by.rms_roughness = value * (by_log_slope - 2 * g) / surface.rms_roughness();
-    by.correlation_length = -value * by_log_slope / surface.correlation_length();
-    const ByAxes slope = log_slope_by_axes(surface, in.direction);
+    by.correlation_length = -value * by_log_slope * in.slope_by_length / surface.correlation_length();
+    const ByAxes& slope = in.slope_by_axes;
     by.correlation_length_x = value * by_log_slope * slope.x / surface.correlation_lengths().along;
     by.correlation_length_y = value * by_log_slope * slope.y / surface.correlation_lengths().across;
     by.azimuth = value * by_log_slope * slope.azimuth;
@@ -217,10 +213,33 @@ class ScaledMueller {
     Mueller mueller_;
 };
 
+/// Calls use(film, its derivatives, those of the amplitudes) for each film that is asked for.
+template <class Value, class Use>
+void each_film(const CoatedIndex& index, double cos_theta, const Wavelength& wavelength,
+               std::span<ByFilm<Value>> films, Use&& of) {
+    if (films.empty()) return;
+    std::array<FilmGradient, CoatedIndex::most_films> each;
+    const auto by = std::span{each}.first(index.film_count());
+    static_cast<void>(index.gradient(cos_theta, by));
+    for (std::size_t j = 0; j < std::min(by.size(), films.size()); ++j)
+        films[j] = {of(by[j].by_n), of(by[j].by_k()), wavelength.wave_number() * of(by[j].by_phase)};
+}
+
 }  // namespace
 
 ViewGradient view_gradient(const Surface& surface, const Direction& direction) noexcept {
-    return {direction, visibility_gradient(surface, direction)};
+    return {direction, visibility_gradient(surface, direction), log_slope_by_axes(surface, direction), 1};
+}
+
+ViewGradient view_gradient(const Surface& surface, const Direction& direction,
+                           const Wavelength& wavelength) noexcept {
+    if (!surface.correlation()) return view_gradient(surface, direction);
+    ViewGradient view = view_gradient(surface.seen_by(wavelength), direction);
+    const CorrelationLengths by = seen_by_lengths(surface, wavelength);
+    view.slope_by_axes.x *= by.along;
+    view.slope_by_axes.y *= by.across;
+    view.slope_by_length = -(view.slope_by_axes.x + view.slope_by_axes.y);
+    return view;
 }
 
 PairGradient::PairGradient(const Surface& surface, const ViewGradient& in, const ViewGradient& out) noexcept
@@ -242,7 +261,11 @@ PairGradient::PairGradient(const Surface& surface, const ViewGradient& in, const
     log_geometry_.theta_i += i.log_quotient_by_theta;
     log_geometry_.theta_r += r.log_quotient_by_theta;
     log_geometry_by_log_slope_ = i.log_shadowing_by_log_slope + r.log_shadowing_by_log_slope;
-    const ByAxes slope_i = log_slope_by_axes(surface, in_), slope_r = log_slope_by_axes(surface, out_);
+    log_roughness_by_log_length_ = of_in * i.log_obstruction_by_log_slope * in.slope_by_length +
+                                   of_out * r.log_obstruction_by_log_slope * out.slope_by_length;
+    log_geometry_by_log_length_ = i.log_shadowing_by_log_slope * in.slope_by_length +
+                                  r.log_shadowing_by_log_slope * out.slope_by_length;
+    const ByAxes &slope_i = in.slope_by_axes, &slope_r = out.slope_by_axes;
     const double rough_i = of_in * i.log_obstruction_by_log_slope;
     const double rough_r = of_out * r.log_obstruction_by_log_slope;
     log_roughness_by_axes_ = rough_i * slope_i + rough_r * slope_r;
@@ -256,10 +279,12 @@ PairGradient::PairGradient(const Surface& surface, const ViewGradient& in, const
 }
 
 BrdfGradient directional_diffuse_gradient(const PairGradient& pair, const Wavelength& wavelength,
-                                          const RefractiveIndex& index, DiffuseLobe lobe_of) noexcept {
+                                          const CoatedIndex& index, DiffuseLobe lobe_of,
+                                          std::span<ByFilm<>> films) noexcept {
+    std::ranges::fill(films, ByFilm<>{});
     const BrdfGradient lobe = lobe_gradient(pair, wavelength, lobe_of);
     if (lobe.value == 0) return {0, {}};
-    const FresnelGradient amplitudes = fresnel_gradient(pair.factors().cos_theta_d(), index);
+    const FresnelGradient amplitudes = index.gradient(pair.factors().cos_theta_d(), {});
     const double reflectance = amplitudes.value.unpolarised_reflectance();
     const double by_cosine = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_cos_theta);
     const ByAngles<double>& cosine = pair.cos_theta_d();
@@ -274,23 +299,26 @@ BrdfGradient directional_diffuse_gradient(const PairGradient& pair, const Wavele
     by.theta_i = reflectance * lobe.by.theta_i + by_cosine * cosine.theta_i;
     by.theta_r = reflectance * lobe.by.theta_r + by_cosine * cosine.theta_r;
     by.phi = reflectance * lobe.by.phi + by_cosine * cosine.phi;
+    each_film(index, pair.factors().cos_theta_d(), wavelength, films,
+              [&](const FresnelAmplitudes& f) { return lobe.value * amplitudes.unpolarised_reflectance(f); });
     return {reflectance * lobe.value, by};
 }
 
-BrdfGradient brdf_gradient(const PairGradient& pair, const Wavelength& wavelength,
-                           const RefractiveIndex& index, double uniform_diffuse, DiffuseLobe lobe) noexcept {
-    BrdfGradient result = directional_diffuse_gradient(pair, wavelength, index, lobe);
+BrdfGradient brdf_gradient(const PairGradient& pair, const Wavelength& wavelength, const CoatedIndex& index,
+                           double uniform_diffuse, DiffuseLobe lobe, std::span<ByFilm<>> films) noexcept {
+    BrdfGradient result = directional_diffuse_gradient(pair, wavelength, index, lobe, films);
     result.value += uniform_diffuse;
     result.by.diffuse_albedo = std::numbers::inv_pi;
     return result;
 }
 
 MuellerGradient directional_diffuse_mueller_gradient(const PairGradient& pair, const Wavelength& wavelength,
-                                                     const RefractiveIndex& index,
-                                                     DiffuseLobe lobe_of) noexcept {
+                                                     const CoatedIndex& index, DiffuseLobe lobe_of,
+                                                     std::span<ByFilm<Mueller>> films) noexcept {
+    std::ranges::fill(films, ByFilm<Mueller>{});
     const BrdfGradient lobe = lobe_gradient(pair, wavelength, lobe_of);
     if (lobe.value == 0) return {};
-    const FresnelGradient amplitudes = fresnel_gradient(pair.factors().cos_theta_d(), index);
+    const FresnelGradient amplitudes = index.gradient(pair.factors().cos_theta_d(), {});
     const auto facet = [&](const FresnelAmplitudes& f) { return facet_jones(pair.in(), pair.out(), f); };
     const JonesMatrix jones = facet(amplitudes.value);
     const JonesMatrix by_cosine = facet(amplitudes.by_cos_theta);
@@ -311,14 +339,17 @@ MuellerGradient directional_diffuse_mueller_gradient(const PairGradient& pair, c
     result.by.theta_i = by_angle(lobe.by.theta_i, cosine.theta_i, turned.theta_i);
     result.by.theta_r = by_angle(lobe.by.theta_r, cosine.theta_r, turned.theta_r);
     result.by.phi = by_angle(lobe.by.phi, cosine.phi, turned.phi);
+    each_film(index, pair.factors().cos_theta_d(), wavelength, films,
+              [&](const FresnelAmplitudes& f) { return term.by_jones(facet(f)); });
     return result;
 }
 
 SpecularGradient specular_reflectance_gradient(const Surface& surface, const ViewGradient& in,
-                                               const Wavelength& wavelength,
-                                               const RefractiveIndex& index) noexcept {
+                                               const Wavelength& wavelength, const CoatedIndex& index,
+                                               std::span<ByFilm<>> films) noexcept {
+    std::ranges::fill(films, ByFilm<>{});
     const BrdfGradient coherent = coherent_gradient(surface, in, wavelength);
-    const FresnelGradient amplitudes = fresnel_gradient(in.direction.cos_theta(), index);
+    const FresnelGradient amplitudes = index.gradient(in.direction.cos_theta(), {});
     const double reflectance = amplitudes.value.unpolarised_reflectance();
     const auto by_fresnel = [&](const FresnelAmplitudes& by) {
         return coherent.value * amplitudes.unpolarised_reflectance(by);
@@ -333,14 +364,16 @@ SpecularGradient specular_reflectance_gradient(const Surface& surface, const Vie
     by.k = by_fresnel(amplitudes.by_k());
     by.theta_i =
         reflectance * coherent.by.theta_i - in.direction.sin_theta() * by_fresnel(amplitudes.by_cos_theta);
+    each_film(index, in.direction.cos_theta(), wavelength, films, by_fresnel);
     return {SpecularReflectance{reflectance * coherent.value}, by};
 }
 
 MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGradient& in,
-                                          const Wavelength& wavelength,
-                                          const RefractiveIndex& index) noexcept {
+                                          const Wavelength& wavelength, const CoatedIndex& index,
+                                          std::span<ByFilm<Mueller>> films) noexcept {
+    std::ranges::fill(films, ByFilm<Mueller>{});
     const BrdfGradient coherent = coherent_gradient(surface, in, wavelength);
-    const FresnelGradient amplitudes = fresnel_gradient(in.direction.cos_theta(), index);
+    const FresnelGradient amplitudes = index.gradient(in.direction.cos_theta(), {});
     const auto diagonal = [](const FresnelAmplitudes& f) { return JonesMatrix{f.s, 0.0, 0.0, f.p}; };
     const ScaledMueller term{coherent.value, diagonal(amplitudes.value)};
     MuellerGradient result{term.value(), {}};
@@ -353,6 +386,8 @@ MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGrad
     result.by.k = term.by_jones(diagonal(amplitudes.by_k()));
     result.by.theta_i = term.by_scale(coherent.by.theta_i) +
                         term.by_jones(-in.direction.sin_theta() * diagonal(amplitudes.by_cos_theta));
+    each_film(index, in.direction.cos_theta(), wavelength, films,
+              [&](const FresnelAmplitudes& f) { return term.by_jones(diagonal(f)); });
     return result;
 }
 

@@ -21,8 +21,14 @@
 ///   sigma_0 = 0    the lobe grows as sigma_0^2, the specular term falls so:
 ///                  derivatives by both lengths are 0
 ///   k = 0          one-sided; negative where n < sin theta_d, total reflection
+///   films          n and k of the gradient are those of the substrate; what is asked for in `films`,
+///                  outermost first, is by each film's own numbers
+///   correlation    of a shape that is not Gaussian: by its length, the shape being kept; D's derivatives are
+///                  those of its table, accuracy::correlation_slopes
 ///   n = sin theta_d (with k = 0)   the critical angle: Fresnel's amplitudes have no derivative, 0 is taken
 #pragma once
+
+#include <span>
 
 #include "hts/terms.hpp"
 
@@ -72,20 +78,30 @@ struct MuellerGradient {
     Gradient<Mueller> by;
 };
 
-/// Derivatives by the axes of a surface: by ln tau_x, ln tau_y and the azimuth of the first axis.
-struct ByAxes {
-    double x, y, azimuth;
+/// A derivative, or a matrix of them, by what a film is.
+template <class Value = double>
+struct ByFilm {
+    Value n{}, k{};     ///< its refractive index [1]
+    Value thickness{};  ///< [1/um]
 };
 
 /// A direction, what a given surface lets it see, and how that changes.
 struct ViewGradient {
     Direction direction;
     VisibilityGradient visibility;
+    /// Of the logarithm of the slope width along it, by the axes and, negative, by ln tau with tau_x/tau_y
+    /// kept.
+    ByAxes slope_by_axes;
+    double slope_by_length;
 
     [[nodiscard]] View view() const noexcept { return {direction, visibility.value}; }
 };
 
+///   surface   with a Gaussian correlation
 [[nodiscard]] ViewGradient view_gradient(const Surface& surface, const Direction& direction) noexcept;
+/// With any: then the slopes are those that the wavelength sees, and the view is for it alone.
+[[nodiscard]] ViewGradient view_gradient(const Surface& surface, const Direction& direction,
+                                         const Wavelength& wavelength) noexcept;
 
 /// All that a pair of directions contributes to the lobe and to its derivatives, whatever the wavelength.
 class PairGradient {
@@ -94,6 +110,10 @@ class PairGradient {
     PairGradient(const Surface& surface, const ViewGradient& in, const ViewGradient& out) noexcept;
     PairGradient(const Surface& surface, const Direction& in, const Direction& out) noexcept
         : PairGradient{surface, view_gradient(surface, in), view_gradient(surface, out)} {}
+    PairGradient(const Surface& surface, const Direction& in, const Direction& out,
+                 const Wavelength& wavelength) noexcept
+        : PairGradient{surface, view_gradient(surface, in, wavelength),
+                       view_gradient(surface, out, wavelength)} {}
 
     [[nodiscard]] const PairFactors& factors() const noexcept { return factors_; }
     [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
@@ -106,6 +126,9 @@ class PairGradient {
     /// Those of ln(G S/(cos theta_i cos theta_r)).
     [[nodiscard]] double log_geometry_by_log_slope() const noexcept { return log_geometry_by_log_slope_; }
     [[nodiscard]] const ByAngles<double>& log_geometry() const noexcept { return log_geometry_; }
+    /// Both, negative, by ln tau as it acts by slopes: the same where the correlation is Gaussian.
+    [[nodiscard]] double log_roughness_by_log_length() const noexcept { return log_roughness_by_log_length_; }
+    [[nodiscard]] double log_geometry_by_log_length() const noexcept { return log_geometry_by_log_length_; }
     /// Both by the axes of the surface.
     [[nodiscard]] const ByAxes& log_roughness_by_axes() const noexcept { return log_roughness_by_axes_; }
     [[nodiscard]] const ByAxes& log_geometry_by_axes() const noexcept { return log_geometry_by_axes_; }
@@ -128,6 +151,7 @@ class PairGradient {
     ByAngles<double> cos_theta_d_, log_roughness_, log_geometry_, stretched_squared_;
     ByAxes log_roughness_by_axes_, log_geometry_by_axes_, stretched_squared_by_axes_;
     double log_roughness_by_log_slope_, log_geometry_by_log_slope_;
+    double log_roughness_by_log_length_, log_geometry_by_log_length_;
 };
 
 /// Directional-diffuse term for unpolarised light; by.diffuse_albedo is 0.
@@ -135,33 +159,37 @@ class PairGradient {
 ///   cost    about two evaluations, with views and pair or without
 [[nodiscard]] BrdfGradient directional_diffuse_gradient(const PairGradient& pair,
                                                         const Wavelength& wavelength,
-                                                        const RefractiveIndex& index,
-                                                        DiffuseLobe lobe = DiffuseLobe::full) noexcept;
+                                                        const CoatedIndex& index,
+                                                        DiffuseLobe lobe = DiffuseLobe::full,
+                                                        std::span<ByFilm<>> films = {}) noexcept;
 
 /// Both diffuse terms together.
 ///   uniform_diffuse   a/pi [1/sr], see hts::uniform_diffuse
 [[nodiscard]] BrdfGradient brdf_gradient(const PairGradient& pair, const Wavelength& wavelength,
-                                         const RefractiveIndex& index, double uniform_diffuse,
-                                         DiffuseLobe lobe = DiffuseLobe::full) noexcept;
+                                         const CoatedIndex& index, double uniform_diffuse,
+                                         DiffuseLobe lobe = DiffuseLobe::full,
+                                         std::span<ByFilm<>> films = {}) noexcept;
 
 /// Mueller matrix of the directional-diffuse term [1/sr] in the frames of polarisation.hpp, which turn with
 /// the rays.
 ///   error   accuracy::mueller_gradient
 [[nodiscard]] MuellerGradient directional_diffuse_mueller_gradient(
-    const PairGradient& pair, const Wavelength& wavelength, const RefractiveIndex& index,
-    DiffuseLobe lobe = DiffuseLobe::full) noexcept;
+    const PairGradient& pair, const Wavelength& wavelength, const CoatedIndex& index,
+    DiffuseLobe lobe = DiffuseLobe::full, std::span<ByFilm<Mueller>> films = {}) noexcept;
 
 /// Specular term for unpolarised light; by.theta_i turns the outgoing direction along, the mirror of the
 /// incident one.
 ///   error   accuracy::specular_gradient
 [[nodiscard]] SpecularGradient specular_reflectance_gradient(const Surface& surface, const ViewGradient& in,
                                                              const Wavelength& wavelength,
-                                                             const RefractiveIndex& index) noexcept;
+                                                             const CoatedIndex& index,
+                                                             std::span<ByFilm<>> films = {}) noexcept;
 
 /// Its Mueller matrix [1].
 ///   error   accuracy::specular_mueller_gradient
 [[nodiscard]] MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGradient& in,
                                                         const Wavelength& wavelength,
-                                                        const RefractiveIndex& index) noexcept;
+                                                        const CoatedIndex& index,
+                                                        std::span<ByFilm<Mueller>> films = {}) noexcept;
 
 }  // namespace hts

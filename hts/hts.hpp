@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hts/correlation/correlation.hpp"
+#include "hts/correlation/kept_tables.hpp"
 #include "hts/direction.hpp"
 #include "hts/error.hpp"
 #include "hts/evaluation/single_precision.hpp"

@@ -104,6 +104,30 @@ double Surface::stretched(const HorizontalChange& change) const noexcept {
                       y * (lengths_.across / correlation_length_));
 }
 
+ByAxes log_slope_by_axes(const Surface& surface, const Direction& along) noexcept {
+    const auto& [tau_x, tau_y] = surface.correlation_lengths();
+    const Direction& axis = surface.axis();
+    const double c = along.cos_phi() * axis.cos_phi() + along.sin_phi() * axis.sin_phi();
+    const double s = along.sin_phi() * axis.cos_phi() - along.cos_phi() * axis.sin_phi();
+    const double x = c * (surface.correlation_length() / tau_x);
+    const double y = s * (surface.correlation_length() / tau_y);
+    const double sum = x * x + y * y;
+    const double turned =
+        x * s * (surface.correlation_length() / tau_x) - y * c * (surface.correlation_length() / tau_y);
+    return {-x * x / sum, -y * y / sum, surface.isotropic() ? 0 : turned / sum};
+}
+
+CorrelationLengths seen_by_lengths(const Surface& surface, const Wavelength& wavelength) noexcept {
+    const auto& shape = surface.correlation();
+    if (!shape) return {1, 1};
+    // tau = length (2/v)^(1/2), v the variance of slopes below q = 2 pi length/lambda, half that of W q^3 dq
+    const auto along = [&](double length) {
+        const double q = 2 * std::numbers::pi * length / wavelength.micrometres();
+        return 1 - std::exp(shape->log_spectrum(q) + 4 * std::log(q)) / (4 * shape->slope_variance_below(q));
+    };
+    return {along(surface.correlation_lengths().along), along(surface.correlation_lengths().across)};
+}
+
 double stretched_horizontal(const Surface& surface, const Direction& in, const Direction& out) noexcept {
     return surface.isotropic() ? wave_vector_change(in, out).horizontal
                                : surface.stretched(horizontal_change(in, out));

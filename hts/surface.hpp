@@ -85,6 +85,24 @@ class Surface {
     std::optional<Correlation> correlation_;
 };
 
+/// Derivatives by the axes of a surface: by ln tau_x, ln tau_y and the azimuth of the first axis.
+struct ByAxes {
+    double x, y, azimuth;
+};
+[[nodiscard]] constexpr ByAxes operator*(double scale, const ByAxes& by) noexcept {
+    return {scale * by.x, scale * by.y, scale * by.azimuth};
+}
+[[nodiscard]] constexpr ByAxes operator+(const ByAxes& a, const ByAxes& b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.azimuth + b.azimuth};
+}
+/// Of the logarithm of slope_width along a direction; that by the azimuth of the direction is the negative of
+/// the last.
+[[nodiscard]] ByAxes log_slope_by_axes(const Surface& surface, const Direction& along) noexcept;
+/// How the lengths of what is `seen_by` go with those of the surface, d ln tau/d ln length along both axes: 1
+/// where the correlation is Gaussian.
+[[nodiscard]] CorrelationLengths seen_by_lengths(const Surface& surface,
+                                                 const Wavelength& wavelength) noexcept;
+
 /// |v_xy| of a pair as t has it, `stretched`.
 ///   error   as of wave_vector_change, times the longer length over tau
 [[nodiscard]] double stretched_horizontal(const Surface& surface, const Direction& in,

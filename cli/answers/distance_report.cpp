@@ -53,7 +53,7 @@ std::string three(const TrueDecibels& of) {
 }
 
 const spectral::DistanceStudy& study_of(const MaterialInfo& info) {
-    return spectral::distance_study(info.validity.points().front().sample.index.substrate());
+    return spectral::distance_study(info.surface, info.validity.points().front().sample.index.substrate());
 }
 
 Json json_of(const TrueDecibels& of) {

@@ -167,7 +167,7 @@ std::string length_note(const Surface& surface) {
         surface.correlation()
             ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. "
               "Limits and "
-              "errors are those\nof Gaussian correlations: of others they are not measured yet.\n"
+              "errors are those\nof Gaussian correlations.\n"
             : "";
     if (surface.isotropic()) return shape;
     return shape +

@@ -165,6 +165,32 @@ TEST_CASE("hts info names the correlation of a surface") {
     CHECK(json["correlation"] == "matern, nu 1.5");
 }
 
+TEST_CASE("hts info expects of K-correlated metals what exact scattering by such ones says") {
+    const Workplace place;
+    const auto info = [&](const std::string& correlation, const std::string& index = "\"Al\"") {
+        place.file("m.json", R"({"model": "he_unified", "rms_roughness_um": 0.07, "index": )" + index +
+                                 R"(, "correlation": )" + correlation + "}");
+        return nlohmann::json::parse(
+            place.hts("info m.json --wavelengths 0.5 --theta 30,85 --json").output)["expected_distance_db"];
+    };
+    const auto shape = [](double c, double length) {
+        return R"({"type": "k_correlation", "B_um": )" + std::to_string(2 * 3.14159265 * length) +
+               R"(, "C": )" + std::to_string(c) + R"(, "psd": "2d"})";
+    };
+    const auto exponential = info(shape(3, 0.35)), smooth = info(shape(5, 0.8));
+    CHECK(exponential["cases"] == 24);
+    CHECK(exponential["substance"] == "perfect conductors, K-correlated");
+    CHECK(exponential["by_angle"][0]["studied"] == 1);
+    CHECK(exponential["by_angle"][1]["studied"] == 0);  // 85 deg
+    const auto tm = [](const auto& of) {
+        return of["by_angle"][0]["he_unified"]["tm"].template get<double>();
+    };
+    CHECK(tm(exponential) > 0.5);
+    CHECK(tm(smooth) < 0.4);
+    CHECK(info(shape(7, 0.8))["by_angle"][0]["studied"] == 0);  // nu 5/2
+    CHECK(info(shape(5, 0.8), R"({"n": 1.5, "k": 0})")["by_angle"][0]["studied"] == 0);
+}
+
 TEST_CASE("values of he_unified are judged by their distance from exact scattering, whoever is asked") {
     const Workplace place;
     const std::string unified = R"({"model": "he_unified", "rms_roughness_um": )";

@@ -138,11 +138,21 @@ void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<F
     std::cout << path.string() << '\n';
 }
 
+/// Whose energy is mapped, and under which title.
+struct FurnaceSubject {
+    spectral::RoughSurface like;
+    std::string title;
+};
+
 /// The published model's of a Gaussian correlation, or what a material file says.
-spectral::RoughSurface surface_like(const std::string& material) {
-    if (material.empty()) return {1, 1};
+FurnaceSubject subject(const std::string& material) {
+    if (material.empty()) return {{1, 1}, "Where the model gains and loses energy"};
     const auto read = spectral::read_material(material, tables::models_with_files());
-    if (const auto& surface = read.properties().surface) return *surface;
+    if (const auto& surface = read.properties().surface) {
+        const auto& shape = surface->correlation();
+        return {*surface, "Where " + read.model_name() + " gains and loses energy, correlation " +
+                              (shape ? shape->name() : "gaussian")};
+    }
     throw Error{material + ": model " + read.model_name() + ": must be he or he_unified"};
 }
 
@@ -150,11 +160,12 @@ void run(const FurnaceOptions& options) {
     const fs::path folder{options.folder};
     output::require_gnuplot((folder / "furnace.svg").string());
     const FurnaceGrid grid = furnace_grid(options.quick);
-    const auto points = furnace_map(grid, surface_like(options.material), options.compensate);
+    const FurnaceSubject of = subject(options.material);
+    const auto points = furnace_map(grid, of.like, options.compensate);
     for (const char* name : {"furnace.csv", "furnace.json"}) {
         write_table(folder / name, grid, points, options.compensate);
     }
-    draw_map(folder / "furnace.svg", grid, points, "Where the model gains and loses energy",
+    draw_map(folder / "furnace.svg", grid, points, of.title,
              [](const FurnacePoint& point) { return point.model.total(); });
     if (!options.compensate) return;
     draw_map(folder / "furnace-compensated.svg", grid, points, "The same with energy compensation",

@@ -52,7 +52,7 @@ class Copy:
         (self.folder / "bin").mkdir()
         (self.folder / "bin/hts").symlink_to(pathlib.Path(hts).resolve())
         path = f"{self.folder}/bin:{os.environ['PATH']}"
-        self.environment = {**os.environ, "PATH": path, "LC_ALL": "C.UTF-8"}
+        self.environment = {**os.environ, "PATH": path, "LC_ALL": "C.UTF-8", "HTS_CACHE": "off"}
 
     def __enter__(self):
         return self

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -11,7 +13,9 @@
 #include <vector>
 
 #include "hts/correlation/height_shape.hpp"
+#include "hts/correlation/kept_tables.hpp"
 #include "hts/correlation/lobe_table.hpp"
+#include "hts/correlation/table_file.hpp"
 #include "hts/correlation/tabulated_shape.hpp"
 #include "hts/error.hpp"
 
@@ -29,18 +33,23 @@ class TableCache {
         const std::vector<double> identity = shape->identity();
         if (const auto found = tables_.find(identity); found != tables_.end()) return found->second;
         if (tables_.size() >= most) tables_.clear();
-        return tables_.emplace(identity, std::make_shared<const LobeTable>(shape)).first->second;
+        return tables_.emplace(identity, detail::kept_table(folder_, shape)).first->second;
+    }
+    void keep_in(const std::filesystem::path& folder) {
+        const std::lock_guard lock{mutex_};
+        folder_ = folder;
     }
 
   private:
     static constexpr std::size_t most = 16;
     std::mutex mutex_;
+    std::filesystem::path folder_;
     std::map<std::vector<double>, std::shared_ptr<const LobeTable>> tables_;
 };
 
-std::shared_ptr<const LobeTable> table_of(const detail::ShapePointer& shape) {
+TableCache& tables() {
     static TableCache cache;
-    return cache.of(shape);
+    return cache;
 }
 
 /// Integrals of W q and of W q^3/2 up to the points of a grid of ln q.
@@ -109,13 +118,30 @@ void require_integrable(std::span<const double> frequency, std::span<const doubl
 
 }  // namespace
 
+void keep_correlation_tables_in(const std::filesystem::path& folder) {
+    tables().keep_in(folder);
+}
+
+std::filesystem::path user_cache_folder() {
+    const auto of = [](const char* name) -> std::string {
+        const char* const value = std::getenv(name);
+        return value == nullptr ? "" : value;
+    };
+    if (const std::string own = of("HTS_CACHE"); !own.empty())
+        return own == "off" ? std::filesystem::path{} : std::filesystem::path{own};
+    if (const std::string cache = of("XDG_CACHE_HOME"); std::filesystem::path{cache}.is_absolute())
+        return std::filesystem::path{cache} / "hts";
+    const std::string home = of("HOME");
+    return home.empty() ? std::filesystem::path{} : std::filesystem::path{home} / ".cache" / "hts";
+}
+
 struct Correlation::Shared {
     explicit Shared(detail::ShapePointer of) : shape{std::move(of)}, moments{*shape} {}
 
     const LobeTable& made() {
         if (const LobeTable* const there = table.load(std::memory_order_acquire)) return *there;
         std::call_once(once, [this] {
-            kept = table_of(shape);
+            kept = tables().of(shape);
             table.store(kept.get(), std::memory_order_release);
         });
         return *kept;
@@ -158,6 +184,16 @@ Correlation Correlation::sum(std::span<const Part> parts) {
     return Correlation{std::make_shared<Shared>(detail::sum_of_shapes(std::move(shapes)))};
 }
 
+Correlation::Scaled Correlation::fractal(double slope, double periods) {
+    if (!(slope >= 0.1 && slope <= 10))
+        throw out_of_range("slope of a fractal spectrum", slope, "", "from 0.1 to 10");
+    if (!(periods >= 2 && periods <= 1e7))
+        throw out_of_range("longest over shortest period of a fractal spectrum", periods, "",
+                           "from 2 to 1e+07");
+    const detail::ScaledShape made = detail::fractal_shape(slope, periods);
+    return {Correlation{std::make_shared<Shared>(made.shape)}, made.length, 1};
+}
+
 Correlation::Scaled Correlation::of_spectrum(std::span<const double> frequency,
                                              std::span<const double> density, bool continued) {
     require_spectrum(frequency, density);
@@ -197,6 +233,10 @@ std::string Correlation::name() const {
     return shared_->shape->name();
 }
 
+std::optional<double> Correlation::nu() const {
+    return shared_->shape->nu();
+}
+
 double Correlation::log_spectrum(double q) const {
     return shared_->shape->log_spectrum(q);
 }
@@ -217,6 +257,11 @@ ScatteringIntegral Correlation::lobe(double g, double q) const noexcept {
     if (!(g > 0)) return {0, -std::numeric_limits<double>::infinity(), 1};
     const auto [log, log_inverse_mean] = shared_->made()(g, q);
     return {std::exp(log), log, std::exp(log_inverse_mean)};
+}
+
+ScatteringSlopes Correlation::lobe_slopes(double g, double t) const noexcept {
+    const auto [by_log_g, by_t] = shared_->made().slopes(g, t);
+    return {by_log_g, by_t};
 }
 
 const correlation_detail::LobeTable& Correlation::table() const {

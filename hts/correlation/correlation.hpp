@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,6 +36,8 @@ inline constexpr double correlation_lobe = 1e-6;
 inline constexpr double correlation_two_scales = 5e-5;
 /// The same from there down to 1e-8.
 inline constexpr double correlation_tail = 1e-4;
+/// Of derivatives of ln D, absolute beside 1 plus the derivative; of the exponential, where D is over 1e-3.
+inline constexpr double correlation_slopes = 9e-6;
 /// Of `variance_below` and `slope_variance_below`, relative.
 inline constexpr double correlation_moments = 1e-8;
 }  // namespace accuracy
@@ -44,6 +47,12 @@ struct ScatteringIntegral {
     double value;         ///< 2 D
     double log;           ///< its logarithm
     double inverse_mean;  ///< beta
+};
+
+/// Derivatives of ln D.
+struct ScatteringSlopes {
+    double by_log_g;  ///< by ln g
+    double by_t;      ///< by t = q^2/4
 };
 
 /// A shape; copies share what they hold. Every call is const and may run on any thread; the table is made
@@ -63,6 +72,11 @@ class Correlation {
     /// The lengths of the parts are in units of the sum's length.
     [[nodiscard]] static Correlation sum(std::span<const Part> parts);
     struct Scaled;
+    /// Self-affine between two cut-offs: S2 ~ 1/(1 + (L f)^2)^(slope/2), L the longest period, which ends at
+    /// the shortest one (over a twentieth, in ln f). K-correlation, but that the slope may be so small that the
+    /// variance of heights would be infinite without an end. The length is in units of L.
+    ///   slope   0.1 ... 10      periods   the longest over the shortest, 2 ... 1e7; else hts::Error
+    [[nodiscard]] static Scaled fractal(double slope, double periods);
     /// Of a power spectrum that is known at some frequencies. Between, powers of f; below the first it is
     /// held; beyond the last it is 0, or goes on as the power of f with which it ends.
     ///   frequency   > 0, increasing, at least 3 [1/um]      density   S2 > 0 [um^4]; else hts::Error
@@ -83,6 +97,8 @@ class Correlation {
     /// For people: "exponential", "matern, nu 1.5", "sum of 0.9 of gaussian + 0.1 of exponential",
     /// "tabulated".
     [[nodiscard]] std::string name() const;
+    /// Of a Matern shape, K-correlation; none of others.
+    [[nodiscard]] std::optional<double> nu() const;
     /// ln W(q); -infinity where there is no power.
     [[nodiscard]] double log_spectrum(double q) const;
     /// Share of the variance of heights that frequencies below q carry, integral of W q dq.
@@ -98,6 +114,10 @@ class Correlation {
     ///   g       0 ... most_phase_variance; beyond, the value there      q   >= 0
     ///   error   accuracy::correlation_lobe, accuracy::correlation_tail
     [[nodiscard]] ScatteringIntegral lobe(double g, double q) const noexcept;
+    /// Derivatives of its logarithm.
+    ///   t       q^2/4
+    ///   error   accuracy::correlation_slopes of g d/dg and of t d/dt, where D is over 1e-3 of its peak
+    [[nodiscard]] ScatteringSlopes lobe_slopes(double g, double t) const noexcept;
     static constexpr double most_phase_variance = 1e8;
     /// The table, for vector lanes; made where there is none yet.
     [[nodiscard]] const correlation_detail::LobeTable& table() const;
@@ -122,7 +142,7 @@ struct Correlation::Part {
 struct Correlation::Scaled {
     Correlation shape;
     double length;  ///< where C = 1/e [um]
-    /// sigma_0 by the whole spectrum, with what is held and continued [um]; of a correlation function 1
+    /// sigma_0 by the whole spectrum, with what is held and continued [um]; 1 where none is known
     double rms_roughness;
 };
 

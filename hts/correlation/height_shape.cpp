@@ -73,6 +73,7 @@ class Matern final : public HeightShape {
     [[nodiscard]] std::string name() const override {
         return nu_ == 0.5 ? "exponential" : "matern, nu " + shortest(nu_);
     }
+    [[nodiscard]] std::optional<double> nu() const override { return nu_; }
     [[nodiscard]] std::vector<double> identity() const override { return {2, nu_}; }
 
   private:

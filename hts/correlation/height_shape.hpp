@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ class HeightShape {
     [[nodiscard]] virtual bool ends() const { return false; }
     /// For people: "exponential", "matern, nu 1.5".
     [[nodiscard]] virtual std::string name() const = 0;
+    /// Of a Matern shape.
+    [[nodiscard]] virtual std::optional<double> nu() const { return std::nullopt; }
     /// Numbers that determine the shape, no other shape having the same.
     [[nodiscard]] virtual std::vector<double> identity() const = 0;
 };

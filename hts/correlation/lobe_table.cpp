@@ -141,6 +141,12 @@ struct Cell {
     Weights of;
 };
 
+/// Derivatives of `weights`.
+Weights weight_slopes(double x) {
+    const double y = 1 - x;
+    return {-y * y / 2, x * (1.5 * x - 2), y * (2 - 1.5 * y), x * x / 2};
+}
+
 Cell cell(double position, std::size_t points) {
     const double floor = std::clamp(std::floor(position), 0.0, static_cast<double>(points) - 2);
     return {static_cast<std::size_t>(floor), weights(position - floor)};
@@ -272,6 +278,24 @@ LobeTable::LobeTable(const ShapePointer& shape) {
     }
 }
 
+LobeTable::LobeTable(std::span<const double> numbers) {
+    for (const auto& [part, size] : {std::pair{&log_width_, row_count + 2},
+                                     {&lobe_, (row_count + 2) * row_length},
+                                     {&mean_, (row_count + 2) * row_length}}) {
+        const auto of_part = numbers.first(size);
+        part->assign(of_part.begin(), of_part.end());
+        numbers = numbers.subspan(size);
+    }
+}
+
+std::size_t LobeTable::number_count() noexcept {
+    return (row_count + 2) * (1 + 2 * row_length);
+}
+
+std::array<std::span<const double>, 3> LobeTable::numbers() const noexcept {
+    return {log_width_, lobe_, mean_};
+}
+
 LobeTable::Coefficients LobeTable::coefficients() const noexcept {
     return {first_row, row_count, log_width_.data(), lobe_.data(), mean_.data()};
 }
@@ -309,6 +333,49 @@ LobeRow::Value LobeTable::operator()(double g, double q) const noexcept {
         value.log_inverse_mean *= share;
     }
     return {value.log_lobe, std::min(value.log_inverse_mean, 0.0)};
+}
+
+LobeTable::Slopes LobeTable::slopes(double g, double t) const noexcept {
+    const double held = std::clamp(g, least_g, greatest_g), beside = held + crowded;
+    const double position = (row_coordinate(held) - first_row) / row_step;
+    const double rows_by_log_g = (1 + crowding * crowded * held / (beside * beside)) / row_step;
+    const Cell by_g = cell(position, row_count);
+    const Weights g_slopes = weight_slopes(position - static_cast<double>(by_g.first));
+    double log_width = 0, width_by_row = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        log_width += by_g.of[k] * log_width_[by_g.first + k];
+        width_by_row += g_slopes[k] * log_width_[by_g.first + k];
+    }
+    // even in q: below this ratio the slope by its square is that at 0
+    constexpr double least_ratio = 1e-3;
+    const double ratio = std::max(2 * std::sqrt(t) * std::exp(-log_width), least_ratio);
+    const double column = std::asinh(ratio) / column_step;
+    const Cell by_u = cell(std::min(column, last_column), columns);
+    const double x = std::min(column, last_column) - static_cast<double>(by_u.first);
+    const Weights u_slopes = weight_slopes(x);
+    double by_row = 0, by_column = 0, by_both = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double* const row = lobe_.data() + (by_g.first + k) * row_length + by_u.first;
+        double value = 0, slope = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+            value += by_u.of[j] * row[j];
+            slope += u_slopes[j] * row[j];
+        }
+        by_row += g_slopes[k] * value;
+        by_column += by_g.of[k] * slope;
+        by_both += g_slopes[k] * slope;
+    }
+    if (column > last_column) by_row += (column - last_column) * by_both;  // a power of q
+    const double root = std::sqrt(1 + ratio * ratio);
+    const double by_log_width = -by_column / column_step * ratio / root;
+    Slopes result{rows_by_log_g * (by_row + by_log_width * width_by_row),
+                  by_column / column_step * 2 * std::exp(-2 * log_width) / (ratio * root)};
+    if (g > greatest_g) result.by_log_g = 0;
+    if (g < least_g) {
+        const double kicks = 2 * (*this)(least_g, 2 * std::sqrt(t)).log_inverse_mean;
+        result.by_log_g = 1 - g - g / least_g * kicks;
+    }
+    return result;
 }
 
 std::size_t LobeTable::bytes() const noexcept {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hts/correlation/height_shape.hpp"
@@ -68,9 +69,19 @@ class LobeTable {
     static constexpr double last_column = static_cast<double>(columns - 1);
 
     explicit LobeTable(const ShapePointer& shape);
+    /// Of the numbers of another one, all parts in a row.
+    explicit LobeTable(std::span<const double> numbers);
+    [[nodiscard]] static std::size_t number_count() noexcept;
+    [[nodiscard]] std::array<std::span<const double>, 3> numbers() const noexcept;
 
     ///   g   > 0: below least_g by the first two orders; above greatest_g that value is held
     [[nodiscard]] LobeRow::Value operator()(double g, double q) const noexcept;
+    /// Derivatives of ln 2 D by ln g and by t = q^2/4, those of the splines.
+    struct Slopes {
+        double by_log_g, by_t;
+    };
+    ///   t   >= 0
+    [[nodiscard]] Slopes slopes(double g, double t) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// What vector lanes need: coefficients of B-splines, those of cell i in four from i on.

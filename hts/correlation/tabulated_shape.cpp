@@ -24,8 +24,15 @@ using Complexes = std::vector<std::complex<double>>;
 class TabulatedSpectrum final : public HeightShape {
   public:
     ///   log_scale   added to ln q and to -ln of the curve's x; log_norm to ln of its values
-    TabulatedSpectrum(LogCurve curve, bool continued, double log_scale, double log_norm)
-        : curve_{std::move(curve)}, continued_{continued}, log_scale_{log_scale}, log_norm_{log_norm} {}
+    ///   log_end     ln f where it ends unless it is continued
+    TabulatedSpectrum(std::string name, LogCurve curve, bool continued, double log_end, double log_scale,
+                      double log_norm)
+        : name_{std::move(name)},
+          curve_{std::move(curve)},
+          continued_{continued},
+          log_end_{log_end},
+          log_scale_{log_scale},
+          log_norm_{log_norm} {}
 
     [[nodiscard]] double log_spectrum(double q) const override {
         return log_norm_ + log_density(std::log(q) - log_scale_);
@@ -80,10 +87,10 @@ class TabulatedSpectrum final : public HeightShape {
     }
     [[nodiscard]] bool oscillates() const override { return true; }
     [[nodiscard]] bool ends() const override { return !continued_; }
-    [[nodiscard]] std::string name() const override { return "tabulated"; }
+    [[nodiscard]] std::string name() const override { return name_; }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{4, continued_ ? 1.0 : 0.0, log_scale_ + curve_.first_log_x(),
-                                    log_scale_ + curve_.last_log_x()};
+                                    log_scale_ + curve_.last_log_x(), log_scale_ + log_end_};
         for (int i = 0; i <= 400; ++i) {
             const double at = curve_.first_log_x() + (curve_.last_log_x() - curve_.first_log_x()) * i / 400;
             numbers.push_back(log_norm_ + curve_(at).log);
@@ -95,9 +102,10 @@ class TabulatedSpectrum final : public HeightShape {
     [[nodiscard]] double log_density(double log_f) const {
         if (log_f < curve_.first_log_x()) return curve_(curve_.first_log_x()).log;
         if (continued_) return curve_(log_f).log;
-        const double beyond = (log_f - curve_.last_log_x()) / (edge * std::numbers::sqrt2);
+        const double beyond = (log_f - log_end_) / (edge * std::numbers::sqrt2);
         if (beyond > 6) return -std::numeric_limits<double>::infinity();
-        return curve_(std::min(log_f, curve_.last_log_x() + edge)).log + std::log(std::erfc(beyond) / 2);
+        const double known = std::max(log_end_ + edge, curve_.last_log_x());
+        return curve_(std::min(log_f, known)).log + std::log(std::erfc(beyond) / 2);
     }
 
   private:
@@ -135,9 +143,10 @@ class TabulatedSpectrum final : public HeightShape {
         return result;
     }
 
+    std::string name_;
     LogCurve curve_;
     bool continued_;
-    double log_scale_, log_norm_;
+    double log_end_, log_scale_, log_norm_;
 };
 
 /// Integral of a spectrum's density over the plane of frequencies.
@@ -156,14 +165,15 @@ double variance_of(const TabulatedSpectrum& spectrum, double first, double last)
 }
 
 /// Of a curve over frequencies: W(q) = S2(f)/(2 pi sigma^2 length^2) 2 pi ... with q = 2 pi f length.
-ScaledShape scaled(const LogCurve& curve, bool continued) {
-    const TabulatedSpectrum plain{curve, continued, 0, 0};
+ScaledShape scaled(const LogCurve& curve, bool continued, double log_end, const std::string& name) {
+    const TabulatedSpectrum plain{name, curve, continued, log_end, 0, 0};
     const double variance = variance_of(plain, curve.first_log_x(), curve.last_log_x());
     const auto of_length = [&](double length) {
         // W q dq = S2 2 pi f df / sigma^2
         const double log_scale = std::log(2 * std::numbers::pi * length);
         return std::make_shared<const TabulatedSpectrum>(
-            curve, continued, log_scale, std::log(2 * std::numbers::pi / variance) - 2 * log_scale);
+            name, curve, continued, log_end, log_scale,
+            std::log(2 * std::numbers::pi / variance) - 2 * log_scale);
     };
     const LogGrid grid{-4000, 8000, 0.01};
     const Heights heights = of_length(1)->heights(grid);
@@ -222,7 +232,22 @@ LogCurve::Value LogCurve::operator()(double log_x) const noexcept {
 
 ScaledShape spectrum_shape(std::span<const double> frequency, std::span<const double> density,
                            bool continued) {
-    return scaled(LogCurve{frequency, density}, continued);
+    return scaled(LogCurve{frequency, density}, continued, std::log(frequency.back()), "tabulated");
+}
+
+ScaledShape fractal_shape(double slope, double periods) {
+    // so close together that cubic pieces are as good as the formula
+    constexpr double rows_per_e = 50, first = 1e-3;
+    const double last = periods * (1 + 10 * edge);  // beyond the end, which is smooth
+    const auto rows = static_cast<std::size_t>(std::ceil(rows_per_e * std::log(last / first))) + 1;
+    std::vector<double> frequency, density;
+    for (std::size_t i = 0; i < rows; ++i) {
+        frequency.push_back(first *
+                            std::pow(last / first, static_cast<double>(i) / static_cast<double>(rows - 1)));
+        density.push_back(std::pow(1 + frequency.back() * frequency.back(), -slope / 2));
+    }
+    return scaled(LogCurve{frequency, density}, false, std::log(periods),
+                  "fractal, C " + shortest(slope) + " over periods of 1 : " + shortest(periods));
 }
 
 std::vector<double> abel_transform(std::span<const double> frequency, std::span<const double> density) {
@@ -297,7 +322,7 @@ ScaledShape autocorrelation_shape(std::span<const double> distance, std::span<co
         density.push_back(std::max(spectrum[i], 1e-9 * greatest) * 2 * std::numbers::pi);
     }
     const LogCurve curve{frequency, density};
-    ScaledShape result = scaled(curve, curve.last_power() < -2.1);
+    ScaledShape result = scaled(curve, curve.last_power() < -2.1, curve.last_log_x(), "tabulated");
     result.variance = 1;
     return result;
 }

@@ -44,6 +44,9 @@ struct ScaledShape {
 [[nodiscard]] ScaledShape spectrum_shape(std::span<const double> frequency, std::span<const double> density,
                                          bool continued);
 
+/// S2 = 1/(1 + f^2)^(slope/2), which ends at f = periods as a table does.
+[[nodiscard]] ScaledShape fractal_shape(double slope, double periods);
+
 /// S2 from a profile's one-sided spectrum S1, by Abel's transform: S2(f) = -1/(2 pi) integral of S1'(f cosh
 /// s) ds over s > 0, S1 continued beyond the last frequency as the power of f that it ends with. May be
 /// negative where S1 rises.

@@ -180,6 +180,16 @@ HWY_INLINE V slope_width(const Lanes& o, const AxisTerms& axes, double mean, V c
     return o.sqrt(squared_along_axes(o, axes, cos_phi, sin_phi, axes.width_along, axes.width_across));
 }
 
+/// Slope width of a direction, from those along both axes at the wavelengths of the lanes.
+template <class Lanes, class V>
+HWY_INLINE V width_of(const Lanes& o, const AxisTerms& axes, V along, V across, V cos_phi, V sin_phi) {
+    if (axes.isotropic) return along;
+    const V c = o.real(axes.cosine), s = o.real(axes.sine);
+    const V first = o.mul_add(cos_phi, c, sin_phi * s) * along;
+    const V second = o.neg_mul_add(cos_phi, s, sin_phi * c) * across;
+    return o.sqrt(o.mul_add(first, first, second * second));
+}
+
 /// The square of hts::stretched_horizontal.
 ///   horizontal   |v_xy|^2
 template <class Lanes, class V>

@@ -18,16 +18,6 @@ namespace hl = lanes::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Slope width of a direction, from those along both axes at the wavelengths of the lanes.
-template <class Lanes, class V>
-HWY_INLINE V width_of(const Lanes& o, const AxisTerms& axes, V along, V across, V cos_phi, V sin_phi) {
-    if (axes.isotropic) return along;
-    const V c = o.real(axes.cosine), s = o.real(axes.sine);
-    const V first = o.mul_add(cos_phi, c, sin_phi * s) * along;
-    const V second = o.neg_mul_add(cos_phi, s, sin_phi * c) * across;
-    return o.sqrt(o.mul_add(first, first, second * second));
-}
-
 /// Shadowing of a pair, as yet without its quotient, and what the effective roughness follows.
 template <class V>
 struct PairSeen {

@@ -53,6 +53,37 @@ struct Passage {
     [[nodiscard]] Complex factor() const { return std::exp(i * delta); }
 };
 
+/// Derivatives of C and -i S without the factor e^(i delta), which acts on all fields alike.
+class PassageGradient {
+  public:
+    struct By {
+        Complex cosine, minus_i_sine, squared;  // squared: of r^2 itself
+    };
+
+    PassageGradient(const Passage& at, const Complex& squared, double phase)
+        : at_{at}, squared_{squared}, phase_{phase} {}
+
+    /// By r^2, times a derivative of that.
+    [[nodiscard]] By by_squared(const Complex& of) const {
+        const Complex d = at_.delta * at_.delta;
+        // (C k d - S)/(2 r^2), by its series where it cancels
+        const Complex sine =
+            std::norm(d) > 0.01
+                ? (at_.cosine * phase_ - i * at_.minus_i_sine) / (2.0 * squared_)
+                : at_.factor() * (phase_ * phase_ * phase_) *
+                      (-1.0 / 6 +
+                       d * (1.0 / 60 +
+                            d * (-1.0 / 1680 + d * (1.0 / 90720 + d * (-1.0 / 7983360 + d / 1037836800.0)))));
+        return {-i * at_.minus_i_sine * (phase_ / 2) * of, -i * sine * of, of};
+    }
+    [[nodiscard]] By by_phase() const { return {-i * at_.minus_i_sine * squared_, -i * at_.cosine, 0}; }
+
+  private:
+    const Passage& at_;
+    Complex squared_;
+    double phase_;
+};
+
 /// The field along an interface.
 struct Pair {
     Complex b, a;
@@ -70,6 +101,24 @@ struct Pair {
         return size > 0 ? 1 / size : 1;
     }
     [[nodiscard]] Pair times(double factor) const { return {factor * b, factor * a}; }
+};
+
+/// A dB - B dA above a film, by what changes in it.
+///   of            of C and -i S
+///   factors, by   electric and magnetic of Pair::above, and their derivatives
+Complex slope(const Pair& below, const Passage& film, const PassageGradient::By& of, const Pair& factors,
+              const Pair& by) {
+    const auto& [electric, magnetic] = factors;
+    const auto& [b, a] = below;
+    const Pair above = below.above(film, electric, magnetic);
+    const Complex by_b = of.cosine * b + (of.minus_i_sine * electric + film.minus_i_sine * by.b) * a;
+    const Complex by_a = of.cosine * a + (of.minus_i_sine * magnetic + film.minus_i_sine * by.a) * b;
+    return above.a * by_b - above.b * by_a;
+}
+
+/// Of s and of p.
+struct Slopes {
+    Complex s, p;
 };
 
 Complex reflected(const Pair& at, double c) {
@@ -104,6 +153,7 @@ CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::span<const Film>
     for (const Film& film : films) {
         if (!(film.thickness >= 0 && film.thickness <= thickest))
             throw out_of_range("film thickness", film.thickness, "um", "from 0 to 1000");
+        has_empty_films_ = has_empty_films_ || film.thickness == 0;
         if (film.thickness > 0) layers.emplace_back(film.index, wavelength.wave_number() * film.thickness);
     }
     if (!layers.empty()) layers_ = std::make_shared<const std::vector<Layer>>(std::move(layers));
@@ -158,6 +208,65 @@ FresnelAmplitudes CoatedIndex::amplitudes(double cos_theta) const noexcept {
     if (cos_theta == 0) return {-1.0, -1.0};
     const Ray top = walk(cos_theta, [](auto&&...) {});
     return {reflected(top.s, cos_theta), reflected(top.p, cos_theta)};
+}
+
+FresnelGradient CoatedIndex::gradient(double cos_theta, std::span<FilmGradient> films) const noexcept {
+    if (!layers_) return fresnel_gradient(cos_theta, substrate_);
+    const double c = cos_theta, sine_squared = (1 - c) * (1 + c);
+    // A dB - B dA at the interface that has been reached, by c and by the substrate's N
+    const Complex n{substrate_.n(), substrate_.k()}, n_squared = square_of(substrate_);
+    const Ray substrate = deepest(c);
+    const Complex root = substrate.s.a,
+                  over = root == 0.0 ? Complex{0} : 1.0 / root;  // at the critical angle 0
+    Slopes by_cosine{-c * over, -c * over / n_squared},
+        by_n{-n * over, n * (2.0 * root / n_squared - over) / n_squared};
+    std::array<Slopes, most_films> passed;  // by what those from below a film are multiplied above it
+    Complex sum = 1.0 / n_squared;          // (B_s B_p - A_s A_p)/sin^2 theta
+    const Ray top = walk(c, [&](std::size_t j, const Ray& at, const Passage& film, double s, double p) {
+        const Layer& layer = (*layers_)[j - 1];
+        const Complex u = root_squared(layer.index, c), &q = layer.square, over_q = layer.inverse_square;
+        const PassageGradient by{film, u, layer.phase};
+        const Complex factor = film.factor() * film.factor();
+        passed[j - 1] = {factor * s * s, factor * p * p};
+        const auto added = [&](const PassageGradient::By& of, const Complex& electric,
+                               const Complex& magnetic) {
+            return Slopes{slope(at.s, film, of, {1, u}, {0, of.squared}) * (s * s),
+                          slope(at.p, film, of, {q, u * over_q}, {electric, magnetic}) * (p * p)};
+        };
+        const Slopes own = added(by.by_squared(2 * c), 0, 2 * c * over_q);
+        by_cosine = {by_cosine.s * passed[j - 1].s + own.s, by_cosine.p * passed[j - 1].p + own.p};
+        by_n = {by_n.s * passed[j - 1].s, by_n.p * passed[j - 1].p};
+        const Complex &m = film.minus_i_sine, &cosine = film.cosine;
+        sum =
+            ((cosine * cosine - m * m * q) * sum + cosine * m * (at.s.b * at.p.a + at.s.a * at.p.b * over_q) +
+             m * m * (2.0 - sine_squared * over_q) * at.s.b * at.p.b) *
+            (s * p);
+        if (films.empty()) return;
+        const Complex by_square = 2.0 * Complex{layer.index.n(), layer.index.k()};
+        const Slopes of_n =
+            added(by.by_squared(by_square), by_square, sine_squared * over_q * over_q * by_square);
+        const Slopes of_phase = added(by.by_phase(), 0, 0);
+        films[j - 1] = {{of_n.s, of_n.p}, {of_phase.s, of_phase.p}};
+    });
+    const Complex s_below = c * top.s.b + top.s.a, p_below = c * top.p.b + top.p.a;
+    const Slopes scale{2.0 / (s_below * s_below), 2.0 / (p_below * p_below)};
+    const auto amplitudes = [&](const Slopes& of) {
+        return FresnelAmplitudes{c * scale.s * of.s, c * scale.p * of.p};
+    };
+    Slopes above{1, 1};
+    for (std::size_t j = 0; j < films.size(); ++j) {
+        const auto through = [&](const FresnelAmplitudes& of) {
+            return amplitudes({above.s * of.s, above.p * of.p});
+        };
+        films[j] = {through(films[j].by_n), through(films[j].by_phase)};
+        above = {above.s * passed[j].s, above.p * passed[j].p};
+    }
+    const FresnelAmplitudes by_c = amplitudes(by_cosine);
+    return {
+        c == 0 ? FresnelAmplitudes{-1.0, -1.0} : FresnelAmplitudes{reflected(top.s, c), reflected(top.p, c)},
+        {by_c.s + scale.s * top.s.a * top.s.b, by_c.p + scale.p * top.p.a * top.p.b},
+        amplitudes(by_n),
+        2.0 * (sum - top.s.b * top.p.b) / (s_below * p_below)};
 }
 
 double CoatedIndex::transmittance(double cos_theta) const noexcept {

@@ -34,7 +34,20 @@ namespace accuracy {
 /// films in radians, the sum of k d |N|, where all |N| lie from 0.05 to 20, and away from where Fresnel's
 /// amplitudes of the substrate are worse.
 inline constexpr double films = 1e-14;
+/// Of `CoatedIndex::gradient`, each derivative beside 1 plus itself, times the same and away from there too.
+inline constexpr double films_gradient = 5e-15;
 }  // namespace accuracy
+
+/// Derivatives of amplitudes by what a film is.
+struct FilmGradient {
+    FresnelAmplitudes by_n;
+    FresnelAmplitudes by_phase;  ///< by k d, 2 pi thickness over the wavelength
+
+    [[nodiscard]] FresnelAmplitudes by_k() const noexcept {
+        const std::complex<double> i{0, 1};
+        return {i * by_n.s, i * by_n.p};
+    }
+};
 
 /// A layer of one substance.
 struct Film {
@@ -78,6 +91,18 @@ class CoatedIndex {
     ///   error       accuracy::films, see there, or accuracy::fresnel
     ///   cost        of one film two of `fresnel`, of each further film one more; allocates nothing
     [[nodiscard]] FresnelAmplitudes amplitudes(double cos_theta) const noexcept;
+    /// Amplitudes with their derivatives by cos theta and by the substrate's n; `fresnel_gradient` where
+    /// there is no film.
+    ///   films    film_count() of them, filled with the derivatives by each film, outermost first; or none
+    ///   formula  with (B, A) above, dF = 2 (A d(cB) - cB dA)/(cB + A)^2. A dB - B dA that a film adds at its
+    ///            upper side passes through the films above it times their determinants e^(2 i delta), which
+    ///            neither overflow nor cancel
+    ///   error    accuracy::films_gradient
+    [[nodiscard]] FresnelGradient gradient(double cos_theta, std::span<FilmGradient> films) const noexcept;
+    /// Of those that are not of thickness 0.
+    [[nodiscard]] std::size_t film_count() const noexcept { return interfaces() - 1; }
+    /// Whether films of thickness 0 were left out.
+    [[nodiscard]] bool has_empty_films() const noexcept { return has_empty_films_; }
     /// Share of unpolarised light that enters the substrate, just below its surface [1]; films may absorb the
     /// rest of what is not reflected.
     ///   error   as of amplitudes
@@ -115,6 +140,7 @@ class CoatedIndex {
     [[nodiscard]] Ray walk(double cos_theta, Visit&& visit) const noexcept;
 
     RefractiveIndex substrate_;
+    bool has_empty_films_ = false;
     std::shared_ptr<const std::vector<Layer>> layers_;  // null where there is no film
 };
 

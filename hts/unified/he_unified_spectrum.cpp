@@ -11,6 +11,7 @@
 #include "hts/error.hpp"
 #include "hts/sampling/scattering_lobe.hpp"
 #include "hts/unified/film_lobe.hpp"
+#include "hts/unified/lanes/return_rows.hpp"
 #include "hts/unified/lanes/unified_simd.hpp"
 #include "hts/unified/unified_mirror.hpp"
 
@@ -18,7 +19,10 @@ namespace hts {
 namespace {
 
 using unified_detail::Forms;
+using unified_detail::in_powers;
 using unified_detail::Prepared;
+using unified_detail::ReturnRow;
+using unified_detail::set_return_rows;
 
 constexpr std::size_t padding = 8;  // the longest vector
 
@@ -26,76 +30,29 @@ double square(double x) {
     return x * x;
 }
 
-/// A sum of Chebyshev polynomials of x in powers of x.
-template <std::size_t size>
-std::array<double, size> in_powers(const std::array<double, size>& chebyshev) {
-    std::array<double, size> sum{}, before{}, now{1};
-    for (std::size_t j = 0; j < size; ++j) {
-        for (std::size_t i = 0; i < size; ++i) sum[i] += chebyshev[j] * now[i];
-        std::array<double, size> next{};
-        for (std::size_t i = 0; i + 1 < size; ++i) next[i + 1] = (j == 0 ? 1 : 2) * now[i];
-        for (std::size_t i = 0; i < size; ++i) next[i] -= before[i];
-        before = now;
-        now = next;
-    }
-    return sum;
-}
-
-using ReturnRow = std::array<double, ReturnFactor::terms>;
-
-/// The factor m of all azimuths for the lanes: see SurfaceTerms.
-struct ReturnRows {
-    std::vector<ReturnRow> rows;
-    double centre = 0, scale = 0;
-};
-
-/// By Chebyshev's interpolation between the least and the greatest width, the terms left
-/// out that count for nothing.
-ReturnRows return_rows(const Surface& surface) {
-    if (surface.isotropic()) return {};
-    constexpr std::size_t nodes = 32;
-    constexpr double nothing = 1e-10;
-    const auto axes = evaluation_detail::axis_terms(surface);
-    const double least = std::min({axes.width_along, axes.width_across, 2.0});
-    const double most = std::min(std::max(axes.width_along, axes.width_across), 2.0);
-    ReturnRows result{std::vector<ReturnRow>(nodes), (least + most) / 2,
-                      most > least ? 2 / (most - least) : 0};
-    for (std::size_t k = 0; k < nodes; ++k) {
-        const double turn = std::numbers::pi * (static_cast<double>(k) + 0.5) / nodes;
-        const ReturnFactor m{(result.centre + (most - least) / 2 * std::cos(turn)) / 2};
-        for (std::size_t i = 0; i < nodes; ++i) {
-            const double weight = (i == 0 ? 1.0 : 2.0) / nodes * std::cos(static_cast<double>(i) * turn);
-            for (std::size_t j = 0; j < ReturnFactor::terms; ++j)
-                result.rows[i][j] += weight * m.coefficients()[j];
-        }
-    }
-    const auto size = [](const ReturnRow& row) {
-        double sum = 0;
-        for (const double c : row) sum += std::abs(c);
-        return sum;
-    };
-    while (result.rows.size() > 1 && size(result.rows.back()) < nothing) result.rows.pop_back();
-    for (ReturnRow& row : result.rows) row = in_powers(row);
-    return result;
-}
-
 Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
                  std::span<const SpectralSample> samples, std::span<const UnifiedWave> waves) {
     const double sigma_squared = square(surface.rms_roughness());
     const std::size_t padded = (samples.size() + padding - 1) / padding * padding;
-    ReturnRows returned = return_rows(surface);
-    Prepared p{
-        {surface.slope_width(), sigma_squared, 1 / sigma_squared, square(surface.correlation_length()) / 4,
-         2 * m.slope(), mixed, in_powers(m.coefficients()), evaluation_detail::axis_terms(surface),
-         std::move(returned.rows), returned.centre, returned.scale},
-        std::ranges::all_of(samples,
-                            [](const SpectralSample& s) {
-                                return std::hypot(s.index.substrate().n(), s.index.substrate().k()) >=
-                                       std::sqrt(unified_detail::dense_square);
-                            }),
-        samples.size(),
-        padded,
-        std::vector<double>(Prepared::columns * padded)};
+    Prepared p{{surface.slope_width(),
+                sigma_squared,
+                1 / sigma_squared,
+                square(surface.correlation_length()) / 4,
+                2 * m.slope(),
+                mixed,
+                in_powers(m.coefficients()),
+                evaluation_detail::axis_terms(surface),
+                {},
+                0,
+                0},
+               std::ranges::all_of(samples,
+                                   [](const SpectralSample& s) {
+                                       return std::hypot(s.index.substrate().n(), s.index.substrate().k()) >=
+                                              std::sqrt(unified_detail::dense_square);
+                                   }),
+               samples.size(),
+               padded,
+               std::vector<double>(Prepared::columns * padded)};
     for (std::size_t i = 0; i < padded; ++i) {
         const SpectralSample& s = samples[std::min(i, samples.size() - 1)];
         const UnifiedWave& wave = waves[std::min(i, samples.size() - 1)];
@@ -136,15 +93,20 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
 /// What the wavelengths see of a surface, for the lanes: see Prepared::seen.
 template <class Seen>
 void set_seen(Prepared& p, const std::vector<Seen>& seen) {
-    p.seen.resize((Prepared::return_factor + ReturnFactor::terms) * p.padded);
+    const bool isotropic = p.surface.axes.isotropic;
+    p.seen.resize((Prepared::return_factor + (isotropic ? ReturnFactor::terms : 0)) * p.padded);
     for (std::size_t i = 0; i < p.padded; ++i) {
         const auto& [surface, m] = seen[std::min(i, seen.size() - 1)];
-        p.seen[Prepared::slope_width * p.padded + i] = surface.slope_width();
+        const auto axes = evaluation_detail::axis_terms(surface);
+        p.seen[Prepared::slope_width * p.padded + i] = isotropic ? surface.slope_width() : axes.width_along;
+        p.seen[Prepared::slope_width_across * p.padded + i] = axes.width_across;
+        if (!isotropic) continue;
         p.seen[Prepared::return_width * p.padded + i] = 2 * m.slope();
         const auto powers = in_powers(m.coefficients());
         for (std::size_t j = 0; j < powers.size(); ++j)
             p.seen[(Prepared::return_factor + j) * p.padded + i] = powers[j];
     }
+    set_return_rows(p.surface, std::span{p.seen}.first(Prepared::return_width * p.padded));
 }
 
 /// The matrix with that of the uniform diffuse term; without one, zeros keep their signs.
@@ -250,12 +212,14 @@ HeUnifiedSpectrum::HeUnifiedSpectrum(const Surface& surface, std::vector<Spectra
         tolerance.relative_error() < accuracy::finest_lane_tolerance ||
         !evaluation_detail::is_ordinary(surface_, samples_))
         return;
-    if (!seen_.empty() && !surface_.isotropic()) return;
     const Forms forms = unified_detail::forms(tolerance, !seen_.empty());
     if (forms.brdf_one == nullptr) return;
     Prepared prepared = prepare(surface_, return_factor_, mixed_, samples_, waves_);
     prepared.conductor = choices_.conductor_shortcut;
-    if (!seen_.empty()) {
+    if (seen_.empty()) {
+        const auto& axes = prepared.surface.axes;
+        set_return_rows(prepared.surface, std::array{axes.width_along, axes.width_across});
+    } else {
         prepared.correlation = &surface_.correlation()->table();
         set_seen(prepared, seen_);
     }

@@ -27,9 +27,9 @@ void require_theory_of_films(const UnifiedChoices& choices);
 ///     prepared.brdf({in, out}, spectrum);
 ///
 /// At a tolerance of 1e-6 or coarser the lobe runs in vector lanes, as that of HeTorranceSpectrum does, and
-/// where that takes the exact path so does this; so it does where only some of the wavelengths have films,
-/// and for surfaces of two correlation lengths whose correlation is not Gaussian. Under films the lanes have
-/// all but the Jones matrix, which comes from tables of amplitudes and fields over the angles. Every call is
+/// where that takes the exact path so does this; so it does where only some of the wavelengths have films.
+/// Under films the lanes have all but the Jones matrix, which comes from tables of amplitudes and fields
+/// over the angles. Every call is
 /// const, allocates nothing and may run on any thread. A pair's result has the same bits alone, in any
 /// batch and at any place in it.
 class HeUnifiedSpectrum {

@@ -12,6 +12,8 @@
 #include "hts/version.hpp"
 #include "quantities.hpp"
 #include "sampling.hpp"
+#include "spectral/models/hemisphere.hpp"
+#include "spectral/text/json_value.hpp"
 #include "tables/formats/measured_model.hpp"
 
 namespace hts::python {
@@ -96,15 +98,21 @@ nb::object polarised_albedo(const PyMaterial& self, nb::handle wavelength, nb::h
                     how_from(accuracy::default_tolerance, outside, false), nb::none());
 }
 
+/// Of what the material's file says.
+std::size_t film_count(const PyMaterial& self) {
+    if (self.description().empty()) return 0;
+    const auto films = spectral::JsonValue::parse(self.description(), "material").find("films");
+    return films ? films->items().size() : 0;
+}
+
 nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle theta_i, nb::handle theta_r,
                   nb::handle phi, nb::handle phi_i, const std::string& of, bool degrees,
                   nb::handle rms_roughness, nb::handle correlation_length, nb::handle n, nb::handle k,
                   nb::handle diffuse_albedo, const std::string& outside, int threads) {
     if (self.material().model_name() != "he")
         throw Error{"gradient: derivatives are known of model he: this is " + self.material().model_name()};
-    if (self.material().properties().surface->correlation())
-        throw Error{"gradient: derivatives are known of gaussian correlations: this is another"};
-    const Quantity derivatives = quantity::derivatives(of);
+    const std::size_t films = film_count(self);
+    const Quantity derivatives = quantity::derivatives(of, films);
     const bool views = derivatives.views;
     const nb::object all = evaluate(self, derivatives,
                                     {wavelength,
@@ -133,6 +141,12 @@ nb::dict gradient(const PyMaterial& self, nb::handle wavelength, nb::handle thet
         const bool angle = (p >= first_angle && p <= phi_place) || p == azimuth_place;
         if (degrees && angle) values = values * nb::float_(std::numbers::pi / 180);
         result[parameters[p]] = values;
+    }
+    for (std::size_t film = 0; film < films; ++film) {
+        const std::string name = "films/" + std::to_string(film) + "/";
+        std::size_t place = std::size(parameters) + 3 * film;
+        for (const char* const key : {"n", "k", "thickness_um"})
+            result[nb::str((name + key).c_str())] = moved[place++];
     }
     return result;
 }
@@ -297,8 +311,10 @@ void bind_material(nb::module_& module) {
 of      "brdf", "mueller" (of the lobe) or "specular" (by theta_i alone, the mirror direction turns along)
 by      rms_roughness_um, correlation_length_um [1/um], n, k, diffuse_albedo [1], theta_i, theta_r, phi
         [1/rad, or 1/deg]; of two correlation lengths correlation_length_x_um, correlation_length_y_um [1/um]
-        and azimuth [1/rad, or 1/deg]
-error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_torrance_gradient.hpp)",
+        and azimuth [1/rad, or 1/deg]; n and k of the substrate, and of each film films/0/n, films/0/k [1],
+        films/0/thickness_um [1/um], outermost first
+error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_torrance_gradient.hpp; 1e-4 of
+        other correlations than the Gaussian, whose length is varied with the shape kept)",
         nb::arg("wavelength"), nb::arg("theta_i"), nb::arg("theta_r") = nb::none(),
         nb::arg("phi") = nb::none(), nb::arg("phi_i") = 0.0, nb::arg("of") = "brdf",
         nb::arg("degrees") = false, nb::kw_only(), HTS_SURFACE, nb::arg("outside") = "error",
@@ -308,10 +324,14 @@ error   2e-10 of brdf and mueller, 4e-12 of specular, on the scales of hts/he_to
                          "phi: typing.Any, phi_i: typing.Any, degrees: bool)"),
                  nb::arg("wavelength"), nb::arg("theta_i"), nb::arg("theta_r"), nb::arg("phi"),
                  nb::arg("phi_i"), nb::arg("degrees"));
-    material.def_prop_ro("_two_lengths", [](const PyMaterial& self) {
-        const auto& surface = self.material().properties().surface;
-        return surface && !surface->isotropic();
-    });
+    material.def(
+        "_hemispherical_reflectance",
+        [](const PyMaterial& self, double wavelength, const std::string& outside) {
+            const auto of = self.at(wavelength, how_from(accuracy::default_tolerance, outside, false));
+            const nb::gil_scoped_release others_may_run;
+            return spectral::bihemispherical_reflectance(of, 0).total();
+        },
+        nb::arg("wavelength"), nb::arg("outside"));
 }
 
 }  // namespace hts::python

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 
+#include "hts/correlation/kept_tables.hpp"
 #include "evaluation.hpp"
 #include "hts/error.hpp"
 #include "spectral/jobs/progress.hpp"
@@ -37,6 +38,7 @@ NB_MODULE(_core, module) {
     hts::python::bind_fits(module);
     hts::python::bind_pictures(module);
     hts::python::bind_plans(module);
+    hts::keep_correlation_tables_in(hts::user_cache_folder());
     hts::python::survive_forks();
     hts::spectral::stop_jobs_where(hts::python::interrupted);
     nanobind::register_exception_translator([](const std::exception_ptr& thrown, void*) {

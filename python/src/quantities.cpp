@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,30 +72,71 @@ std::array<Value, derivative_count> in_order(const Gradient<Value>& by) {
             by.azimuth};
 }
 
-/// All derivatives that f(surface, pair, sample) gives.
-template <class OfPair>
-Quantity gradient(Shape trailing, bool views, OfPair of_pair) {
-    return {"gradient",
-            std::move(trailing),
-            views,
-            false,
-            [of_pair](const Reflectance& of, Pairs pairs, Values out) {
-                const auto& surface = of.properties().surface;
-                double* to = out.data();
-                for (const Pair& pair : pairs) {
-                    for (const SpectralSample& at : of.samples()) {
-                        if (at.index.coated()) throw Error{"gradient: must be of a surface without films"};
-                        for (const auto& derivative : in_order(of_pair(*surface, pair, at))) {
-                            if constexpr (std::is_same_v<decltype(derivative), const double&>) {
-                                *to++ = derivative;
-                            } else {
-                                to = std::ranges::copy(derivative.elements(), to).out;
-                            }
-                        }
-                    }
-                }
-            },
-            {}};
+double* put(double value, double* to) {
+    *to = value;
+    return to + 1;
+}
+double* put(const Mueller& matrix, double* to) {
+    return std::ranges::copy(matrix.elements(), to).out;
+}
+
+/// How sigma_0 over all frequencies goes with the lengths where the roughness is stated for a band:
+/// derivatives of ln sigma_0 by ln tau_x and by ln tau_y, differences of the band's share.
+ByAxes log_roughness_by_axes(const spectral::RoughSurface& surface) {
+    constexpr double step = 1e-4;
+    const auto log_share = [&](double along, double across) {
+        const auto& lengths = surface.correlation_lengths();
+        Surface other = Surface::anisotropic(surface.rms_roughness(),
+                                             {lengths.along * (1 + along), lengths.across * (1 + across)},
+                                             surface.axis());
+        if (surface.correlation()) other = other.correlated(*surface.correlation());
+        return std::log(other.variance_share(surface.band()->from, surface.band()->to));
+    };
+    const auto half_slope = [&](double along, double across) {
+        return (log_share(step * along, step * across) - log_share(-step * along, -step * across)) /
+               (4 * step);
+    };
+    return {-half_slope(1, 0), -half_slope(0, 1), 0};
+}
+
+/// By the roughness of the band, and by the lengths with that kept.
+template <class Value>
+void state_for_band(Gradient<Value>& by, const spectral::RoughSurface& surface) {
+    const double sigma = surface.rms_roughness();
+    const auto& [along, across] = surface.correlation_lengths();
+    const ByAxes moved = log_roughness_by_axes(surface);
+    const auto by_log_roughness = sigma * by.rms_roughness;
+    by.correlation_length =
+        by.correlation_length + ((moved.x + moved.y) / surface.correlation_length()) * by_log_roughness;
+    by.correlation_length_x = by.correlation_length_x + (moved.x / along) * by_log_roughness;
+    by.correlation_length_y = by.correlation_length_y + (moved.y / across) * by_log_roughness;
+    by.rms_roughness =
+        (1 / std::sqrt(surface.variance_share(surface.band()->from, surface.band()->to))) * by.rms_roughness;
+}
+
+/// All derivatives that f(surface, pair, sample, films) gives.
+///   films   of the material, none of thickness 0
+template <class Value, class OfPair>
+Quantity gradient(Shape trailing, bool views, std::size_t films, OfPair of_pair) {
+    trailing.insert(trailing.begin(), static_cast<Shape::value_type>(derivative_count + 3 * films));
+    const auto each = [films, of_pair](const Reflectance& of, Pairs pairs, Values out) {
+        const auto& surface = *of.properties().surface;
+        std::vector<ByFilm<Value>> by_film(films);
+        double* to = out.data();
+        for (const Pair& pair : pairs) {
+            for (const SpectralSample& at : of.samples()) {
+                if (at.index.has_empty_films())
+                    throw Error{"gradient: films of thickness 0: must be left out, or have a thickness"};
+                Gradient<Value> by = of_pair(surface, pair, at, std::span{by_film});
+                if (surface.band()) state_for_band(by, surface);
+                for (const Value& derivative : in_order(by)) to = put(derivative, to);
+                for (const ByFilm<Value>& film : by_film)
+                    for (const Value* const derivative : {&film.n, &film.k, &film.thickness})
+                        to = put(*derivative, to);
+            }
+        }
+    };
+    return {"gradient", std::move(trailing), views, false, each, {}};
 }
 
 }  // namespace
@@ -155,26 +196,32 @@ const Quantity validity{"validity",
                         }),
                         {}};
 
-Quantity derivatives(const std::string& of) {
+Quantity derivatives(const std::string& of, std::size_t films) {
     using At = SpectralSample;
+    using Films = std::span<ByFilm<>>;
     if (of == "brdf") {
-        return gradient({derivative_count}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return brdf_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate(), at.uniform_diffuse)
+        return gradient<double>({}, true, films, [](const Surface& s, const Pair& d, const At& at, Films by) {
+            return brdf_gradient({s, d.in, d.out, at.wavelength}, at.wavelength, at.index, at.uniform_diffuse,
+                                 DiffuseLobe::full, by)
                 .by;
         });
     }
     if (of == "mueller") {
-        return gradient({derivative_count, 4, 4}, true, [](const Surface& s, const Pair& d, const At& at) {
-            return directional_diffuse_mueller_gradient({s, d.in, d.out}, at.wavelength, at.index.substrate())
-                .by;
-        });
+        return gradient<Mueller>(
+            {4, 4}, true, films,
+            [](const Surface& s, const Pair& d, const At& at, std::span<ByFilm<Mueller>> by) {
+                return directional_diffuse_mueller_gradient({s, d.in, d.out, at.wavelength}, at.wavelength,
+                                                            at.index, DiffuseLobe::full, by)
+                    .by;
+            });
     }
     if (of == "specular") {
-        return gradient({derivative_count}, false, [](const Surface& s, const Pair& d, const At& at) {
-            return specular_reflectance_gradient(s, view_gradient(s, d.in), at.wavelength,
-                                                 at.index.substrate())
-                .by;
-        });
+        return gradient<double>(
+            {}, false, films, [](const Surface& s, const Pair& d, const At& at, Films by) {
+                return specular_reflectance_gradient(s, view_gradient(s, d.in, at.wavelength), at.wavelength,
+                                                     at.index, by)
+                    .by;
+            });
     }
     throw Error{"of \"" + of + "\": must be \"brdf\", \"mueller\" or \"specular\""};
 }

@@ -1,6 +1,7 @@
 /// What can be asked of a material.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "evaluation.hpp"
@@ -18,8 +19,10 @@ extern const Quantity s_albedo, p_albedo;
 /// Severity 0 … 2, then the least and the most error [dB], NaN where unknown.
 extern const Quantity validity;
 
-/// Derivatives of model he by all eight parameters, one after the other.
-///   of   "brdf", "mueller" or "specular"
-[[nodiscard]] Quantity derivatives(const std::string& of);
+/// Derivatives of model he by all eleven parameters, one after the other, then by n, k and thickness of each
+/// film.
+///   of      "brdf", "mueller" or "specular"
+///   films   of the material
+[[nodiscard]] Quantity derivatives(const std::string& of, std::size_t films);
 
 }  // namespace hts::python::quantity

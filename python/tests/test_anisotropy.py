@@ -51,9 +51,16 @@ def test_gradient(of):
         np.testing.assert_allclose(found[name], expected, rtol=1e-6, atol=1e-6 * scale)
 
 
+def test_hemispherical_emissivity():
+    material = brushed()
+    x, w = np.polynomial.legendre.leggauss(20)
+    root, azimuths = (x + 1) / 2, 2 * np.pi * (np.arange(12) + 0.3) / 12
+    each = material.emissivity(0.5, np.arccos(root**2)[:, np.newaxis], phi=azimuths)
+    expected = np.sum(w / 2 * 4 * root**3 * np.mean(each, axis=1))
+    assert material.hemispherical_emissivity(0.5) == pytest.approx(expected, abs=2e-5)
+
+
 def test_refusals():
-    with pytest.raises(hts.Error, match="hemispherical_emissivity.*two correlation lengths"):
-        brushed().hemispherical_emissivity(0.5)
     with pytest.raises(hts.Error, match="isotropic surface"):
         brushed().table([0.5], 1e-2)
     with pytest.raises(hts.Error, match="azimuth_deg.*must be left out"):

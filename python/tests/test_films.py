@@ -64,10 +64,63 @@ def test_errors(films, message):
         smooth(index="Al", films=films).brdf(0.5, 0.1, 0.1, 3.0)
 
 
-def test_no_derivatives():
-    coated = hts.Material(model="he", rms_roughness_um=0.1, correlation_length_um=1, index="Al", films=OXIDE)
-    with pytest.raises(hts.Error, match="gradient: must be of a surface without films"):
-        coated.gradient(0.5, 0.3, 0.4, 3.0)
+WHERE = {"wavelength": 0.5, "theta_i": 0.3, "theta_r": 0.4, "phi": 2.8}
+LAYERS = {"films/0/n": 1.46, "films/0/k": 0.01, "films/0/thickness_um": 0.11, "films/1/n": 2.1, "films/1/k": 0.0, "films/1/thickness_um": 0.06}
+
+
+def layered(rms_roughness_um=0.1, correlation_length_um=1.5, **numbers):
+    layers = {**LAYERS, **numbers}
+    films = [
+        {"index": complex(layers[f"films/{i}/n"], layers[f"films/{i}/k"]), "thickness_um": layers[f"films/{i}/thickness_um"]}
+        for i in range(2)
+    ]
+    return hts.Material(
+        model="he", rms_roughness_um=rms_roughness_um, correlation_length_um=correlation_length_um, index=0.8 + 6j, films=films,
+        correlation={"type": "matern", "nu": 1.5},
+    )
+
+
+@pytest.mark.parametrize("of", ["brdf", "mueller", "specular"])
+def test_derivatives(of):
+    where = {k: v for k, v in WHERE.items() if of != "specular" or k in ("wavelength", "theta_i")}
+
+    def value(name, moved):
+        material = layered(**{name: moved})
+        return {"brdf": material.brdf, "mueller": material.mueller, "specular": material.specular_reflectance}[of](
+            **where, tolerance=1e-6
+        )
+
+    found = layered().gradient(**where, of=of)
+    for name, at in {**LAYERS, "rms_roughness_um": 0.1, "correlation_length_um": 1.5}.items():
+        if name == "films/1/k":
+            continue  # at the end of its range
+        step = 1e-3 * at
+        moved = [value(name, at + by * step) for by in (-2, -1, 1, 2)]
+        expected = (8 * (moved[2] - moved[1]) - (moved[3] - moved[0])) / (12 * step)
+        scale = np.max(np.abs(value(name, at))) / at
+        np.testing.assert_allclose(found[name], expected, rtol=2e-4, atol=2e-4 * scale, err_msg=name)
+
+
+def test_no_derivatives_of_what_is_not_there():
+    keys = {"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 1, "index": "Al"}
+    empty = hts.Material(**keys, films=[{"index": "Al2O3", "thickness_um": 0}])
+    with pytest.raises(hts.Error, match="gradient: films of thickness 0"):
+        empty.gradient(0.5, 0.3, 0.4, 3.0)
+    assert not any(name.startswith("films") for name in hts.Material(**keys).gradient(0.5, 0.3, 0.4, 3.0))
+
+
+def test_derivatives_of_a_band():
+    def polished(rms, length):
+        return hts.Material(
+            model="he", rms_roughness_um=rms, correlation_length_um=length, correlation={"type": "matern", "nu": 0.8}, index="Al",
+            rms_band_um=[0.6, 20.0],
+        )
+
+    found = polished(0.05, 2.0).gradient(**WHERE)
+    for place, (name, at) in enumerate({"rms_roughness_um": 0.05, "correlation_length_um": 2.0}.items()):
+        step = 1e-3 * at
+        moved = [polished(*(v + (by * step if i == place else 0) for i, v in enumerate((0.05, 2.0)))).brdf(**WHERE) for by in (-1, 1)]
+        assert found[name] == pytest.approx((moved[1] - moved[0]) / (2 * step), rel=1e-3), name
 
 
 def test_fit_holds_films():

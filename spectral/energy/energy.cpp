@@ -1,6 +1,7 @@
 #include "spectral/energy/energy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,6 +11,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "hts/error.hpp"
+#include "spectral/energy/azimuths.hpp"
 #include "spectral/energy/lobe_integral.hpp"
 
 namespace hts::spectral {
@@ -79,19 +81,22 @@ HemisphericalReflectance directional_hemispherical_reflectance(const RoughSurfac
 
 HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface, const Facets& facets,
                                                      const Wavelength& wavelength) {
-    if (!surface.isotropic()) {
-        throw Error{
-            "bihemispherical reflectance of a surface of two correlation lengths: must be one length (it is "
-            "the mean over one azimuth)"};
-    }
+    const auto along = [&](auto&& part, double theta) {
+        const auto at = [&](double azimuth) {
+            return std::array{part(surface, facets, wavelength, Direction::from_angles(theta, azimuth))};
+        };
+        if (surface.isotropic()) return at(0)[0];
+        return mean_over_azimuths(surface.azimuth(), right_angle, 4,
+                                  accuracy::bihemispherical_reflectance / 2, at)[0];
+    };
+    // the rule's error is relative; beside 1 it is absolute, as that of a mean over azimuths
+    const double beside = surface.isotropic() ? 0 : 1;
     const auto mean = [&](auto&& part) {
         constexpr unsigned levels = 8;
         return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-            [&](double cosine) {
-                const Direction in = Direction::from_angles(std::acos(cosine), 0);
-                return 2 * cosine * part(surface, facets, wavelength, in);
-            },
-            0.0, 1.0, levels, accuracy::bihemispherical_reflectance);
+                   [&](double cosine) { return 2 * cosine * (along(part, std::acos(cosine)) + beside); }, 0.0,
+                   1.0, levels, accuracy::bihemispherical_reflectance) -
+               beside;
     };
     return {mean(specular_part), mean(directional_diffuse_part), 0};
 }

@@ -51,8 +51,8 @@ struct HemisphericalReflectance {
 
 /// Share of uniform incident light that is reflected, 2 times the integral of rho_dh cos theta d(cos theta),
 /// of a surface without uniform diffuse term.
-///   surface isotropic, else hts::Error
-///   error   accuracy::bihemispherical_reflectance      cost   some 30 of the above
+///   error   accuracy::bihemispherical_reflectance
+///   cost    some 30 of the above, of two correlation lengths some 200
 [[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const RoughSurface& surface,
                                                                    const Facets& facets,
                                                                    const Wavelength& wavelength);

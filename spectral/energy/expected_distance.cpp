@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -19,9 +20,9 @@ namespace hts::spectral {
 namespace {
 
 constexpr std::size_t quantities = 6;  // TE, TM and unpolarised, of both theories
-constexpr std::size_t terms = 4;       // of a plane over three coordinates
+constexpr std::size_t terms = 5;       // of a plane over four coordinates
 using Values = std::array<double, quantities>;
-using Place = std::array<double, 3>;
+using Place = std::array<double, terms - 1>;
 
 /// What was solved at a place: ln of the distances.
 struct Case {
@@ -32,9 +33,9 @@ struct Case {
 
 /// In units of what counts as near.
 Place place_of(const StudiedPoint& point) {
-    constexpr double octaves = 0.6, degrees = 10;
+    constexpr double octaves = 0.6, degrees = 10, shapes = 0.5;
     return {std::log2(point.rms_roughness) / octaves, std::log2(point.correlation_length) / octaves,
-            point.theta_i_deg / degrees};
+            point.theta_i_deg / degrees, point.nu.value_or(0) / shapes};
 }
 
 double squared_distance(const Place& a, const Place& b) {
@@ -120,7 +121,7 @@ struct Bounds {
 /// Cases of one kind of substance.
 class Study {
   public:
-    Study(std::string substance, bool conductor) {
+    Study(std::string substance, bool conductor, bool k_correlated) {
         const auto table = CsvTable::parse(std::string{embedded_text(distance_files(), "model-distances")},
                                            "model-distances.csv");
         constexpr std::array<std::string_view, quantities> names{
@@ -130,8 +131,12 @@ class Study {
         };
         for (std::size_t row = 0; row < table.row_count(); ++row) {
             if ((number(row, "index_k") > 0) != conductor) continue;
+            const double nu = number(row, "nu");
+            if ((nu > 0) != k_correlated) continue;
             const StudiedPoint point{number(row, "sigma0_over_lambda"), number(row, "tau_over_lambda"),
-                                     number(row, "theta_i_deg")};
+                                     number(row, "theta_i_deg"),
+                                     k_correlated ? std::optional{nu} : std::nullopt};
+            shape_.add(nu);
             Case found{point, place_of(point), {}};
             for (std::size_t q = 0; q < quantities; ++q) found.logs[q] = std::log(number(row, names[q]));
             roughness_.add(point.rms_roughness);
@@ -141,9 +146,11 @@ class Study {
             cases_.push_back(found);
         }
         range_ = range_of(cases_, cases_.size());
+        const std::string length = k_correlated ? "l" : "tau";
         summary_ = {std::move(substance), cases_.size(), both(factors()),
-                    "sigma0 " + roughness_.text() + " lambda, tau " + length_.text() +
-                        " lambda, sigma0/tau " + slope_.text() + ", light at " + angle_.text() + " deg"};
+                    (k_correlated ? "nu " + shape_.text() + ", " : "") + "sigma0 " + roughness_.text() +
+                        " lambda, " + length + " " + length_.text() + " lambda, sigma0/" + length + " " +
+                        slope_.text() + ", light at " + angle_.text() + " deg"};
     }
 
     [[nodiscard]] const DistanceStudy& summary() const { return summary_; }
@@ -158,7 +165,8 @@ class Study {
             2;  // the middle of a cell of the grid of cases is 1.9 from its corners
         const bool studied = roughness_.has(point.rms_roughness) && length_.has(point.correlation_length) &&
                              slope_.has(point.rms_roughness / point.correlation_length) &&
-                             angle_.has(point.theta_i_deg) && nearest <= far_from_all * far_from_all;
+                             angle_.has(point.theta_i_deg) && shape_.has(point.nu.value_or(0)) &&
+                             nearest <= far_from_all * far_from_all;
         return {both(values), studied};
     }
 
@@ -178,7 +186,7 @@ class Study {
 
     std::vector<Case> cases_;
     Range range_{};
-    Bounds roughness_, length_, slope_, angle_;
+    Bounds roughness_, length_, slope_, angle_, shape_;
     DistanceStudy summary_;
 };
 
@@ -188,9 +196,11 @@ double normal_reflectance(const RefractiveIndex& index) {
 }
 constexpr double least_of_metals = 0.5, most_of_glass = 0.1;
 
-const Study& study_for(const RefractiveIndex& index) {
-    static const Study conductors{"perfect conductors and metals", true},
-        glass{"glass of index 1.5, he_unified with polarisation_mixing", false};
+const Study& study_for(const RefractiveIndex& index, bool k_correlated) {
+    static const Study conductors{"perfect conductors and metals", true, false},
+        glass{"glass of index 1.5, he_unified with polarisation_mixing", false, false},
+        other{"perfect conductors, K-correlated", true, true};
+    if (k_correlated) return other;
     return normal_reflectance(index) >= least_of_metals ? conductors : glass;
 }
 
@@ -198,9 +208,9 @@ const Study& study_for(const RefractiveIndex& index) {
 
 ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index) {
     if (at.rms_roughness == 0) return {{{0, 0, 0}, {0, 0, 0}}, true};  // Fresnel's equations
-    ExpectedDistance expected = study_for(index).at(at);
+    ExpectedDistance expected = study_for(index, at.nu.has_value()).at(at);
     const double reflectance = normal_reflectance(index);
-    if (reflectance < least_of_metals && reflectance > most_of_glass) expected.studied = false;
+    if (reflectance < least_of_metals && (at.nu || reflectance > most_of_glass)) expected.studied = false;
     return expected;
 }
 
@@ -208,15 +218,22 @@ ExpectedDistance expected_distance(const Surface& surface, const SpectralSample&
                                    const Direction& in) {
     const double lambda = sample.wavelength.micrometres();
     const double theta_i_deg = std::acos(std::fmin(1, in.cos_theta())) * 180 / std::numbers::pi;
-    ExpectedDistance expected = expected_distance(
-        {surface.rms_roughness() / lambda, surface.shortest_correlation_length() / lambda, theta_i_deg},
-        sample.index.substrate());
-    if (sample.index.coated() || surface.correlation()) expected.studied = false;
+    const auto nu = surface.correlation() ? surface.correlation()->nu() : std::nullopt;
+    const double seen = nu ? std::sqrt(surface.variance_share(0, most_studied_frequency / lambda)) : 1;
+    ExpectedDistance expected =
+        expected_distance({seen * surface.rms_roughness() / lambda,
+                           surface.shortest_correlation_length() / lambda, theta_i_deg, nu},
+                          sample.index.substrate());
+    if (sample.index.coated() || (surface.correlation() && !nu)) expected.studied = false;
     return expected;
 }
 
 const DistanceStudy& distance_study(const RefractiveIndex& index) {
-    return study_for(index).summary();
+    return study_for(index, false).summary();
+}
+
+const DistanceStudy& distance_study(const Surface& surface, const RefractiveIndex& index) {
+    return study_for(index, surface.correlation() && surface.correlation()->nu()).summary();
 }
 
 }  // namespace hts::spectral

@@ -131,6 +131,34 @@ Shape k_correlation_from(const JsonValue& shape, bool may_be_absolute) {
     return result;
 }
 
+/// Two periods, the shorter first.
+struct Periods {
+    double shortest, longest;
+};
+Periods periods_from(const JsonValue& value, bool may_be_infinite) {
+    const std::vector<JsonValue> both = value.items();
+    if (both.size() != 2) throw value.error("must be [shortest period, longest period]");
+    Periods periods{positive(both[0], "the shortest period"), infinity};
+    if (!may_be_infinite || !both[1].is_text())
+        periods.longest = positive(both[1], "the longest period");
+    else if (both[1].text() != "infinity")
+        throw both[1].error(in_quotes(both[1].text()) + R"( is not known; must be a number or "infinity")");
+    if (periods.shortest < periods.longest) return periods;
+    throw value.error("the shortest period, " + shortest(periods.shortest) + ", must be below the longest, " +
+                      shortest(periods.longest));
+}
+
+/// S2 ~ 1/(1 + (L f)^2)^(C/2) of the surface, C one more than that of a profile, between two periods.
+Shape fractal_from(const JsonValue& shape) {
+    shape.require_keys_among({"type", "C", "psd", "periods_um"});
+    const double c = shape["C"].number(), of_surface = is_of_profile(shape["psd"]) ? c + 1 : c;
+    const Periods periods = periods_from(shape["periods_um"], false);
+    const Correlation::Scaled made = located(
+        shape.place(), [&] { return Correlation::fractal(of_surface, periods.longest / periods.shortest); });
+    const double length = made.length * periods.longest;
+    return {made.shape, CorrelationLengths{length, length}};
+}
+
 Shape matern_from(const JsonValue& shape, bool with_length) {
     auto keys = std::vector<std::string>{"type", "nu"};
     if (with_length) keys.emplace_back("length_um");
@@ -140,8 +168,8 @@ Shape matern_from(const JsonValue& shape, bool with_length) {
     return {located(nu.place(), [&] { return Correlation::matern(value); })};
 }
 
-const std::vector<std::string> shape_names{"gaussian", "exponential", "matern",         "k_correlation",
-                                           "sum",      "psd",         "autocorrelation"};
+const std::vector<std::string> shape_names{"gaussian", "exponential", "matern", "k_correlation",
+                                           "fractal",  "sum",         "psd",    "autocorrelation"};
 
 /// One scale of a sum.
 Correlation::Part part_from(const JsonValue& pair) {
@@ -203,25 +231,14 @@ Shape shape_from(const std::optional<JsonValue>& correlation, const std::filesys
     if (type == "exponential") return {Correlation::exponential()};
     if (type == "matern") return matern_from(*correlation, false);
     if (type == "k_correlation") return k_correlation_from(*correlation, true);
+    if (type == "fractal") return fractal_from(*correlation);
     if (type == "sum") return sum_from(*correlation);
     return type == "psd" ? spectrum_from(*correlation, folder) : autocorrelation_from(*correlation, folder);
 }
 
 FrequencyBand band_from(const JsonValue& value) {
-    const std::vector<JsonValue> periods = value.items();
-    if (periods.size() != 2) throw value.error("must be [shortest period, longest period]");
-    const double shortest_period = positive(periods[0], "the shortest period");
-    double longest = infinity;
-    if (!periods[1].is_text())
-        longest = positive(periods[1], "the longest period");
-    else if (periods[1].text() != "infinity")
-        throw periods[1].error(in_quotes(periods[1].text()) +
-                               R"( is not known; must be a number or "infinity")");
-    if (!(shortest_period < longest)) {
-        throw value.error("the shortest period, " + shortest(shortest_period) +
-                          ", must be below the longest, " + shortest(longest));
-    }
-    return {1 / longest, 1 / shortest_period};
+    const Periods periods = periods_from(value, true);
+    return {1 / periods.longest, 1 / periods.shortest};
 }
 
 void require_absent(const std::optional<JsonValue>& value, const char* why) {

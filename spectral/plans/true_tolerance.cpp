@@ -46,7 +46,7 @@ Expected expected_of(const Material& material, const Scene& scene) {
                 throw Error{in_quotes(material.name()) + " at " + where +
                             ": outside what was solved exactly, so its distance from exact scattering is "
                             "unknown: must be " +
-                            distance_study(sample.index.substrate()).range + " (see hts info)"};
+                            distance_study(surface, sample.index.substrate()).range + " (see hts info)"};
             }
             double model = distance_in(scene, at.distance.he),
                    other = distance_in(scene, at.distance.unified);

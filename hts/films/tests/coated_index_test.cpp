@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
-#include <boost/multiprecision/cpp_complex.hpp>
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
+#include "film_stacks.hpp"
 #include "hts/error.hpp"
 #include "hts/he_torrance_spectrum.hpp"
 #include "hts/unified/he_unified_spectrum.hpp"
@@ -22,100 +21,16 @@ using hts::fresnel;
 using hts::FresnelAmplitudes;
 using hts::RefractiveIndex;
 using hts::Wavelength;
+using hts::testing::least_root;
+using hts::testing::one_um;
 using hts::testing::Random;
+using hts::testing::random_stack;
+using hts::testing::Stack;
 using hts::testing::WorstCase;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const auto one_um = Wavelength::from_micrometres(1);
-
-/// A stack and an angle of incidence.
-struct Stack {
-    RefractiveIndex substrate;
-    std::vector<Film> films;
-    double cos_theta;
-
-    [[nodiscard]] CoatedIndex index() const { return {substrate, films, one_um}; }
-    /// 1 + the sum of k d |N|.
-    [[nodiscard]] double thickness() const {
-        double sum = 1;
-        for (const Film& film : films)
-            sum += one_um.wave_number() * film.thickness * std::hypot(film.index.n(), film.index.k());
-        return sum;
-    }
-    [[nodiscard]] std::string text() const {
-        std::ostringstream out;
-        out.precision(17);
-        out << "substrate " << substrate.n() << " + " << substrate.k() << "i, cosine " << cos_theta;
-        for (const Film& film : films)
-            out << ", " << film.index.n() << " + " << film.index.k() << "i of " << film.thickness << " um";
-        return out.str();
-    }
-};
-
-namespace reference {
-
-using Real = boost::multiprecision::cpp_bin_float_50;
-using Complex = boost::multiprecision::cpp_complex_50;
-
-struct Answer {
-    Complex s, p;
-    Real transmitted;
-};
-
-/// The product of the characteristic matrices of all films as textbooks print it, in 50 digits.
-Answer answer(const Stack& stack) {
-    const Real c = stack.cos_theta, wave_number = one_um.wave_number();
-    const auto root = [&](const Complex& n) { return Complex{sqrt(Complex{n * n - (1 - c * c)})}; };
-    const Complex i{0, 1}, below{stack.substrate.n(), stack.substrate.k()};
-    const auto of = [&](bool is_p) {
-        const auto admittance = [&](const Complex& n) { return is_p ? Complex{root(n) / (n * n)} : root(n); };
-        Complex m11 = 1, m12 = 0, m21 = 0, m22 = 1;
-        for (const Film& film : stack.films) {
-            const Complex n{film.index.n(), film.index.k()}, y = admittance(n);
-            const Complex delta = wave_number * Real{film.thickness} * root(n);
-            const Complex cosine = cos(delta), sine = sin(delta);
-            const Complex a = cosine, b = -i * sine / y, d = -i * sine * y;
-            const Complex n11 = m11 * a + m12 * d, n12 = m11 * b + m12 * a;
-            const Complex n21 = m21 * a + m22 * d, n22 = m21 * b + m22 * a;
-            m11 = n11, m12 = n12, m21 = n21, m22 = n22;
-        }
-        const Complex y = admittance(below), field = m11 + m12 * y, other = m21 + m22 * y;
-        const Complex sum = c * field + other;
-        return std::pair{Complex{(c * field - other) / sum}, Real{4 * c * real(y) / norm(sum)}};
-    };
-    const auto [s, t_s] = of(false);
-    const auto [p, t_p] = of(true);
-    return {s, p, (t_s + t_p) / 2};
-}
-
-double distance(const std::complex<double>& computed, const Complex& expected) {
-    return static_cast<double>(abs(Complex{computed.real(), computed.imag()} - expected));
-}
-
-}  // namespace reference
-
-RefractiveIndex random_index(Random& random, bool lossless) {
-    const double n = random.logarithmic(0.05, 14);
-    return {n, lossless ? 0 : random.one_of({0.0, 1e-3, 0.3, 3.0, 14.0})};
-}
-
-Stack random_stack(Random& random, bool lossless, double thickest = 20) {
-    Stack stack{random_index(random, lossless), {}, random.uniform(1e-4, 1)};
-    const int films = static_cast<int>(random.uniform(1, 6));
-    for (int i = 0; i < films; ++i)
-        stack.films.push_back({random_index(random, lossless), random.logarithmic(1e-4, thickest)});
-    return stack;
-}
-
-/// How far a root of the stack is from a critical angle.
-double least_root(const Stack& stack) {
-    const double c = stack.cos_theta;
-    const std::complex<double> n{stack.substrate.n(), stack.substrate.k()};
-    return std::abs(std::sqrt(n * n - (1 - c * c)));
-}
-
 double largest_change(const FresnelAmplitudes& a, const FresnelAmplitudes& b) {
     return std::max(std::abs(a.s - b.s), std::abs(a.p - b.p));
 }
@@ -129,12 +44,13 @@ TEST_CASE("Films: amplitudes and transmittance against the product of matrices i
     for (int i = 0; i < 4000; ++i) {
         const Stack stack = random_stack(random, i % 3 == 0);
         const CoatedIndex index = stack.index();
-        const reference::Answer expected = reference::answer(stack);
+        const hts::testing::films::Answer expected = hts::testing::films::answer(stack);
         const double scale = stack.thickness() / std::min(1.0, least_root(stack));
         const FresnelAmplitudes f = index.amplitudes(stack.cos_theta);
-        amplitudes.note(
-            std::max(reference::distance(f.s, expected.s), reference::distance(f.p, expected.p)) / scale,
-            [&] { return stack.text(); });
+        amplitudes.note(std::max(hts::testing::films::distance(f.s, expected.s),
+                                 hts::testing::films::distance(f.p, expected.p)) /
+                            scale,
+                        [&] { return stack.text(); });
         transmittance.note(
             std::abs(index.transmittance(stack.cos_theta) - static_cast<double>(expected.transmitted)) /
                 scale,

@@ -46,6 +46,15 @@ struct Vectors {
     }
 };
 
+/// A pair's angles in every lane.
+template <std::size_t most_lanes>
+HWY_INLINE evaluation::PairAngles<typename Vectors<most_lanes>::V> angles_of(const DirectionPair& pair) {
+    constexpr typename Vectors<most_lanes>::Lanes o{};
+    const auto& [in, out] = pair;
+    return {o.real(in.cos_theta()),  o.real(in.sin_theta()),  o.real(in.cos_phi()),  o.real(in.sin_phi()),
+            o.real(out.cos_theta()), o.real(out.sin_theta()), o.real(out.cos_phi()), o.real(out.sin_phi())};
+}
+
 /// A pair's terms in every lane.
 template <std::size_t most_lanes>
 HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const SurfaceTerms& surface,
@@ -63,10 +72,8 @@ HWY_INLINE UnifiedPair<typename Vectors<most_lanes>::V> terms_of_one(const Surfa
                      in_and_out(in.sin_phi(), out.sin_phi()));
     const auto first = [&o](auto v) HWY_ATTR { return o.real(hn::GetLane(v)); };
     const auto second = [&o, two](auto v) HWY_ATTR { return o.real(hn::GetLane(hn::Reverse2(two, v))); };
-    const evaluation::PairAngles<V> angles{
-        o.real(in.cos_theta()),  o.real(in.sin_theta()),  o.real(in.cos_phi()),  o.real(in.sin_phi()),
-        o.real(out.cos_theta()), o.real(out.sin_theta()), o.real(out.cos_phi()), o.real(out.sin_phi())};
-    return unified_pair(o, surface, angles, UnifiedSeen<V>{first(seen.masked), first(seen.return_factor)},
+    return unified_pair(o, surface, angles_of<most_lanes>(pair),
+                        UnifiedSeen<V>{first(seen.masked), first(seen.return_factor)},
                         UnifiedSeen<V>{second(seen.masked), second(seen.return_factor)});
 }
 
@@ -104,14 +111,12 @@ struct SeenSpectrum : Spectrum<most_lanes> {
                             std::size_t from)
         : Spectrum<most_lanes>{of, pair, directions, from} {
         constexpr typename Vectors<most_lanes>::Lanes o{};
-        const auto& [in, out] = directions;
-        const V cos_in = o.real(in.cos_theta()), sin_in = o.real(in.sin_theta()),
-                cos_out = o.real(out.cos_theta()), sin_out = o.real(out.sin_theta());
+        const evaluation::PairAngles<V> angles = angles_of<most_lanes>(directions);
         for (std::size_t i = 0; i < std::min(block_size, of.padded - from); i += this->lanes) {
             const auto row = [&of, from, i](std::size_t k) HWY_ATTR {
                 return hn::LoadU(Vectors<most_lanes>::d, of.seen.data() + k * of.padded + from + i);
             };
-            const SeenPair<V> at = seen_pair(o, row, cos_in, sin_in, cos_out, sin_out);
+            const SeenPair<V> at = seen_pair(o, of.surface, row, angles);
             hn::Store(at.masked, this->d, masked_at + i);
             hn::Store(at.returns, this->d, returns_at + i);
         }
@@ -156,7 +161,8 @@ struct PairBlock : Vectors<8> {
                              HWY_ATTR { return hn::Set(d, p.seen[k * p.padded + wavelength]); };
         for (std::size_t i = 0; i < count; i += lanes) {
             const auto at = [&](std::size_t k) HWY_ATTR { return hn::Load(d, angle[k] + i); };
-            const SeenPair<V> pair = seen_pair(Lanes{}, row, at(0), at(1), at(4), at(5));
+            const evaluation::PairAngles<V> a{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+            const SeenPair<V> pair = seen_pair(Lanes{}, p.surface, row, a);
             hn::Store(pair.masked, d, field[masked] + i);
             hn::Store(pair.returns, d, field[returns] + i);
         }

@@ -51,10 +51,10 @@ HWY_INLINE V return_rows(const Lanes& o, const SurfaceTerms& surface, V width, c
     return o.mul_add(z, next, return_row(o, surface.return_rows[0], powers) - after);
 }
 
+/// Of a direction, from the slope width along its azimuth.
 template <class Lanes, class V>
-HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surface, V cosine, V sine,
-                                       V cos_phi, V sin_phi) {
-    const V slope_width = evaluation::slope_width(o, surface.axes, surface.slope_width, cos_phi, sin_phi);
+HWY_INLINE UnifiedSeen<V> seen_of_width(const Lanes& o, const SurfaceTerms& surface, V cosine, V sine,
+                                        V slope_width) {
     const V return_width =
         surface.axes.isotropic ? o.real(surface.return_width) : o.min(slope_width, o.real(2));
     const V width_sine = return_width * sine;
@@ -67,7 +67,14 @@ HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surfa
                                    : return_rows(o, surface, return_width, powers)};
 }
 
-/// The two terms of an isotropic surface's pair that follow the slopes which a wavelength sees.
+template <class Lanes, class V>
+HWY_INLINE UnifiedSeen<V> unified_seen(const Lanes& o, const SurfaceTerms& surface, V cosine, V sine,
+                                       V cos_phi, V sin_phi) {
+    return seen_of_width(o, surface, cosine, sine,
+                         evaluation::slope_width(o, surface.axes, surface.slope_width, cos_phi, sin_phi));
+}
+
+/// The two terms of a pair that follow the slopes which a wavelength sees.
 template <class V>
 struct SeenPair {
     V masked, returns;
@@ -75,7 +82,13 @@ struct SeenPair {
 
 ///   row   of Prepared::seen, at the wavelengths of the lanes
 template <class Lanes, class V, class Row>
-HWY_INLINE UnifiedSeen<V> seen_at_wave(const Lanes& o, const Row& row, V cosine, V sine) {
+HWY_INLINE UnifiedSeen<V> seen_at_wave(const Lanes& o, const SurfaceTerms& surface, const Row& row, V cosine,
+                                       V sine, V cos_phi, V sin_phi) {
+    if (!surface.axes.isotropic) {
+        const V along = row(Prepared::slope_width), across = row(Prepared::slope_width_across);
+        return seen_of_width(o, surface, cosine, sine,
+                             evaluation::width_of(o, surface.axes, along, across, cos_phi, sin_phi));
+    }
     const V width_sine = row(Prepared::return_width) * sine;
     const V y = width_sine / (width_sine + cosine);
     const V x = o.mul_add(y, o.real(2), o.real(-1)), x2 = x * x;
@@ -90,10 +103,12 @@ HWY_INLINE UnifiedSeen<V> seen_at_wave(const Lanes& o, const Row& row, V cosine,
 }
 
 template <class Lanes, class V, class Row>
-HWY_INLINE SeenPair<V> seen_pair(const Lanes& o, const Row& row, V cos_in, V sin_in, V cos_out, V sin_out) {
-    const UnifiedSeen<V> in = seen_at_wave(o, row, cos_in, sin_in),
-                         out = seen_at_wave(o, row, cos_out, sin_out);
-    return {o.mul_add(in.masked, cos_out, out.masked * cos_in),
+HWY_INLINE SeenPair<V> seen_pair(const Lanes& o, const SurfaceTerms& surface, const Row& row,
+                                 const evaluation::PairAngles<V>& a) {
+    const UnifiedSeen<V> in = seen_at_wave(o, surface, row, a.cos_in, a.sin_in, a.cos_phi_in, a.sin_phi_in),
+                         out = seen_at_wave(o, surface, row, a.cos_out, a.sin_out, a.cos_phi_out,
+                                            a.sin_phi_out);
+    return {o.mul_add(in.masked, a.cos_out, out.masked * a.cos_in),
             o.mul_add(in.return_factor, out.return_factor, o.real(-1))};
 }
 

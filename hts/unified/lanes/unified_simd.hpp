@@ -54,8 +54,8 @@ struct Prepared {
         columns = root_imaginary + root_terms
     };
 
-    /// Rows of `seen`.
-    enum SeenRow : std::size_t { slope_width, return_width, return_factor };
+    /// Rows of `seen`; of two correlation lengths the first two alone, along both axes.
+    enum SeenRow : std::size_t { slope_width, slope_width_across, return_width, return_factor };
 
     SurfaceTerms surface;
     bool dense;  // whether the powers of s^2 serve
@@ -102,7 +102,7 @@ struct FormTable {
 };
 
 /// The cheapest that meet a tolerance of 1e-6 or coarser, of the best instruction set this processor has.
-///   correlated   whether the correlation is not Gaussian: then of isotropic surfaces alone
+///   correlated   whether the correlation is not Gaussian
 [[nodiscard]] Forms forms(Tolerance tolerance, bool correlated) noexcept;
 
 /// H of kicks_table.hpp where the table has no cell; 0 where Phi is.

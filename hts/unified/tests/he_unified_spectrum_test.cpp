@@ -82,16 +82,20 @@ std::string describe(const DirectionPair& p, const Surface& s, const SpectralSam
     return text.str();
 }
 
-void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}) {
+void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}, bool two_lengths = false) {
     const std::string name = std::string{" of he_unified"} + (shape ? " of another correlation" : "") +
-                             " at " + std::to_string(tolerance);
+                             (two_lengths ? " and two lengths" : "") + " at " + std::to_string(tolerance);
     WorstCase brdf{"brdf" + name, tolerance};
     WorstCase matrices{"mueller" + name, tolerance};
     WorstCase mirrors{"specular reflectance" + name, hts::accuracy::unified_mirror_in_lanes};
     Random random{20261128};
     while (brdf.count() < points()) {
         const double sigma = random.logarithmic(1e-3, 16);
-        const Surface gaussian{sigma, sigma / random.logarithmic(3e-3, 2)};
+        const double tau = sigma / random.logarithmic(3e-3, 2);
+        const Surface gaussian =
+            two_lengths
+                ? Surface::anisotropic(sigma, {tau, tau * random.logarithmic(0.1, 10)}, direction(random))
+                : Surface{sigma, tau};
         const Surface ground = shape ? gaussian.correlated(*shape) : gaussian;
         const std::size_t count = 1 + brdf.count() % 20;
         const bool metals = random.uniform(0, 2) < 1;
@@ -159,6 +163,7 @@ TEST_CASE("he_unified in lanes at 1e-3 is as exact as asked for") {
 TEST_CASE("he_unified in lanes is as exact as asked for whatever the correlation") {
     compare(1e-6, hts::Correlation::exponential());
     compare(1e-6, hts::Correlation::matern(1.5));
+    compare(1e-6, hts::Correlation::exponential(), true);
 }
 
 TEST_CASE("the table of the mean number of kicks joins the sums") {

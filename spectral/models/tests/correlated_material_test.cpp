@@ -96,6 +96,36 @@ TEST_CASE("Correlated material: both conventions of K-correlation are their inte
     CHECK(relative_error(profile, a * std::pow(1 + square(b * 0.2), -c / 2)) < 1e-6);
 }
 
+TEST_CASE("Correlated material: a fractal has its spectrum between its periods, by either convention") {
+    const double pi = std::numbers::pi;
+    const auto surface = [](const std::string& keys) {
+        return *material(R"("rms_roughness_um": 0.002, "correlation": )"
+                         R"({"type": "fractal", "periods_um": [0.5, 100], )" +
+                         keys + "}")
+                    .properties()
+                    .surface;
+    };
+    const Surface flat = surface(R"("C": 1.4, "psd": "1d one-sided")"),
+                  plane = surface(R"("C": 2.4, "psd": "2d")");
+    CHECK(*flat.correlation() == *plane.correlation());
+    CHECK(flat.correlation_length() == plane.correlation_length());
+    // the share of the variance below f by quadrature of the formula, in ln f
+    const auto below = [&](double end) {
+        double sum = 0;
+        for (double log_f = -20; log_f < std::log(end); log_f += 1e-3) {
+            const double f = std::exp(log_f);
+            sum += 1e-3 * 2 * pi * f * f * std::pow(1 + square(100 * f), -1.2);
+        }
+        return sum;
+    };
+    for (const double f : {0.003, 0.01, 0.1, 1.0})
+        CHECK(plane.variance_share(0, f) / plane.variance_share(0, 1.5) ==
+              Approx(below(f) / below(1.5)).epsilon(3e-3));
+    CHECK(plane.variance_share(0, 3) == Approx(1).epsilon(1e-6));
+    CHECK(plane.variance_share(0, 1.5) < 0.999);
+    CHECK(plane.rms_roughness() == 0.002);
+}
+
 TEST_CASE("Correlated material: smooth surfaces are Rayleigh-Rice with the spectrum") {
     // f = 16 pi^2/lambda^4 c_i c_r |b|^2 S2(f), |b|^2 half the sum of the elements of Bragg's matrix
     for (const char* const model : {"he_unified"}) {
@@ -249,7 +279,18 @@ TEST_CASE("Correlated material: what is wrong is said with its key or line") {
         CHECK_THROWS_WITH(material(keys), Contains(text));
     };
     const std::string rms = R"("rms_roughness_um": 0.1, )";
-    wrong(rms + R"("correlation_length_um": 1, "correlation": "fractal")", R"(key "correlation": "fractal")");
+    wrong(rms + R"("correlation_length_um": 1, "correlation": "fractal")", "must be an object");
+    wrong(rms + R"("correlation_length_um": 1, "correlation": "factal")", R"(did you mean "fractal"?)");
+    const auto fractal = [&](const std::string& keys, const std::string& text) {
+        wrong(rms + R"("correlation": {"type": "fractal", )" + keys + "}", text);
+    };
+    fractal(R"("C": 2.4, "psd": "2d", "periods_um": [500, 0.5])",
+            R"(key "correlation.periods_um": the shortest period, 500, must be below the longest, 0.5)");
+    fractal(R"("C": 2.4, "psd": "2d", "periods_um": [0.5, "infinity"])", "periods_um[2]");
+    fractal(R"("C": 12, "psd": "2d", "periods_um": [0.5, 500])",
+            "slope of a fractal spectrum 12: must be from");
+    fractal(R"("C": 2.4, "periods_um": [0.5, 500])", "psd");
+    fractal(R"("C": 2.4, "psd": "2d", "periods_um": [1e-9, 500])", "must be from 2 to 1e+07");
     wrong(rms + R"("correlation_length_um": 1, "correlation": "matern")", "must be an object");
     wrong(rms + R"("correlation_length_um": 1, "correlation": {"type": "matern", "nu": 0})",
           R"(key "correlation.nu": nu of a Matern)");

@@ -295,9 +295,10 @@ FigureTable distance_table(const Cases& cases) {
         for (const char* polarisation : {"_te_db", "_tm_db", "_db"})
             table.columns.push_back(std::string{model.first} + polarisation);
     }
+    table.columns.emplace_back("nu");  // 0 of Gaussian heights
     for (const CaseDistances& each : cases) {
         const KeptSet& set = kept_sets()[each.set];
-        if (set.apart) continue;
+        if (set.apart && !each.surface.nu) continue;
         std::vector<double> row{
             static_cast<double>(each.set),   set.index.n(),   set.index.k(), each.surface.rms_roughness,
             each.surface.correlation_length, each.theta_i_deg};
@@ -305,13 +306,13 @@ FigureTable distance_table(const Cases& cases) {
             for (const Polarisation polarisation : polarisations)
                 row.push_back((each.*model.second)[polarisation]);
         }
+        row.push_back(each.surface.nu.value_or(0));
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
 void add_nothing(Section&, const std::vector<FigureTable>&, const std::string&) {}
-
 }  // namespace
 
 const std::vector<KeptSet>& kept_sets() {

@@ -24,7 +24,8 @@ struct KeptSet {
     RefractiveIndex index;
     /// The model that stands for he_unified: on dielectrics with the mixing of polarisations.
     TwinModel successor;
-    /// Surfaces of another set, solved otherwise, or of another correlation: not for `hts info` and charts.
+    /// Surfaces of another set, solved otherwise, or of another correlation: not for charts. Of these
+    /// `hts info` has the K-correlated ones alone, for surfaces of their kind.
     bool apart = false;
 };
 [[nodiscard]] const std::vector<KeptSet>& kept_sets();
