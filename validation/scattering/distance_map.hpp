@@ -1,5 +1,5 @@
-/// The figure of distances from exact scattering: panels of coloured cells with the numbers in them. Private to
-/// scattering/.
+/// The figure of distances from exact scattering: panels of coloured cells with the numbers in them. Private
+/// to scattering/.
 #pragma once
 
 #include <cstddef>
