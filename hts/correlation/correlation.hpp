@@ -73,8 +73,8 @@ class Correlation {
     [[nodiscard]] static Correlation sum(std::span<const Part> parts);
     struct Scaled;
     /// Self-affine between two cut-offs: S2 ~ 1/(1 + (L f)^2)^(slope/2), L the longest period, which ends at
-    /// the shortest one (over a twentieth, in ln f). K-correlation, but that the slope may be so small that the
-    /// variance of heights would be infinite without an end. The length is in units of L.
+    /// the shortest one (over a twentieth, in ln f). K-correlation, but that the slope may be so small that
+    /// the variance of heights would be infinite without an end. The length is in units of L.
     ///   slope   0.1 ... 10      periods   the longest over the shortest, 2 ... 1e7; else hts::Error
     [[nodiscard]] static Scaled fractal(double slope, double periods);
     /// Of a power spectrum that is known at some frequencies. Between, powers of f; below the first it is

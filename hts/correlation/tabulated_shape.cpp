@@ -109,8 +109,8 @@ class TabulatedSpectrum final : public HeightShape {
     }
 
   private:
-    /// Points from which 1 - C is known, and where it has come to a half: each transform has its digits on its
-    /// side of that, farther on it may say anything.
+    /// Points from which 1 - C is known, and where it has come to a half: each transform has its digits on
+    /// its side of that, farther on it may say anything.
     struct Rise {
         double first, half;
     };

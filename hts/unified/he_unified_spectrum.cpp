@@ -314,7 +314,9 @@ FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sam
 
 void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
-    if (lanes_ && lanes_->films.empty() && mirrors_.empty()) {
+    // with another correlation every wavelength sees lengths of its own, in a ratio of its own
+    const bool one_ratio = surface_.isotropic() || !surface_.correlation();
+    if (lanes_ && lanes_->films.empty() && mirrors_.empty() && one_ratio) {
         const double stretch =
             surface_.isotropic() ? 1 : surface_.correlation_length() / surface_.correlation_length(in);
         if (lanes_->forms.specular_one(lanes_->prepared, in, stretch, result.data())) return;
