@@ -101,6 +101,10 @@ template <class Range, class Value>
 constexpr void fill(Range&& range, const Value& value) {
     std::fill(std::begin(range), std::end(range), value);
 }
+template <class A, class To, class F>
+constexpr void transform(const A& a, To to, F f) {
+    std::transform(std::begin(a), std::end(a), to, f);
+}
 template <class A, class B, class To, class F>
 constexpr void transform(const A& a, const B& b, To to, F f) {
     std::transform(std::begin(a), std::end(a), std::begin(b), to, f);
