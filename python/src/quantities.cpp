@@ -125,7 +125,7 @@ Quantity gradient(Shape trailing, bool views, std::size_t films, OfPair of_pair)
         double* to = out.data();
         for (const Pair& pair : pairs) {
             for (const SpectralSample& at : of.samples()) {
-                if (at.index.has_empty_films())
+                if (at.index.film_count() != films)
                     throw Error{"gradient: films of thickness 0: must be left out, or have a thickness"};
                 Gradient<Value> by = of_pair(surface, pair, at, std::span{by_film});
                 if (surface.band()) state_for_band(by, surface);
