@@ -39,7 +39,7 @@ def test_furnace_picture():
 @pytest.mark.slow
 @pytest.mark.parametrize("variant", ["llvm_ad_rgb", "llvm_ad_spectral"])
 def test_figure_14(variant):
-    """Its pictures are whole; python/benchmark prints their times."""
+    """Its pictures are whole; python/benchmarks/speed.py prints their times."""
     mi = mitsuba_in(variant)
     for scene in scenes_of_figure_14(mi, 128):
         picture = np.array(mi.render(scene, spp=16, seed=1))
