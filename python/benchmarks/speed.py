@@ -3,7 +3,7 @@
 
     ./run python                                        the package, into build/venv
     cmake --preset release -DHTS_BUILD_BENCH=ON && cmake --build build/release --target hts_bench
-    build/venv/bin/python python/benchmarks/speed.py              or: … python/benchmarks/speed.py arrays | pictures
+    build/venv/bin/python python/benchmarks/speed.py    or: … python/benchmarks/speed.py arrays | pictures
 
 Both sides take turns, and the least time of each counts, since other programs may run. Inputs are of one kind: a million
 pairs of directions as angles in degrees, values of double precision, the roughened aluminium of He et al., tolerance 1e-6.
@@ -20,7 +20,7 @@ import numpy as np
 
 import hts
 
-SOURCE = pathlib.Path(__file__).resolve().parents[1]
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = SOURCE / "build/release/bin/hts_bench"
 COUNT = 1_000_000
 ROUNDS = 5
