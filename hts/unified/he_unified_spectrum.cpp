@@ -73,8 +73,8 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         set(Prepared::lift, wave.lift);
         set(Prepared::returned, wave.returned);
         set(Prepared::uniform, s.uniform_diffuse);
-        set(Prepared::mirror_slant, std::sqrt(0.229) / wave.k_tau);
-        set(Prepared::mirror_grazing, 0.65 / (wave.k_tau * std::sqrt(wave.k_tau)));
+        set(Prepared::mirror_slant, std::sqrt(unified_mirror_slant) / wave.k_tau);
+        set(Prepared::mirror_grazing, unified_mirror_grazing / (wave.k_tau * std::sqrt(wave.k_tau)));
         const std::complex<double> impedance = wave.index.normal_impedance();
         set(Prepared::impedance_real, impedance.real());
         set(Prepared::impedance_imaginary, impedance.imag());
@@ -314,13 +314,9 @@ FresnelAmplitudes HeUnifiedSpectrum::mirror(const Direction& in, std::size_t sam
 
 void HeUnifiedSpectrum::specular_reflectance(const Direction& in, std::span<double> result) const {
     evaluation_detail::require_size("specular_reflectance", result.size(), samples_.size());
-    // with another correlation every wavelength sees lengths of its own, in a ratio of its own
-    const bool one_ratio = surface_.isotropic() || !surface_.correlation();
-    if (lanes_ && lanes_->films.empty() && mirrors_.empty() && one_ratio) {
-        const double stretch =
-            surface_.isotropic() ? 1 : surface_.correlation_length() / surface_.correlation_length(in);
-        if (lanes_->forms.specular_one(lanes_->prepared, in, stretch, result.data())) return;
-    }
+    if (lanes_ && lanes_->films.empty() && mirrors_.empty() &&
+        lanes_->forms.specular_one(lanes_->prepared, in, result.data()))
+        return;
     for (std::size_t i = 0; i < samples_.size(); ++i) result[i] = mirror(in, i).unpolarised_reflectance();
 }
 

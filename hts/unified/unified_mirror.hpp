@@ -22,6 +22,9 @@ inline constexpr double unified_mirror = 6e-13;  ///< of F_q exp(-x_q/2), relati
 inline constexpr double unified_mirror_in_lanes = 2e-10;
 }  // namespace accuracy
 
+inline constexpr double unified_mirror_slant = 0.229;   ///< in a of x_s and x_p
+inline constexpr double unified_mirror_grazing = 0.65;  ///< in x_p
+
 /// F_q exp(-x_q/2).
 ///   error   accuracy::unified_mirror, above 1e-280
 [[nodiscard]] FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) noexcept;

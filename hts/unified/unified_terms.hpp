@@ -6,14 +6,16 @@
 /// reflected ray from the forward direction, g = (k sigma_0 up)^2 (sigma_0, not the effective
 /// roughness) and t = v_xy^2 tau^2/4:
 ///
-///   f = (k tau)^2 Phi(g, t) G/(4 pi up^2 c_i c_r) |M|^2 + a/pi,     |M|^2 half the sum over the elements of
-///   a Jones matrix M = K + beta' (B - K)       K = 2 cos^2 theta_d facet_jones: Kirchhoff's      B = 2 c_i
-///   c_r b: Bragg's, `bragg_jones` beta = -d ln Phi/dt         the mean of 1/m over the terms of Phi: how
-///   much of Bragg's beta' = 1 - w (1 - L(c_i)) (1 - L(c_r)),   w = 1 - beta,   L(c) = (1 + 1.25 k sigma_0
-///   c)^-4: all of it near the horizon G = (1 + R' w (m(theta_i) m(theta_r) - 1))/(1 + w (Lambda_i +
-///   Lambda_r)): shadowing of correlated heights, and the return of
-///                               light reflected more than once (return_factor.hpp)
-///   specular                    |F_q|^2 exp(-x_q) for q = s and p, not shadowed: unified_mirror.hpp
+///   f = (k tau)^2 Phi(g, t) G/(4 pi up^2 c_i c_r) |M|^2 + a/pi
+///   |M|^2       half the sum over the elements of the Jones matrix M = K + beta' (B - K)
+///   K           2 cos^2 theta_d facet_jones: Kirchhoff's
+///   B           2 c_i c_r b: Bragg's, `bragg_jones`
+///   beta        -d ln Phi/dt, the mean of 1/m over the terms of Phi: how much of Bragg's
+///   beta'       1 - w (1 - L(c_i)) (1 - L(c_r)),   w = 1 - beta: all of it near the horizon
+///   L(c)        (1 + 1.25 k sigma_0 c)^-4
+///   G           (1 + R' w (m(theta_i) m(theta_r) - 1))/(1 + w (Lambda_i + Lambda_r)): shadowing of
+///               correlated heights, and the return of light reflected more than once (return_factor.hpp)
+///   specular    |F_q|^2 exp(-x_q) for q = s and p, not shadowed: unified_mirror.hpp
 ///
 /// Fitted are 1.25 and the power 4, and 0.25 in Z, to exact scattering from perfectly conducting profiles;
 /// the rest is computed. Frames as in polarisation.hpp. BRDFs are in 1/sr. Every function is total, never

@@ -225,12 +225,12 @@ HWY_ATTR bool shares_one(const Prepared& p, const DirectionPair& pair, std::size
     return true;
 }
 
-HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double stretch, double* result) {
+HWY_ATTR bool specular_one(const Prepared& p, const Direction& in, double* result) {
     if (HWY_UNLIKELY(!is_ordinary(in))) return false;
     if (p.count <= 4)
-        mirrored_at_all<4>(p, in.cos_theta(), in.sin_theta(), stretch, result);
+        mirrored_at_all<4>(p, in, result);
     else
-        mirrored_at_all<8>(p, in.cos_theta(), in.sin_theta(), stretch, result);
+        mirrored_at_all<8>(p, in, result);
     return true;
 }
 

@@ -46,7 +46,7 @@ struct Prepared {
         returned,        // R'
         uniform,         // uniform-diffuse BRDF
         mirror_slant,    // a^2 = slant s in x_s
-        mirror_grazing,  // 0.65 (k tau)^(-3/2)
+        mirror_grazing,  // unified_mirror_grazing (k tau)^(-3/2)
         impedance_real,  // 1/N
         impedance_imaginary,
         root_real,
@@ -84,8 +84,7 @@ using SharesOne = bool (*)(const Prepared& prepared, const DirectionPair& pair, 
                            std::size_t count, double* lobes, double* shares);
 
 /// Specular reflectances of unpolarised light by the closed form.
-///   stretch   tau over tau(alpha)
-using SpecularOne = bool (*)(const Prepared& prepared, const Direction& in, double stretch, double* result);
+using SpecularOne = bool (*)(const Prepared& prepared, const Direction& in, double* result);
 
 struct Forms {
     BrdfOne brdf_one;  ///< null on a processor without vectors
