@@ -130,6 +130,12 @@ class Sum final : public HeightShape {
                 (&shape == &parts_.front().shape ? "" : " + ") + shortest(weight) + " of " + shape->name();
         return text;
     }
+    [[nodiscard]] bool oscillates() const override {
+        return std::ranges::any_of(parts_, [](const WeightedShape& part) { return part.shape->oscillates(); });
+    }
+    [[nodiscard]] bool ends() const override {
+        return std::ranges::all_of(parts_, [](const WeightedShape& part) { return part.shape->ends(); });
+    }
     [[nodiscard]] std::vector<double> identity() const override {
         std::vector<double> numbers{3, static_cast<double>(parts_.size())};
         for (const auto& part : parts_) {

@@ -72,12 +72,14 @@ void tidy(const fs::path& folder) {
     std::error_code failed;
     std::vector<std::pair<fs::file_time_type, fs::path>> tables;
     const auto now = fs::file_time_type::clock::now();
-    for (const auto& entry : fs::directory_iterator{folder, failed}) {
-        const auto age = entry.last_write_time(failed);
-        if (failed) continue;
-        if (entry.path().extension() == ending) tables.emplace_back(age, entry.path());
-        if (entry.path().extension() == unfinished && now - age > std::chrono::hours{1})
-            fs::remove(entry.path(), failed);
+    fs::directory_iterator entry{folder, failed};
+    for (; !failed && entry != fs::directory_iterator{}; entry.increment(failed)) {
+        std::error_code gone;  // by another process
+        const auto age = entry->last_write_time(gone);
+        if (gone) continue;
+        if (entry->path().extension() == ending) tables.emplace_back(age, entry->path());
+        if (entry->path().extension() == unfinished && now - age > std::chrono::hours{1})
+            fs::remove(entry->path(), gone);
     }
     if (tables.size() <= most_kept_tables) return;
     std::ranges::sort(tables);

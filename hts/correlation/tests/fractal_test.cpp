@@ -128,6 +128,18 @@ TEST_CASE("Fractal: over many decades it is the K-correlation of its slope, whic
                          endless.slope_variance_below(1e3)) < 1e-5);
 }
 
+TEST_CASE("Fractal: two halves are the whole") {
+    const Correlation shape = Correlation::fractal(2.4, 10).shape;
+    const Correlation::Part half{0.5, shape, 1};
+    const Correlation sum = Correlation::sum(std::vector{half, half});
+    WorstCase worst{"sum of two equal fractals", 1e-12};
+    for (const double g : {0.01, 0.3, 10.0})
+        for (const double q : {0.0, 1.0, 30.0, 100.0, 1000.0})
+            worst.note(relative_error(sum.lobe(g, q).value, shape.lobe(g, q).value),
+                       [&] { return "g = " + shortest(g) + ", q = " + shortest(q); });
+    worst.check();
+}
+
 TEST_CASE("Fractal: what is no such spectrum is refused") {
     using Catch::Matchers::Contains;
     CHECK_THROWS_WITH(Correlation::fractal(11, 10),
