@@ -213,7 +213,8 @@ class ScaledMueller {
     Mueller mueller_;
 };
 
-/// Calls use(film, its derivatives, those of the amplitudes) for each film that is asked for.
+/// Derivatives by n, k and thickness of each film that is asked for.
+///   of   of the amplitudes' derivatives, those of what follows from them
 template <class Value, class Use>
 void each_film(const CoatedIndex& index, double cos_theta, const Wavelength& wavelength,
                std::span<ByFilm<Value>> films, Use&& of) {

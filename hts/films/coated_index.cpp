@@ -153,7 +153,6 @@ CoatedIndex::CoatedIndex(const RefractiveIndex& substrate, std::span<const Film>
     for (const Film& film : films) {
         if (!(film.thickness >= 0 && film.thickness <= thickest))
             throw out_of_range("film thickness", film.thickness, "um", "from 0 to 1000");
-        has_empty_films_ = has_empty_films_ || film.thickness == 0;
         if (film.thickness > 0) layers.emplace_back(film.index, wavelength.wave_number() * film.thickness);
     }
     if (!layers.empty()) layers_ = std::make_shared<const std::vector<Layer>>(std::move(layers));

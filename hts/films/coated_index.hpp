@@ -101,8 +101,6 @@ class CoatedIndex {
     [[nodiscard]] FresnelGradient gradient(double cos_theta, std::span<FilmGradient> films) const noexcept;
     /// Of those that are not of thickness 0.
     [[nodiscard]] std::size_t film_count() const noexcept { return interfaces() - 1; }
-    /// Whether films of thickness 0 were left out.
-    [[nodiscard]] bool has_empty_films() const noexcept { return has_empty_films_; }
     /// Share of unpolarised light that enters the substrate, just below its surface [1]; films may absorb the
     /// rest of what is not reflected.
     ///   error   as of amplitudes
@@ -140,7 +138,6 @@ class CoatedIndex {
     [[nodiscard]] Ray walk(double cos_theta, Visit&& visit) const noexcept;
 
     RefractiveIndex substrate_;
-    bool has_empty_films_ = false;
     std::shared_ptr<const std::vector<Layer>> layers_;  // null where there is no film
 };
 

@@ -228,10 +228,6 @@ ExpectedDistance expected_distance(const Surface& surface, const SpectralSample&
     return expected;
 }
 
-const DistanceStudy& distance_study(const RefractiveIndex& index) {
-    return study_for(index, false).summary();
-}
-
 const DistanceStudy& distance_study(const Surface& surface, const RefractiveIndex& index) {
     return study_for(index, surface.correlation() && surface.correlation()->nu()).summary();
 }

@@ -56,8 +56,7 @@ struct DistanceStudy {
         left_out;       ///< typical factor, exp of the rms of ln, between a case and what the others predict
     std::string range;  ///< "sigma0 0.05 to 2.4 lambda, …"
 };
-/// Of the study that stands for an index, or for surfaces like this one.
-[[nodiscard]] const DistanceStudy& distance_study(const RefractiveIndex& index);
+/// Of the study that stands for surfaces like this one.
 [[nodiscard]] const DistanceStudy& distance_study(const Surface& surface, const RefractiveIndex& index);
 
 }  // namespace hts::spectral

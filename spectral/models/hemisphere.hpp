@@ -10,7 +10,7 @@ namespace hts::spectral {
 /// total is the hemispherical emissivity of a surface that lets no light through.
 /// Anisotropic reflectances by the mean over azimuths.
 ///   error    accuracy::bihemispherical_reflectance of each term, absolute, or that of Reflectance::albedo
-///   cost     some 30 of Reflectance::albedo, of anisotropic reflectances some 300
+///   cost     some 30 of Reflectance::albedo, of anisotropic reflectances some 1000
 [[nodiscard]] HemisphericalReflectance bihemispherical_reflectance(const Reflectance& reflectance,
                                                                    std::size_t wavelength);
 

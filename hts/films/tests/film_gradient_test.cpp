@@ -107,7 +107,7 @@ TEST_CASE("Films: derivatives without a film, and of films thinner than any, are
         CHECK(close(thin.sum_over_sine_squared, bare.sum_over_sine_squared));
     }
     const std::vector<Film> films{{{1.8, 0}, 0}};
-    CHECK((CoatedIndex{{1.5, 0}, films, one_um}.has_empty_films()));
+    CHECK((CoatedIndex{{1.5, 0}, films, one_um}.film_count()) == 0);
 }
 
 }  // namespace hts
