@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <tuple>
+#include <vector>
 
 #include "cli/io/options.hpp"
 #include "hts/error.hpp"
@@ -82,9 +83,13 @@ void GainWarning::print(const std::string& source) const {
 }
 
 void warn_of_gain_of(const spectral::Reflectance& reflectance, const std::string& source) {
-    GainWarning gain;
-    for (const double theta : {0.0, 60.0}) gain.note(reflectance, Direction::from_degrees(theta, 0));
-    gain.print(source);
+    constexpr std::array polar_angles{0.0, 60.0};
+    std::vector<double> least(reflectance.size() * polar_angles.size());
+    spectral::parallel_for(least.size(), [&](std::size_t i) {
+        const Direction in = Direction::from_degrees(polar_angles[i % polar_angles.size()], 0);
+        least[i] = least_reflectance(reflectance, in, i / polar_angles.size()).value_or(0);
+    });
+    if (!least.empty()) warn_of_gain(source, std::ranges::max(least));
 }
 
 void ValidityWarning::note(const spectral::Validity& verdict) noexcept {

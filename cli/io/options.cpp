@@ -256,8 +256,13 @@ std::pair<std::string, double> assignment(const std::string& option, const std::
             from_option(option, [&] { return spectral::number_in(text.substr(at + 1)); })};
 }
 
+const std::string& MaterialOptions::text() const {
+    if (!known_text) known_text = spectral::read_text_file(path);
+    return *known_text;
+}
+
 spectral::Material MaterialOptions::read() const {
-    auto material = spectral::read_material(path, tables::models_with_files());
+    auto material = spectral::material_from_text(text(), path, tables::models_with_files());
     for (const std::string& warning : material.warnings())
         std::cerr << "hts: " << path << ": " << warning << '\n';
     return material;

@@ -54,13 +54,17 @@ struct MaterialOptions {
 
     /// The option of the file, for `required()`.
     CLI::Option* add_to(CLI::App& verb);
-    /// Reads the file; what it warns of goes to standard error.
+    /// The file's text, read once, so that it may be standard input.
+    [[nodiscard]] const std::string& text() const;
+    /// The material; what it warns of goes to standard error.
     [[nodiscard]] spectral::Material read() const;
     [[nodiscard]] spectral::OutsideRange policy() const noexcept { return outside.policy; }
     /// Evaluation as exact as it can be, by this policy outside the material's range.
     [[nodiscard]] spectral::EvaluationOptions evaluation() const {
         return {.tolerance = Tolerance{hts::accuracy::finest_tolerance}, .outside = policy()};
     }
+
+    mutable std::optional<std::string> known_text{};  ///< once it was read
 };
 
 /// Says on standard error that a material reflects more than falls in, where it does by more than 0.5 %.

@@ -208,6 +208,12 @@ TEST_CASE("a material that reflects more than falls in is named") {
                                 "diffuse_albedo": 1})");
     const Result white = place.hts("eval -m white.json --wavelength 0.5 --theta-i 30 --theta-r 10 --phi 0");
     CHECK(white.errors.find("white.json: WARNING: reflects 1.") != std::string::npos);
+    place.file("red.json",
+               R"({"model": "he", "rms_roughness_um": 0.1, "correlation_length_um": 2, "index": "Al",
+                   "diffuse_albedo": {"table": [[0.4, 0], [0.7, 1]]}})");
+    const Result red =
+        place.hts("table export red.json --format csv --wavelengths 0.4,0.7 --pairs 10 -o r.csv");
+    CHECK(red.errors.find("red.json: WARNING: reflects 1.") != std::string::npos);
     for (const std::string verb : {"albedo", "eval --wavelength 0.5 --theta-i 30 --theta-r 10 --phi 0"}) {
         const Result honest = place.hts(verb + " -m '" HTS_SOURCE_DIR "/cli/data/rough-aluminium.json'");
         CHECK(honest.errors.find("WARNING") == std::string::npos);

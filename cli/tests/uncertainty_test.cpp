@@ -33,6 +33,8 @@ TEST_CASE("hts eval --uncertainty adds two columns, from the file or from the op
     CHECK(names[names.size() - 2] == "brdf_uncertainty");
     CHECK(names.back() == "specular_reflectance_uncertainty");
     CHECK(std::stod(from_file[1][names.size() - 2]) > 0);
+    CHECK(cells(place.hts("eval --material -" + at + "--uncertainty < m.json").output) == from_file);
+    CHECK(place.hts("table build - --wavelengths 0.5 --tolerance 0.1 -o m.table < m.json").exit_code == 0);
     check_complaint(place.hts("eval --material " + data + "rough-aluminium.json" + at + "--uncertainty"), 1,
                     {"key \"uncertainty\": missing"});
     check_complaint(

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <system_error>
 
 #include "cli/answers/validity_warning.hpp"
@@ -98,10 +99,11 @@ void run(const CompareOptions& options) {
                                                             .nodes = {options.wavelengths, options.rings},
                                                             .scale = scale});
     say_what_bears_on_it(set, material, scale);
-    const double um = (set.curves.front().band.first + set.curves.front().band.last) / 2;
-    warn_of_gain_of(
-        material.at(spectral::WavelengthGrid::from_micrometres({um}), {.outside = options.material.policy()}),
-        options.material.path);
+    std::set<double> um;
+    for (const auto& curve : set.curves) um.insert((curve.band.first + curve.band.last) / 2);
+    warn_of_gain_of(material.at(spectral::WavelengthGrid::from_micrometres({um.begin(), um.end()}),
+                                {.outside = options.material.policy()}),
+                    options.material.path);
     Output output{"-"};
     write_report_table(output, options.json ? Format::json : Format::csv, section.tables.front());
     output.commit();

@@ -143,9 +143,8 @@ spectral::UncertainMaterial uncertain_material(const EvalOptions& options) {
         const auto [name, value] = assignment("--uncertainty", std::string{piece});
         given.push_back({name, value});
     }
-    const std::string text = spectral::read_text_file(path);
     const auto make = [&] {
-        return spectral::UncertainMaterial{text, path, given, tables::models_with_files()};
+        return spectral::UncertainMaterial{options.material.text(), path, given, tables::models_with_files()};
     };
     return given.empty() ? make() : from_option("--uncertainty", make);
 }

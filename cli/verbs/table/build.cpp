@@ -62,7 +62,7 @@ tables::TableJob job_from(const BuildOptions& options) {
     const auto reflector = options.material.read();
     if (options.material.policy() == spectral::OutsideRange::zero)
         throw UsageError{"--outside zero: must be error or hold, since a table holds logarithms"};
-    const std::string text = spectral::read_text_file(options.material.path);
+    const std::string& text = options.material.text();
     return {
         tables::with_own_constants(
             {reflector.name(), text, path_for(text, options.material.path), options.material.policy()}, grid),
