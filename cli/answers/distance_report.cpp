@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hts/error.hpp"
+#include "spectral/energy/solved_surfaces.hpp"
 
 namespace hts::cli {
 namespace {
@@ -23,11 +24,22 @@ TrueDecibels greater(const TrueDecibels& a, const TrueDecibels& b) {
     return {std::fmax(a.te, b.te), std::fmax(a.tm, b.tm), std::fmax(a.unpolarised, b.unpolarised)};
 }
 
+/// Of the cases with surfaces rough in both directions that stand near a surface at one of its wavelengths.
+struct Solved {
+    std::size_t points = 0;  ///< with such a case
+    spectral::SolvedSurface worst{};
+};
+
+double greatest_distance_of(const spectral::SolvedSurface& each) {
+    return std::fmax(each.he.unpolarised, each.unified.unpolarised);
+}
+
 /// Over the wavelengths at an angle of incidence.
 struct AtAngle {
     double theta_deg = 0;
     std::size_t studied = 0, points = 0;
     BothTheories worst{{0, 0, 0}, {0, 0, 0}};  ///< of those that are studied
+    Solved solved{};
 };
 
 std::vector<AtAngle> by_angle(const MaterialInfo& info) {
@@ -37,6 +49,11 @@ std::vector<AtAngle> by_angle(const MaterialInfo& info) {
         AtAngle& at = angles[i % angles.size()];
         at.theta_deg = info.theta[i % angles.size()];
         ++at.points;
+        if (const auto near = spectral::nearest_solved(info.surface, points[i].sample, points[i].in)) {
+            const bool first = ++at.solved.points == 1;
+            if (first || greatest_distance_of(*near) > greatest_distance_of(at.solved.worst))
+                at.solved.worst = *near;
+        }
         const auto expected = distance_at(info, points[i]);
         if (!expected.studied) continue;
         ++at.studied;
@@ -112,6 +129,53 @@ void add_distance(TableWriter::Row& row, const MaterialInfo& info,
     }
 }
 
+namespace {
+
+std::string four(const spectral::PolarisedDecibels& of) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << of.ss << " / " << of.pp << " / " << of.cross << " / "
+         << of.unpolarised;
+    return text.str();
+}
+
+/// A line per angle that has a case near it; empty if none has.
+std::string solved_text(const std::vector<AtAngle>& angles) {
+    std::ostringstream lines;
+    for (const AtAngle& at : angles) {
+        const auto& [points, worst] = at.solved;
+        if (points == 0) continue;
+        std::string tau = shortest(worst.length_in_plane);
+        if (worst.length_across != worst.length_in_plane) tau += " x " + shortest(worst.length_across);
+        lines << std::left << "  " << std::setw(9) << shortest(at.theta_deg) + " deg" << std::setw(28)
+              << four(worst.he) << std::setw(28) << four(worst.unified) << shortest(worst.rms_roughness)
+              << ", " << tau << ", " << shortest(worst.theta_i_deg) << " deg\n";
+    }
+    if (lines.str().empty()) return "";
+    return "\nThe nearest of the surfaces rough in both directions that were solved exactly (hts truth "
+           "vector) [dB],\ns / p / cross-polarised / unpolarised, in and out of the plane of incidence; of "
+           "two tau the first is along it:\n"
+           "  theta_i  he                          he_unified                  sigma0, tau [lambda], "
+           "theta_i\n" +
+           lines.str();
+}
+
+Json json_of(const spectral::PolarisedDecibels& of) {
+    return {{"s", of.ss}, {"p", of.pp}, {"cross", of.cross}, {"unpolarised", of.unpolarised}};
+}
+
+Json json_of(const Solved& solved) {
+    if (solved.points == 0) return {};
+    const auto& worst = solved.worst;
+    return {{"points", solved.points},
+            {"sigma0_over_lambda", worst.rms_roughness},
+            {"tau_over_lambda", {worst.length_in_plane, worst.length_across}},
+            {"theta_i_deg", worst.theta_i_deg},
+            {"he", json_of(worst.he)},
+            {"he_unified", json_of(worst.unified)}};
+}
+
+}  // namespace
+
 std::string distance_text(const MaterialInfo& info) {
     const spectral::DistanceStudy& study = study_of(info);
     std::ostringstream text;
@@ -120,7 +184,8 @@ std::string distance_text(const MaterialInfo& info) {
          << std::left << "  theta_i  " << std::setw(22) << "he" << std::setw(22) << "he_unified"
          << "studied\n";
     bool outside = false;
-    for (const AtAngle& at : by_angle(info)) {
+    const auto angles = by_angle(info);
+    for (const AtAngle& at : angles) {
         text << "  " << std::setw(9) << shortest(at.theta_deg) + " deg" << std::setw(22)
              << (at.studied > 0 ? three(at.worst.he) : "unknown") << std::setw(22)
              << (at.studied > 0 ? three(at.worst.unified) : "unknown") << at.studied << " of " << at.points
@@ -131,6 +196,7 @@ std::string distance_text(const MaterialInfo& info) {
          << study.substance << ".\nA case that is left out is met within a factor of "
          << three(study.left_out.he) << " (he), " << three(study.left_out.unified) << " (he_unified), rms.\n";
     if (outside) text << "Studied are " << study.range << ";\nof what is outside nothing is known.\n";
+    text << solved_text(angles);
     if (spectral::judged_by_distance(info.surface))
         text << "The validity above is by this distance. The assumptions of " << judged_model
              << " are not those of " << info.material.model_name()
@@ -148,7 +214,8 @@ Json distance_json(const MaterialInfo& info) {
                           {"studied", at.studied},
                           {"points", at.points},
                           {"he", known ? json_of(at.worst.he) : Json{}},
-                          {"he_unified", known ? json_of(at.worst.unified) : Json{}}});
+                          {"he_unified", known ? json_of(at.worst.unified) : Json{}},
+                          {"in_both_directions", json_of(at.solved)}});
     }
     return {{"by_angle", angles},
             {"cases", study.cases},

@@ -33,8 +33,8 @@ void add_distance(TableWriter::Row& row, const MaterialInfo& info,
                   const spectral::MaterialValidity::Point& point);
 /// A line per angle, the worst over the wavelengths that are studied, and what stands behind it.
 [[nodiscard]] std::string distance_text(const MaterialInfo& info);
-/// {"studied_points", "points", "cases", …, "by_angle": [{"theta_deg", "he": {"te",
-/// "tm", "unpolarised"}, …}, …]}
+/// {"cases", …, "by_angle": [{"theta_deg", "studied", "points", "he": {"te", "tm", "unpolarised"}, …,
+/// "in_both_directions": null or the nearest solved surface}, …]}
 [[nodiscard]] nlohmann::ordered_json distance_json(const MaterialInfo& info);
 
 }  // namespace hts::cli

@@ -167,6 +167,7 @@ void run(const TruthOptions& options) {
         }
     }
     if (options.study == "models") {
+        truth.tables.push_back(validation::kept_vector_distance_table());
         for (auto& table : validation::kept_vector_distances())
             truth.section.tables.push_back(std::move(table));
     }

@@ -190,27 +190,31 @@ class Study {
     DistanceStudy summary_;
 };
 
-/// Of the flat surface along the normal: the mirrors among metals are above a half, glass of 1.5 has 0.04.
+/// Of the flat surface along the normal: glass of 1.5 has 0.04.
 double normal_reflectance(const RefractiveIndex& index) {
     return fresnel(1, index).unpolarised_reflectance();
 }
-constexpr double least_of_metals = 0.5, most_of_glass = 0.1;
+constexpr double most_of_glass = 0.1;
 
 const Study& study_for(const RefractiveIndex& index, bool k_correlated) {
     static const Study conductors{"perfect conductors and metals", true, false},
         glass{"glass of index 1.5, he_unified with polarisation_mixing", false, false},
         other{"perfect conductors, K-correlated", true, true};
     if (k_correlated) return other;
-    return normal_reflectance(index) >= least_of_metals ? conductors : glass;
+    return reflects_as_metal(index) ? conductors : glass;
 }
 
 }  // namespace
 
+bool reflects_as_metal(const RefractiveIndex& index) {
+    return normal_reflectance(index) >= 0.5;
+}
+
 ExpectedDistance expected_distance(const StudiedPoint& at, const RefractiveIndex& index) {
     if (at.rms_roughness == 0) return {{{0, 0, 0}, {0, 0, 0}}, true};  // Fresnel's equations
     ExpectedDistance expected = study_for(index, at.nu.has_value()).at(at);
-    const double reflectance = normal_reflectance(index);
-    if (reflectance < least_of_metals && (at.nu || reflectance > most_of_glass)) expected.studied = false;
+    if (!reflects_as_metal(index) && (at.nu || normal_reflectance(index) > most_of_glass))
+        expected.studied = false;
     return expected;
 }
 

@@ -48,6 +48,10 @@ struct ExpectedDistance {
 [[nodiscard]] ExpectedDistance expected_distance(const Surface& surface, const SpectralSample& sample,
                                                  const Direction& in);
 
+/// Whether the flat surface reflects at least half of the light along the normal, as the mirrors among metals
+/// do, for which perfect conductors stand.
+[[nodiscard]] bool reflects_as_metal(const RefractiveIndex& index);
+
 /// What stands behind it.
 struct DistanceStudy {
     std::string substance;  ///< "perfect conductors"

@@ -83,6 +83,23 @@ FigureTable vector_lobe_table(const std::vector<VectorResult>& results, const Ve
     return table;
 }
 
+FigureTable vector_distance_table(const std::vector<ComparedLobe>& lobes) {
+    FigureTable table{"vector-distances", {case_columns.begin(), case_columns.end() - 1}, {}};
+    for (const std::string model : {"he", "he_unified"})
+        table.columns.insert(table.columns.end(),
+                             {model + "_ss_db", model + "_pp_db", model + "_cross_db", model + "_db"});
+    for (const ComparedLobe& lobe : lobes) {
+        std::vector<double> row = case_row(lobe.of, {});
+        row.pop_back();
+        for (const VectorModel model : {VectorModel::he, VectorModel::he_unified}) {
+            for (const VectorLight light : vector_lights)
+                row.push_back(lobe.distance_of(model, light, VectorRegion::all).rms);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 std::vector<ComparedLobe> compared(const FigureTable& lobes) {
     const auto bins = vector_bins();
     const std::size_t exact = column_of(lobes, "ss"), error = column_of(lobes, "ss_error");

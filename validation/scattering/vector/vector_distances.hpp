@@ -38,6 +38,8 @@ inline const std::vector<std::string> case_columns{"sigma0_over_lambda", "tau_x_
 [[nodiscard]] Figure vector_lobe_figure(const std::vector<ComparedLobe>& lobes, double theta_i_deg);
 /// A panel per model and light, its cells by surface and angle of incidence.
 [[nodiscard]] Figure vector_map_figure(const std::vector<ComparedLobe>& lobes);
+/// Of the published model and he_unified by case.
+[[nodiscard]] FigureTable vector_distance_table(const std::vector<ComparedLobe>& lobes);
 /// By case.
 [[nodiscard]] ReportTable vector_case_table(const std::vector<ComparedLobe>& lobes);
 

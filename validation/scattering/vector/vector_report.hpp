@@ -26,7 +26,10 @@ inline constexpr std::size_t fewest_vector_realisations = 10;
 /// takes hours.
 [[nodiscard]] Section vector_section(Effort effort);
 
-/// Distances of the models from the lobes that are kept: by light and region, and by case.
+/// Distances of the published model and he_unified from the lobes that are kept, for
+/// spectral/energy/solved_surfaces.hpp.
+[[nodiscard]] FigureTable kept_vector_distance_table();
+/// Distances of the models from the same: by light and region, and by case.
 [[nodiscard]] std::vector<ReportTable> kept_vector_distances();
 
 }  // namespace hts::validation

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "hts/error.hpp"
+#include "spectral/text/csv.hpp"
 #include "temporary_folder.hpp"
 #include "validation/scattering/vector/vector_report.hpp"
 
@@ -91,6 +92,18 @@ TEST_CASE("vector results: Kirchhoff's currents on realisations have the mean of
     const VectorDistance off = distance(result.bins, unified, VectorLight::unpolarised, VectorRegion::all);
     std::printf("he_unified %.2f dB off, chance %.2f dB\n", off.rms, off.chance);
     CHECK(off.rms < 1.5);
+}
+
+TEST_CASE("vector results: hts info has the distances of the lobes that are kept") {
+    const FigureTable table = kept_vector_distance_table();
+    const auto kept =
+        spectral::CsvTable::read(HTS_SOURCE_DIR "/spectral/energy/data/vector-distances.csv");
+    REQUIRE(kept.row_count() == table.rows.size());
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        for (std::size_t column = 0; column < table.columns.size(); ++column)
+            CHECK(kept.number(row, kept.column(table.columns[column])) ==
+                  Approx(table.rows[row][column]).epsilon(2e-3));
+    }
 }
 
 TEST_CASE("vector results: a distance is the weighted rms in decibels of the bins that count") {
