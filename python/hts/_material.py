@@ -184,7 +184,7 @@ class Material(_core.Material):
             self._require_opaque(um, outside)
             return 1.0 - self._hemispherical_reflectance(um, outside)
 
-        result = np.vectorize(at, otypes=[float])(np.asarray(wavelength, dtype=float))
+        result = np.vectorize(at, otypes=[float])(numbers("wavelength", wavelength))
         return result if np.ndim(result) else float(result)
 
     def band_emissivity(

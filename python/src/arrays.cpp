@@ -30,6 +30,18 @@ nb::object as_doubles(const std::string& name, nb::handle value) {
     return array;
 }
 
+/// The bytes between the first and the last of an array.
+std::pair<const char*, const char*> extent(const Py_buffer& view) {
+    const auto* first = static_cast<const char*>(view.buf);
+    const auto* last = first + view.itemsize;
+    for (int i = 0; i < view.ndim; ++i) {
+        if (view.shape[i] == 0) return {first, first};
+        const std::ptrdiff_t way = (view.shape[i] - 1) * view.strides[i];
+        (way < 0 ? first : last) += way;
+    }
+    return {first, last};
+}
+
 }  // namespace
 
 nb::module_ numpy() {
@@ -112,6 +124,13 @@ Operand::Operand(Operand&& other) noexcept
       strides_{std::move(other.strides_)},
       component_stride_{other.component_stride_} {}
 
+bool Operand::may_share_memory(const Py_buffer& view) const {
+    if (!view_) return false;
+    const auto [first, last] = extent(*view_);
+    const auto [other_first, other_last] = extent(view);
+    return first < other_last && other_first < last;
+}
+
 Operand::~Operand() {
     if (view_) PyBuffer_Release(&*view_);
 }
@@ -148,7 +167,7 @@ Shape Broadcast::steps(const Operand& operand) const {
 
 Walk::Walk(const Shape& shape, const std::vector<bool>& axes) {
     for (std::size_t i = 0; i < shape.size(); ++i) {
-        if (!axes[i]) continue;
+        if (!axes[i] || shape[i] == 1) continue;
         axes_.push_back(i);
         lengths_.push_back(shape[i]);
     }
@@ -163,6 +182,17 @@ std::ptrdiff_t Walk::offset(std::size_t i, const Shape& steps) const noexcept {
         i /= length;
     }
     return offset;
+}
+
+void Walk::offsets(std::size_t first, const Shape& steps, std::span<std::ptrdiff_t> result) const noexcept {
+    for (std::size_t i = 0; i < result.size();) {
+        // along the last axis as far as it goes
+        const std::size_t length = axes_.empty() ? 1 : static_cast<std::size_t>(lengths_.back());
+        const std::size_t run = std::min(length - (first + i) % length, result.size() - i);
+        const std::ptrdiff_t begin = offset(first + i, steps), step = axes_.empty() ? 0 : steps[axes_.back()];
+        for (std::size_t j = 0; j < run; ++j) result[i + j] = begin + static_cast<std::ptrdiff_t>(j) * step;
+        i += run;
+    }
 }
 
 Result::Result(const Shape& shape, nb::object out, std::span<const Operand* const> inputs,
@@ -189,11 +219,11 @@ Result::Result(const Shape& shape, nb::object out, std::span<const Operand* cons
         std::ptrdiff_t side_by_side = bytes;
         for (std::size_t i = own.size(); i-- > 0 && own.size() - i <= together; side_by_side *= own[i])
             direct = direct && view_.strides[i] == side_by_side;
+        // new memory unless nothing that is still to be read can be written over
+        for (const Operand* input : inputs) direct = direct && !input->may_share_memory(view_);
         PyBuffer_Release(&view_);
         view_ = {};
         if (own != shape) throw Error{"out: must be of shape " + text_of(shape) + ", not " + text_of(own)};
-        // new memory unless nothing that is still to be read can be written over
-        for (const Operand* input : inputs) direct = direct && input->shape().empty();
         if (!direct) array_ = new_array(shape);
     } else {
         array_ = new_array(shape);

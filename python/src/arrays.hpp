@@ -43,6 +43,8 @@ class Operand {
     /// In elements.
     [[nodiscard]] const Shape& strides() const noexcept { return strides_; }
     [[nodiscard]] const double* data() const noexcept { return view_ ? data_ : &number_; }
+    /// Whether its bytes and those of another array overlap, or lie between one another.
+    [[nodiscard]] bool may_share_memory(const Py_buffer& view) const;
     /// Between the components of a value, in elements.
     [[nodiscard]] std::ptrdiff_t component_stride() const noexcept { return component_stride_; }
 
@@ -79,6 +81,8 @@ class Walk {
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     /// Offset of the i-th element in an array with these steps along all axes of the shape.
     [[nodiscard]] std::ptrdiff_t offset(std::size_t i, const Shape& steps) const noexcept;
+    /// Offsets of elements first, first + 1, …
+    void offsets(std::size_t first, const Shape& steps, std::span<std::ptrdiff_t> result) const noexcept;
 
   private:
     std::vector<std::size_t> axes_;

@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 
 #include "hts/error.hpp"
 #include "spectral/parallel.hpp"
@@ -15,6 +16,7 @@ using spectral::Reflectance;
 using spectral::WavelengthGrid;
 
 constexpr std::size_t block = 256;  // pairs evaluated at a time
+using Offsets = std::array<std::ptrdiff_t, block>;
 
 /// The operands of a call.
 struct Operands {
@@ -95,7 +97,7 @@ std::string index_text(std::size_t i, const Shape& shape) {
     return text_of(index);
 }
 
-/// Reads pairs of directions from operands.
+/// Reads pairs of directions from operands, a block at a time.
 class Pairs {
   public:
     Pairs(const Operands& of, const Broadcast& broadcast, bool degrees) : degrees_{degrees} {
@@ -109,23 +111,34 @@ class Pairs {
         vectors_ = !of.vectors.empty();
     }
 
-    [[nodiscard]] DirectionPair operator()(const Walk& walk, std::size_t i) const {
+    /// Where each operand has the values of a block of elements.
+    struct Places {
+        std::array<Offsets, 4> of;
+    };
+    [[nodiscard]] Places places(const Walk& walk, std::size_t first, std::size_t number) const {
+        Places places;
+        for (std::size_t which = 0; which < data_.size(); ++which)
+            walk.offsets(first, steps_[which], std::span{places.of[which]}.first(number));
+        return places;
+    }
+    /// The i-th of the block.
+    [[nodiscard]] DirectionPair operator()(const Places& places, std::size_t i) const {
         if (vectors_) {
-            const Direction in = vector(0, walk, i);
-            return {in, data_.size() > 1 ? vector(1, walk, i) : in};
+            const Direction in = vector(0, places, i);
+            return {in, data_.size() > 1 ? vector(1, places, i) : in};
         }
-        const double phi_i = at(1, walk, i);
-        const Direction in = direction(at(0, walk, i), phi_i, degrees_);
+        const double phi_i = at(1, places, i);
+        const Direction in = direction(at(0, places, i), phi_i, degrees_);
         if (data_.size() < 4) return {in, in};
-        return {in, direction(at(2, walk, i), phi_i + at(3, walk, i), degrees_)};
+        return {in, direction(at(2, places, i), phi_i + at(3, places, i), degrees_)};
     }
 
   private:
-    [[nodiscard]] double at(std::size_t which, const Walk& walk, std::size_t i) const {
-        return data_[which][walk.offset(i, steps_[which])];
+    [[nodiscard]] double at(std::size_t which, const Places& places, std::size_t i) const {
+        return data_[which][places.of[which][i]];
     }
-    [[nodiscard]] Direction vector(std::size_t which, const Walk& walk, std::size_t i) const {
-        const double* v = data_[which] + walk.offset(i, steps_[which]);
+    [[nodiscard]] Direction vector(std::size_t which, const Places& places, std::size_t i) const {
+        const double* v = data_[which] + places.of[which][i];
         const std::ptrdiff_t step = component_[which];
         return Direction::from_vector({v[0], v[step], v[2 * step]});
     }
@@ -257,17 +270,30 @@ class Call {
                                    : material_.at(WavelengthGrid::from_micrometres(sorted), how_, own);
 
         const std::size_t values = of.size() * each_;
+        // whether the spectrum of a pair lies in the result as it is evaluated
+        bool in_order = place.size() == of.size();
+        for (std::size_t w = 0; w < place.size(); ++w)
+            in_order = in_order && place[w] == w && to[w] == static_cast<std::ptrdiff_t>(w * each_);
         in_blocks(pairs.size(), threads_, [&](std::size_t first, std::size_t number) {
             thread_local std::vector<DirectionPair> of_block;
             thread_local std::vector<double> spectra;
+            const Pairs::Places places = pairs_.places(pairs, first, number);
             of_block.clear();
-            for (std::size_t i = 0; i < number; ++i) of_block.push_back(pair(pairs, first + i));
+            for (std::size_t i = 0; i < number; ++i) of_block.push_back(pair(places, first, i));
+            Offsets row;
+            pairs.offsets(first, out_steps_, std::span{row}.first(number));
+            bool adjacent = in_order;
+            for (std::size_t i = 0; i < number; ++i)
+                adjacent = adjacent && row[i] - row[0] == static_cast<std::ptrdiff_t>(i * values);
+            if (adjacent) {
+                quantity_.evaluate(of, of_block, {out_ + row[0], number * values});
+                return;
+            }
             spectra.resize(number * values);
             quantity_.evaluate(of, of_block, spectra);
             for (std::size_t i = 0; i < number; ++i) {
-                const std::ptrdiff_t base = pairs.offset(first + i, out_steps_);
                 for (std::size_t w = 0; w < place.size(); ++w)
-                    store(spectra.data() + i * values + place[w] * each_, base + to[w]);
+                    store(spectra.data() + i * values + place[w] * each_, row[i] + to[w]);
             }
         });
     }
@@ -278,8 +304,9 @@ class Call {
         in_blocks(all.size(), threads_, [&](std::size_t first, std::size_t number) {
             thread_local std::vector<double> values;
             values.resize(each_);
+            const Pairs::Places places = pairs_.places(all, first, number);
             for (std::size_t i = first; i < first + number; ++i) {
-                const DirectionPair one[1]{pair(all, i)};
+                const DirectionPair one[1]{pair(places, first, i - first)};
                 const double wavelength = operands_.wavelength->data()[all.offset(i, wavelength_steps_)];
                 const std::span<double> of_one{values};
                 named(i, [&] {
@@ -294,8 +321,8 @@ class Call {
         });
     }
 
-    [[nodiscard]] DirectionPair pair(const Walk& walk, std::size_t i) const {
-        return named(i, [&] { return pairs_(walk, i); });
+    [[nodiscard]] DirectionPair pair(const Pairs::Places& places, std::size_t first, std::size_t i) const {
+        return named(first + i, [&] { return pairs_(places, i); });
     }
 
     const PyMaterial& material_;

@@ -73,6 +73,15 @@ def test_out(aluminium, rng):
     over = theta.copy()  # results in place of arguments
     aluminium.brdf(0.5, over, 0.3, 3.0, out=over)
     assert np.array_equal(over, expected)
+    shifted = np.concatenate([theta, np.empty(700)])  # each result where a later argument stands
+    long = np.resize(theta, 600)
+    shifted[:600] = long
+    aluminium.brdf(0.5, shifted[:600][::-1], 0.3, 3.0, out=shifted[100:700])
+    assert np.array_equal(shifted[100:700], aluminium.brdf(0.5, long[::-1], 0.3, 3.0))
+    aluminium.brdf([0.4, 0.6], theta[:, np.newaxis], 0.3, 3.0, out=(turned := np.empty((2, 5)).T))
+    assert np.array_equal(turned, aluminium.brdf([0.4, 0.6], theta[:, np.newaxis], 0.3, 3.0))
+    swapped = aluminium.brdf([0.6, 0.4], theta[:, np.newaxis], 0.3, 3.0)
+    assert np.array_equal(swapped[:, ::-1], turned)
     matrices = np.empty((4, 4, 5))
     aluminium.mueller(0.5, theta, 0.3, 3.0, out=np.moveaxis(matrices, -1, 0))
     assert np.array_equal(np.moveaxis(matrices, -1, 0), aluminium.mueller(0.5, theta, 0.3, 3.0))

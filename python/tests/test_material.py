@@ -53,6 +53,8 @@ def test_emissivity(aluminium):
 def test_hemispherical_emissivity():
     white = hts.Material(model="lambert", diffuse_albedo=0.3)
     assert white.hemispherical_emissivity(0.5) == pytest.approx(0.7, abs=1e-6)
+    with pytest.raises(hts.Error, match="wavelength"):
+        white.hemispherical_emissivity("green")
     assert white.band_emissivity([8, 9, 10], [0, 1, 0], 0.3) == pytest.approx(0.7, abs=1e-6)
 
 
