@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -14,8 +13,7 @@
 
 #include "hts/correlation/height_shape.hpp"
 #include "hts/correlation/kept_tables.hpp"
-#include "hts/correlation/lobe_table.hpp"
-#include "hts/correlation/table_file.hpp"
+#include "hts/correlation/table_cache.hpp"
 #include "hts/correlation/tabulated_shape.hpp"
 #include "hts/error.hpp"
 
@@ -25,30 +23,9 @@ namespace {
 namespace detail = correlation_detail;
 using detail::LobeTable;
 
-/// Tables made lately, so that a material read again has its own.
-class TableCache {
-  public:
-    std::shared_ptr<const LobeTable> of(const detail::ShapePointer& shape) {
-        const std::lock_guard lock{mutex_};
-        const std::vector<double> identity = shape->identity();
-        if (const auto found = tables_.find(identity); found != tables_.end()) return found->second;
-        if (tables_.size() >= most) tables_.clear();
-        return tables_.emplace(identity, detail::kept_table(folder_, shape)).first->second;
-    }
-    void keep_in(const std::filesystem::path& folder) {
-        const std::lock_guard lock{mutex_};
-        folder_ = folder;
-    }
-
-  private:
-    static constexpr std::size_t most = 16;
-    std::mutex mutex_;
-    std::filesystem::path folder_;
-    std::map<std::vector<double>, std::shared_ptr<const LobeTable>> tables_;
-};
-
-TableCache& tables() {
-    static TableCache cache;
+/// So that a material read again has its table.
+detail::TableCache& tables() {
+    static detail::TableCache cache;
     return cache;
 }
 
@@ -138,10 +115,10 @@ std::filesystem::path user_cache_folder() {
 struct Correlation::Shared {
     explicit Shared(detail::ShapePointer of) : shape{std::move(of)}, moments{*shape} {}
 
-    const LobeTable& made() {
+    const LobeTable& made(detail::Keep keep = detail::Keep::yes) {
         if (const LobeTable* const there = table.load(std::memory_order_acquire)) return *there;
-        std::call_once(once, [this] {
-            kept = tables().of(shape);
+        std::call_once(once, [&] {
+            kept = tables().of(shape, keep);
             table.store(kept.get(), std::memory_order_release);
         });
         return *kept;
@@ -251,6 +228,10 @@ double Correlation::slope_variance_below(double q) const noexcept {
 
 void Correlation::prepare() const {
     static_cast<void>(shared_->made());
+}
+
+void Correlation::prepare_unkept() const {
+    static_cast<void>(shared_->made(detail::Keep::no));
 }
 
 ScatteringIntegral Correlation::lobe(double g, double q) const noexcept {

@@ -110,6 +110,9 @@ class Correlation {
     /// Makes the table where there is none yet.
     ///   cost   some 0.2 s, once for every shape of the same numbers
     void prepare() const;
+    /// The same for this shape and its copies alone. One of the same numbers that was read anew, or by the
+    /// next process, does not find it: of shapes that are wanted once, as a small change of another one.
+    void prepare_unkept() const;
     /// 2 D and beta.
     ///   g       0 ... most_phase_variance; beyond, the value there      q   >= 0
     ///   error   accuracy::correlation_lobe, accuracy::correlation_tail

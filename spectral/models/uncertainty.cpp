@@ -342,7 +342,11 @@ UncertainReflectance UncertainMaterial::at(const WavelengthGrid& wavelengths,
         return [&, k](double steps) {
             std::vector<double> differences(numbers_.size());
             differences[k] = steps * numbers_[k].standard_deviation;
-            return std::vector{with(differences).at(wavelengths, how)};
+            const Material other = with(differences);
+            // nobody asks for its tables again
+            const auto& surface = other.properties().surface;
+            if (surface && surface->correlation()) surface->correlation()->prepare_unkept();
+            return std::vector{other.at(wavelengths, how)};
         };
     };
     const auto index_moved = [&](std::size_t k) {
