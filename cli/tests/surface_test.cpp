@@ -35,7 +35,8 @@ TEST_CASE("hts surface finds the roughness that a computed map was made with") {
     CHECK(found["rms_of_spectra_um"].get<double>() == Approx(rms).epsilon(1e-9));
     for (const auto& description : found["descriptions"]) {
         if (description["description"] != "k_correlation") continue;
-        CHECK(description["rms_of_fitted_spectrum_um"].get<double>() == Approx(rms).epsilon(0.01));
+        CHECK(std::fabs(description["rms_of_fitted_spectrum_um"].get<double>() - rms) <
+              3 * description["rms_of_fitted_spectrum_error_um"].get<double>());
         for (const auto& value : description["values"]) {
             const double v = value["value"], error = value["standard_error"];
             const std::string name = value["name"];

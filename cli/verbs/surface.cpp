@@ -26,10 +26,11 @@ Reads height maps of one surface: Gwyddion's .gsf and text matrices, ESRI grids,
 matrices of numbers (CSV), .npy, grey PNG of 16 bits, and with a python3 that has surfalize
 or SurfaceTopography .sdf, .x3p, .al3d, .sur and others. What a file does not state must be
 given: --step, --length-unit, --height-unit. Several maps count by their area.
-Prints the rms at three places, which must agree, slopes, whether heights are Gaussian and
-directions alike, and the Gaussian, the exponential, K-correlation and two Gaussian scales
-that come closest to the power spectrum, with standard errors. "deviance" is 1 at most
-where a description holds. Into the folder of --output go
+Prints the rms at three places, that of the fitted spectrum with the amplitude that the
+spectrum alone gives it and its error; slopes, whether heights are Gaussian and directions
+alike; and the Gaussian, the exponential, K-correlation and two Gaussian scales that come
+closest to the power spectrum, with standard errors. "deviance" is 1 at most where a
+description holds. Into the folder of --output go
   surface.json                       all that was found
   radial-spectrum.csv                S2(f) [um^4], averaged over directions, and the fits
   profile-spectrum-x.csv, -y.csv     one-sided S1(f) [um^3] of the first map

@@ -71,16 +71,14 @@ MapWindow::MapWindow(const HeightMap& map, Window kind)
       weights(map.heights().size()),
       whole{map.value_count() == map.heights().size()},
       squares{0} {
+    double fourths = 0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
         weights[k] = std::isnan(map.heights()[k]) ? 0 : across[k % map.columns()] * down[k / map.columns()];
-        squares += weights[k] * weights[k];
+        const double square = weights[k] * weights[k];
+        squares += square;
+        fourths += square * square;
     }
-}
-
-double MapWindow::inflation() const {
-    double fourth = 0;
-    for (const double w : weights) fourth += w * w * w * w;
-    return static_cast<double>(weights.size()) * fourth / (squares * squares);
+    inflation = static_cast<double>(weights.size()) * fourths / (squares * squares);
 }
 
 double Ellipse::distance(double x, double y) const noexcept {

@@ -26,11 +26,11 @@ struct MapWindow {
     std::vector<double> weights;       ///< of all points
     bool whole;                        ///< no gaps: the weights are that product
     double squares;                    ///< sum of their squares
-
-    MapWindow(const HeightMap& map, Window kind);
     /// How many times fewer independent frequencies there are than without a window, count * sum w^4 /
     /// (sum w^2)^2: 3.78 for Hann.
-    [[nodiscard]] double inflation() const;
+    double inflation;
+
+    MapWindow(const HeightMap& map, Window kind);
 };
 
 /// Lengths along and across an axis of the surface that count alike: directions are compared after distances

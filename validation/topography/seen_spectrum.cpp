@@ -89,7 +89,7 @@ SeenSpectrum::SeenSpectrum(const HeightMap& map, const MapWindow& window, const 
     : area_{map.width() * map.height()},
       variance_{spectrum.variance()},
       noise_unit_{map.step_x() * map.step_y()},
-      inflation_{window.inflation()},
+      inflation_{window.inflation},
       cell_{spectrum.cell()},
       window_share_{spectrum.window_share} {
     known_ = {std::sqrt(coefficients / (std::numbers::pi * area_)),

@@ -48,8 +48,7 @@ class SpectrumFitter {
             in_rings_ += map.area_ * map.window_share_ * restored * (map.variance_ - map.corners_);
             for (const auto& bin : map.bins_) {
                 if (bin.fitted) power_.push_back(bin.power * map.window_share_ * restored);
-                const double spread = 2 * map.inflation_ / bin.cells + least_spread * least_spread;
-                if (bin.fitted) modes_.push_back(1 / spread);
+                if (bin.fitted) modes_.push_back(1 / spread_of(map, bin));
             }
         }
         if (!power_.empty()) floor_ = least_power * *std::ranges::max_element(power_);
@@ -67,15 +66,51 @@ class SpectrumFitter {
             start.push_back(1e-3);
             for (std::size_t i = 0; i < start.size(); ++i)
                 start[i] = std::clamp(start[i], bounds[i].lowest + 1e-9, bounds[i].highest - 1e-9);
-            const Minimum minimum =
-                local_minimum([this](std::span<const double> x, bool with) { return linearised(x, with); },
-                              start, bounds, {100, 1e-10});
+            const Minimum minimum = minimum_from(start, bounds, Amplitude::held);
             if (!found || minimum.cost < found->cost) found = minimum;
         }
-        return described(*found, bounds);
+        SpectrumFit fit = described(*found, bounds);
+        fit.free_rms = free_rms(minimum_from(found->x, bounds, Amplitude::free), bounds);
+        return fit;
     }
 
   private:
+    /// Variance of a bin's power, relative.
+    [[nodiscard]] static double spread_of(const SeenSpectrum& map, const SeenSpectrum::Bin& bin) {
+        return 2 * map.inflation_ / bin.cells + least_spread * least_spread;
+    }
+    /// Held to the variance of the heights, or as the fitted bins would have it.
+    enum class Amplitude { held, free };
+
+    [[nodiscard]] Minimum minimum_from(const std::vector<double>& start, const std::vector<Bounds>& bounds,
+                                       Amplitude amplitude) const {
+        const auto of = [&](std::span<const double> x, bool with) { return linearised(x, with, amplitude); };
+        return local_minimum(of, start, bounds, {100, 1e-10});
+    }
+    /// The likeliest factor on what is expected of the fitted bins, which the floor is no part of: by
+    /// Fisher's scoring.
+    [[nodiscard]] double free_factor(const std::vector<double>& expected_of_bins) const {
+        double log = 0;
+        for (int k = 0; k < 50; ++k) {
+            double slope = 0, curvature = 0;
+            for (std::size_t i = 0; i < modes_.size(); ++i) {
+                const double own = std::exp(log) * (expected_of_bins[i] - floor_), whole = own + floor_;
+                slope += modes_[i] * (power_[i] / whole - 1) * own / whole;
+                curvature += modes_[i] * own * own / (whole * whole);
+            }
+            const double step = std::clamp(slope / curvature, -1.0, 1.0);
+            log += step;
+            if (std::fabs(step) < 1e-12) break;
+        }
+        return std::exp(log);
+    }
+    [[nodiscard]] std::vector<double> expected_with(std::span<const double> x, Amplitude amplitude) const {
+        std::vector<double> result = expected(x);
+        if (amplitude == Amplitude::held) return result;
+        const double factor = free_factor(result);
+        for (double& each : result) each = factor * (each - floor_) + floor_;
+        return result;
+    }
     /// Of the bins, all maps' behind one another: the shape is that of the description as the windows show
     /// it, the sum the power that was measured, so that the rms is the same.
     [[nodiscard]] std::vector<double> expected(std::span<const double> x, bool fitted_only = true) const {
@@ -154,16 +189,17 @@ class SpectrumFitter {
         }
         return result;
     }
-    [[nodiscard]] MatrixXd expected_slopes(std::span<const double> x) const {
-        return log_slopes(x, [this](const std::vector<double>& at) { return expected(at); });
+    [[nodiscard]] MatrixXd expected_slopes(std::span<const double> x, Amplitude amplitude) const {
+        return log_slopes(x, [&](const std::vector<double>& at) { return expected_with(at, amplitude); });
     }
-    [[nodiscard]] Linearised linearised(std::span<const double> x, bool with_jacobian) const {
-        const auto e = expected(x);
+    [[nodiscard]] Linearised linearised(std::span<const double> x, bool with_jacobian,
+                                        Amplitude amplitude) const {
+        const auto e = expected_with(x, amplitude);
         Linearised result;
         for (std::size_t i = 0; i < e.size(); ++i)
             result.residuals.push_back(std::sqrt(modes_[i]) * deviance_root(power_[i] / e[i]));
         if (!with_jacobian) return result;
-        const MatrixXd slopes = expected_slopes(x);
+        const MatrixXd slopes = expected_slopes(x, amplitude);
         for (Index j = 0; j < slopes.cols(); ++j) {
             auto& column = result.jacobian.emplace_back();
             for (std::size_t i = 0; i < e.size(); ++i) {
@@ -174,14 +210,22 @@ class SpectrumFitter {
         return result;
     }
 
-    /// Covariances of the coordinates and of the logarithm of the heights' variance (last), to first order in
-    /// the relative deviations d of the rings' powers, of variance 1/modes: with the variance of the heights
-    /// given, the coordinates answer to d less the deviation of the sum over all rings.
-    [[nodiscard]] MatrixXd covariance(std::span<const double> x, const std::vector<bool>& held) const {
-        const auto count = static_cast<Index>(modes_.size()), unknowns = static_cast<Index>(x.size());
-        MatrixXd slopes = expected_slopes(x);
-        for (Index j = 0; j < unknowns; ++j) {
+    /// Covariances of the coordinates, of the logarithm of a free factor on the expected powers, and of the
+    /// logarithm of the heights' variance (last), to first order in the relative deviations d of the rings'
+    /// powers, of variance 1/modes: with the variance of the heights given, the coordinates answer to d less
+    /// the deviation of the sum over all rings.
+    [[nodiscard]] MatrixXd covariance(std::span<const double> x, const std::vector<bool>& held,
+                                      Amplitude amplitude = Amplitude::held) const {
+        const auto count = static_cast<Index>(modes_.size()), unknowns = static_cast<Index>(x.size()) + 1;
+        MatrixXd slopes = MatrixXd::Zero(count, unknowns);
+        slopes.leftCols(unknowns - 1) = expected_slopes(x, Amplitude::held);
+        for (Index j = 0; j + 1 < unknowns; ++j) {
             if (held[static_cast<std::size_t>(j)]) slopes.col(j).setZero();
+        }
+        if (amplitude == Amplitude::free) {
+            const std::vector<double> e = expected_with(x, amplitude);
+            for (Index i = 0; i < count; ++i)
+                slopes(i, unknowns - 1) = 1 - floor_ / e[static_cast<std::size_t>(i)];
         }
         const VectorXd modes = Eigen::Map<const VectorXd>(modes_.data(), count);
         const MatrixXd normal = slopes.transpose() * modes.asDiagonal() * slopes;
@@ -194,7 +238,7 @@ class SpectrumFitter {
         for_bins([&](const SeenSpectrum& map, const auto& bin, std::size_t at) {
             const double w = map.area_ / area_ * bin.cells * map.cell_ * all[at] / variance_;
             const double n = bin.cells / 2;
-            windowed += w * w / n * map.inflation_;
+            windowed += w * w * spread_of(map, bin);
             direct += w * w / n;
             if (!bin.fitted) return;
             share[fitted] = w;
@@ -214,16 +258,11 @@ class SpectrumFitter {
     [[nodiscard]] SpectrumFit described(const Minimum& minimum, const std::vector<Bounds>& bounds) const {
         const std::vector<double>& x = minimum.x;
         const auto freedom = static_cast<double>(power_.size()) - static_cast<double>(x.size());
-        SpectrumFit fit{model_.name, model_.title, model_.scales(x), 0, {}, 0, 0, {}, 0, 0, {}};
+        SpectrumFit fit{model_.name, model_.title, model_.scales(x), 0, {}, {}, {}, {}, 0, 0, {}};
         fit.variance = (1 - x.back()) * variance_ / known_share(fit.scales);
         fit.deviance = 2 * minimum.cost / freedom;
         fit.aic = 2 * minimum.cost + 2 * static_cast<double>(x.size());
-        std::vector<bool> held;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const double near = 1e-4 * (bounds[i].highest - bounds[i].lowest);
-            held.push_back(i + 1 < x.size() &&
-                           (x[i] < bounds[i].lowest + near || x[i] > bounds[i].highest - near));
-        }
+        const std::vector<bool> held = held_by(bounds, x);
         // Errors grow with lengths, and those that were found too short must not have too small ones: they
         // are taken at lengths a standard deviation up.
         const double factor = std::max(1.0, fit.deviance);
@@ -248,41 +287,68 @@ class SpectrumFitter {
         MatrixXd directions = MatrixXd::Zero(static_cast<Index>(found.size()), spread.rows());
         directions.leftCols(by_coordinates.cols()) = by_coordinates;
         directions(0, spread.rows() - 1) = directions(directions.rows() - 1, spread.rows() - 1) = 0.5;
-        fit.covariances = covariances(directions, here);
-        for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-            const VectorXd along = directions.row(static_cast<Index>(i)).transpose();
-            const double value = i == 0 ? std::sqrt(fit.variance) : own[i - 1].value;
-            const double deviation = std::hypot(std::sqrt(along.dot(spread * along)), least_error);
-            fit.values.push_back({i == 0 ? "rms_um" : own[i - 1].name, value, error_of(value, deviation)});
-            for (Index j = 0; i > 0 && j + 1 < along.size(); ++j) {
-                if (held[static_cast<std::size_t>(j)] && std::fabs(along[j]) > 1e-9)
-                    fit.at_bounds.push_back(own[i - 1].name);
+        const MatrixXd relative = widened(directions * spread * directions.transpose());
+        const auto stated = [&](const std::string& name, double value, Index i) -> FittedValue {
+            return {name, value, value * std::sqrt(relative(i, i))};
+        };
+        fit.values.push_back(stated("rms_um", std::sqrt(fit.variance), 0));
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const auto row = static_cast<Index>(i) + 1;
+            fit.values.push_back(stated(own[i].name, own[i].value, row));
+            for (std::size_t j = 0; j < held.size(); ++j) {
+                if (held[j] && std::fabs(directions(row, static_cast<Index>(j))) > 1e-9)
+                    fit.at_bounds.push_back(own[i].name);
             }
         }
-        const Index last = spread.rows() - 2;
+        const Index band = relative.rows() - 1, last = static_cast<Index>(x.size()) - 1;
+        fit.rms_of_band = stated("rms_of_band_um", std::sqrt(fit.variance * band_share(fit.scales)), band);
+        fit.covariances = band_first(relative);
         const double noise = x.back(), noise_error = std::sqrt(spread(last, last));
         fit.values.push_back({"noise_rms_um", std::sqrt(noise * variance_),
                               std::sqrt((noise + noise_error) * variance_) - std::sqrt(noise * variance_)});
-        fit.rms_of_rings = std::sqrt(ring_variance(x));
-        fit.rms_of_band = std::sqrt(fit.variance * band_share(fit.scales));
         return fit;
     }
-    /// Of the last value, the rms of the band, and of those between the first and it.
-    [[nodiscard]] static std::vector<double> covariances(const MatrixXd& directions, const MatrixXd& spread) {
-        const Index count = directions.rows() - 1;
-        MatrixXd rows(count, directions.cols());
-        rows << directions.row(count), directions.middleRows(1, count - 1);
-        const MatrixXd result = rows * spread * rows.transpose();
-        return {result.data(), result.data() + result.size()};
+    /// Coordinates that ended at a bound, a noise of none aside.
+    [[nodiscard]] static std::vector<bool> held_by(const std::vector<Bounds>& bounds,
+                                                   const std::vector<double>& x) {
+        std::vector<bool> held;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double near = 1e-4 * (bounds[i].highest - bounds[i].lowest);
+            held.push_back(i + 1 < x.size() &&
+                           (x[i] < bounds[i].lowest + near || x[i] > bounds[i].highest - near));
+        }
+        return held;
     }
-    /// What is expected of all rings, and what was measured of the corners.
-    [[nodiscard]] double ring_variance(const std::vector<double>& x) const {
-        const auto all = expected(x, false);
-        double sum = area_ * variance_ - in_rings_;
-        for_bins([&](const SeenSpectrum& map, const auto& bin, std::size_t at) {
-            sum += map.area_ * bin.cells * map.cell_ * (all[at] - floor_);
-        });
-        return sum / area_;
+    /// Relative covariances of values, from those that the rings leave their logarithms.
+    [[nodiscard]] static MatrixXd widened(MatrixXd of_logarithms) {
+        of_logarithms.diagonal().array() += least_error * least_error;
+        const VectorXd deviations = of_logarithms.diagonal().cwiseSqrt();
+        const VectorXd factors =
+            deviations.unaryExpr([](double deviation) { return error_of(1, deviation) / deviation; });
+        return factors.asDiagonal() * of_logarithms * factors.asDiagonal();
+    }
+    /// Without the first value, the rms of all frequencies, and the last, the rms of the band, before the
+    /// others.
+    [[nodiscard]] static std::vector<double> band_first(const MatrixXd& relative) {
+        const Index count = relative.rows() - 1;
+        std::vector<double> result;
+        for (Index i = 0; i < count; ++i)
+            for (Index j = 0; j < count; ++j)
+                result.push_back(relative(i == 0 ? count : i, j == 0 ? count : j));
+        return result;
+    }
+    /// By the sum over the rings, which is that of the heights where the amplitude is held.
+    [[nodiscard]] FittedValue free_rms(const Minimum& minimum, const std::vector<Bounds>& bounds) const {
+        const double in_rings = in_rings_ / area_;
+        const double factor = free_factor(expected(minimum.x));
+        const double variance = variance_ + (factor - 1) * in_rings;
+        const double freedom = static_cast<double>(power_.size()) - static_cast<double>(minimum.x.size()) - 1;
+        const MatrixXd spread = covariance(minimum.x, held_by(bounds, minimum.x), Amplitude::free);
+        const auto place = static_cast<Index>(minimum.x.size());
+        const double deviation =
+            std::sqrt(std::max(1.0, 2 * minimum.cost / freedom) * spread(place, place)) / 2;
+        const double rms = std::sqrt(variance);
+        return {"free_rms_um", rms, error_of(rms, deviation * factor * in_rings / variance)};
     }
     [[nodiscard]] double band_share(const RoughnessScales& scales) const {
         double sum = 0;

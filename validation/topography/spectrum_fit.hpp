@@ -29,11 +29,13 @@ struct SpectrumFit {
     double variance;  ///< of all frequencies, without noise [um^2]
     /// rms_um of all frequencies, the model's own values, noise_rms_um
     std::vector<FittedValue> values;
-    /// Of the fit with its noise, summed over the rings of frequencies as the maps show it; the corners
-    /// beyond the rings as they were measured. The fit is held to the rms of the heights.
-    double rms_of_rings;
-    double rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
-    /// Relative covariances of rms_of_band and of the model's own values in their order, row by row.
+    /// rms that the description has with its noise where the rings of frequencies alone say how strong it is,
+    /// summed over them as the maps show it; the corners beyond the rings as they were measured. All else
+    /// here is of the fit that is held to the rms of the heights, which this may miss by its error.
+    FittedValue free_rms;
+    FittedValue rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
+    /// Relative covariances of rms_of_band and of the model's own values in their order, row by row: their
+    /// deviations are the errors that those state.
     std::vector<double> covariances;
     /// per degree of freedom: 1 at most where the description holds; errors grow with its root
     double deviance;

@@ -101,8 +101,10 @@ ordered_json fit_json(const SpectrumFit& fit) {
         values.push_back({{"name", value.name}, {"value", value.value}, {"standard_error", value.error}});
     return {{"description", fit.model},
             {"values", values},
-            {"rms_of_fitted_spectrum_um", fit.rms_of_rings},
-            {"rms_of_known_periods_um", fit.rms_of_band},
+            {"rms_of_fitted_spectrum_um", fit.free_rms.value},
+            {"rms_of_fitted_spectrum_error_um", fit.free_rms.error},
+            {"rms_of_known_periods_um", fit.rms_of_band.value},
+            {"rms_of_known_periods_error_um", fit.rms_of_band.error},
             {"deviance", fit.deviance},
             {"aic", fit.aic},
             {"at_bounds", fit.at_bounds}};
@@ -140,6 +142,10 @@ struct ErrorOf {
     std::string key;
     std::size_t place;
     double factor = 1;
+
+    [[nodiscard]] bool at_bound(const SpectrumFit& fit) const {
+        return place > 0 && std::ranges::find(fit.at_bounds, fit.values[place].name) != fit.at_bounds.end();
+    }
 };
 
 std::vector<ErrorOf> errors_of(const SpectrumFit& fit, const Ellipse& ellipse) {
@@ -172,7 +178,7 @@ void add_uncertainty(ordered_json& material, const SpectrumFit& fit, const Ellip
     ordered_json uncertainty = ordered_json::object(), correlated = ordered_json::array();
     for (const ErrorOf& error : errors_of(fit, ellipse)) {
         const double relative = std::sqrt(covariance(error, error));
-        if (!(relative > 1e-9)) continue;
+        if (error.at_bound(fit)) continue;
         uncertainty[error.key] =
             relative * material.at(ordered_json::json_pointer{"/" + error.key}).get<double>();
         for (const ErrorOf& other : known) {
@@ -225,8 +231,9 @@ std::string surface_text(const SurfaceStudy& study) {
                                   std::string{name(study.request.window)});
     text += line("known periods", periods(study.known) + "; all else is extrapolated");
     text += line("rms", brief(s.rms) + " um of the heights, " + brief(study.rms_of_spectra()) +
-                            " um of the 2-D spectrum, " + brief(chosen.rms_of_rings) +
-                            " um of the fitted spectrum");
+                            " um of the 2-D spectrum, " +
+                            with_error(chosen.free_rms.value, chosen.free_rms.error) +
+                            " um of the fitted spectrum, its amplitude left free");
     text += line("slopes", brief(s.slope_x, 3) + " along x, " + brief(s.slope_y, 3) +
                                " along y, rms between neighbours");
     text += line("skewness", with_error(s.skewness, s.skewness_error));
@@ -294,7 +301,7 @@ std::string spectrum_file(const SurfaceStudy& study, const SpectrumFit& fit) {
     text.append("\n# less a white noise of ").append(brief(fit.value("noise_rms_um").value));
     text += " um rms; nothing is known outside\nfrequency_per_um,psd_um4,psd_um4_error\n";
     const double noise = noise_power(study, fit), noise_error = noise_power_error(study, fit);
-    const double inflation = MapWindow{study.maps.front().levelled.map, study.request.window}.inflation();
+    const double inflation = study.maps.front().inflation;
     for (const RadialBin& ring : trusted(study, fit)) {
         // each independent frequency, of which there are cells/2/inflation, holds an exponentially
         // distributed power
@@ -338,7 +345,7 @@ std::string surface_material(const SurfaceStudy& study, const SpectrumFit& fit, 
         material["correlation"] = {{"type", "psd"}, {"file", spectrum_path}};
         if (extrapolated) material["correlation"]["outside"] = "power_law";
     } else {
-        material["rms_roughness_um"] = fit.rms_of_band;
+        material["rms_roughness_um"] = fit.rms_of_band.value;
         material["rms_band_um"] = band_json(study.known);
         add_correlation(material, fit, study.ellipse);
     }

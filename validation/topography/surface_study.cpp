@@ -49,15 +49,17 @@ double SurfaceStudy::rms_of_spectra() const {
 SurfaceStudy studied(std::vector<HeightMap> maps, const SurfaceRequest& request) {
     if (maps.empty()) throw Error{"no height map: must be one at least"};
     std::vector<std::optional<StudiedMap>> each(maps.size());
+    std::vector<std::optional<MapWindow>> windows(maps.size());
     spectral::parallel_for(maps.size(), [&](std::size_t i) {
         each[i] = [&]() -> StudiedMap {
             try {
                 LevelledMap level = levelled(maps[i], request.levelling);
-                const MapWindow window{level.map, request.window};
+                const MapWindow& window = windows[i].emplace(level.map, request.window);
                 MapSpectrum spectrum = spectrum_of(level.map, window);
                 Autocorrelation autocorrelation = autocorrelation_of(level.map);
                 const HeightStatistics statistics = statistics_of(level.map, autocorrelation);
-                return {std::move(level), std::move(spectrum), std::move(autocorrelation), statistics, {}};
+                return {std::move(level),           window.inflation, std::move(spectrum),
+                        std::move(autocorrelation), statistics,       {}};
             } catch (const Error& error) {
                 throw Error{maps[i].name() + ": " + error.what()};
             }
@@ -75,16 +77,15 @@ SurfaceStudy studied(std::vector<HeightMap> maps, const SurfaceRequest& request)
     study.autocorrelation = mean_autocorrelation(study.maps);
     const HeightMap& first = study.maps.front().levelled.map;
     const auto about_maps = [&](const auto& action) { return spectral::located(first.name(), action); };
-    study.anisotropy = about_maps([&] {
-        return anisotropy_of(spectra, MapWindow{first, request.window}.inflation());
-    });
+    study.anisotropy = about_maps([&] { return anisotropy_of(spectra, study.maps.front().inflation); });
     if (study.anisotropy.significant) study.ellipse = study.anisotropy.ellipse;
     std::vector<std::vector<RadialBin>> radial;
     std::vector<SeenSpectrum> seen;
-    for (StudiedMap& map : study.maps) {
-        const HeightMap& heights = map.levelled.map;
-        seen.emplace_back(heights, MapWindow{heights, request.window}, map.spectrum,
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        StudiedMap& map = study.maps[i];
+        seen.emplace_back(map.levelled.map, *windows[i], map.spectrum,
                           coefficient_count(request.levelling.level), study.ellipse, request.band);
+        windows[i].reset();  // as large as the map
         map.known = seen.back().known();
         radial.push_back(radial_spectrum(map.spectrum, study.ellipse));
     }

@@ -19,6 +19,7 @@ struct SurfaceRequest {
 /// One map, and what was found of it alone.
 struct StudiedMap {
     LevelledMap levelled;
+    double inflation;  ///< of its window
     MapSpectrum spectrum;
     Autocorrelation autocorrelation;
     HeightStatistics statistics;

@@ -243,16 +243,16 @@ Section predicted_section(const std::vector<CaseResult>& results) {
             {fit.set.surface + ": the map's K-correlation predicts within a factor of 1.5 "
                                "in the median, n = 1.5",
              "median |ln(model / measured)| " + spectral::brief(shape, 3), shape <= std::log(1.5), "", 0.05});
-        section.text += "\n\n" + fit.set.surface +
-                        ": with n = 1.5 a Gaussian of the map's rms and length is " +
-                        spectral::brief(gaussian.figures.median_abs_log, 2) +
-                        " off in the median of |ln|, its K-correlation " + spectral::brief(shape, 2) +
-                        ", with n = 2 " + spectral::brief(other.figures.median_abs_log, 2) +
-                        ". The errors that the map leaves the K-correlation's numbers make a relative "
-                        "standard deviation of " +
-                        spectral::brief(error, 2) + " in the median, those of the measured spectrum's rows " +
-                        spectral::brief(map_error(fit.set, descriptions[3]), 2) + "; the fit leaves " +
-                        spectral::brief(fit.fit.statistics.median_abs_log, 2) + ".";
+        section.text +=
+            "\n\n" + fit.set.surface + ": with n = 1.5 a Gaussian of the map's rms and length is " +
+            spectral::brief(gaussian.figures.median_abs_log, 2) +
+            " off in the median of |ln|, its K-correlation " + spectral::brief(shape, 2) + ", with n = 2 " +
+            spectral::brief(other.figures.median_abs_log, 2) +
+            ". The errors that the map leaves the K-correlation's numbers make, to first order, a "
+            "relative standard deviation of " +
+            spectral::brief(error, 2) + " in the median, those of the measured spectrum's rows " +
+            spectral::brief(map_error(fit.set, descriptions[3]), 2) + "; the fit leaves " +
+            spectral::brief(fit.fit.statistics.median_abs_log, 2) + ".";
         section.learned +=
             (section.learned.empty() ? "From height maps alone the scatter of two coatings is predicted to "
                                      : " and ") +

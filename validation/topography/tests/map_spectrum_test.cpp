@@ -69,7 +69,7 @@ TEST_CASE(
     for (const Window kind : {Window::hann, Window::none})
         CHECK(spectrum_of(map, MapWindow{map, kind}).variance() == Approx(variance).epsilon(1e-12));
     const auto whole = map_of(400, 300, 1, 1, [](double x, double) { return std::sin(x); });
-    CHECK(MapWindow(whole, Window::hann).inflation() == Approx(1.9444 * 1.9444).epsilon(1e-4));
+    CHECK(MapWindow(whole, Window::hann).inflation == Approx(1.9444 * 1.9444).epsilon(1e-4));
 }
 
 TEST_CASE(
