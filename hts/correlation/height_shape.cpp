@@ -131,7 +131,8 @@ class Sum final : public HeightShape {
         return text;
     }
     [[nodiscard]] bool oscillates() const override {
-        return std::ranges::any_of(parts_, [](const WeightedShape& part) { return part.shape->oscillates(); });
+        return std::ranges::any_of(parts_,
+                                   [](const WeightedShape& part) { return part.shape->oscillates(); });
     }
     [[nodiscard]] bool ends() const override {
         return std::ranges::all_of(parts_, [](const WeightedShape& part) { return part.shape->ends(); });
