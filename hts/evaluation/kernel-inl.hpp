@@ -33,11 +33,14 @@ constexpr bool is_single = sizeof(typename Lanes::Number) == sizeof(float);
 template <class Lanes, class V>
 HWY_INLINE V exp_of_minus(const Lanes& o, V s) {
     const V e = s * o.real(-std::numbers::log2e);
-    if constexpr (is_single<Lanes>) return lanes::HWY_NAMESPACE::exp2<5>(o, e);
-    const V shifted = e + o.real(0x1.8p52 + 1023);  // the rounded exponent, biased, in the last bits
-    const V f = e - (shifted - o.real(0x1.8p52 + 1023));
-    const V power = o.from_bits(o.template shift_left<52>(o.bits(shifted)));
-    return polynomial(o, exp2_coefficients, f) * power;
+    if constexpr (is_single<Lanes>) {
+        return lanes::HWY_NAMESPACE::exp2<5>(o, e);
+    } else {
+        const V shifted = e + o.real(0x1.8p52 + 1023);  // the rounded exponent, biased, in the last bits
+        const V f = e - (shifted - o.real(0x1.8p52 + 1023));
+        const V power = o.from_bits(o.template shift_left<52>(o.bits(shifted)));
+        return polynomial(o, exp2_coefficients, f) * power;
+    }
 }
 
 /// What one direction contributes, with S_1 / cos theta as a quotient still to be divided.
