@@ -104,10 +104,12 @@ double mirror(const At& at, const Correlation& shape) {
 TEST_CASE("derivatives of other correlations and of films are those of the table's values") {
     const std::vector<Correlation::Part> two{{0.8, Correlation::gaussian(), 1},
                                              {0.2, Correlation::exponential(), 0.1}};
-    for (const auto& [name, shape] : {std::pair{"exponential", Correlation::exponential()},
-                                      {"matern 3/2", Correlation::matern(1.5)},
-                                      {"two scales", Correlation::sum(two)},
-                                      {"fractal", Correlation::fractal(2.4, 1000).shape}}) {
+    for (const auto& each : {std::pair{"exponential", Correlation::exponential()},
+                             {"matern 3/2", Correlation::matern(1.5)},
+                             {"two scales", Correlation::sum(two)},
+                             {"fractal", Correlation::fractal(2.4, 1000).shape}}) {
+        const char* const name = each.first;
+        const Correlation& shape = each.second;
         // the value is a spline's, whose difference over a step is its own derivative
         WorstCase lobe{std::string{"derivatives of the lobe, "} + name, 1e-7};
         WorstCase specular{std::string{"derivatives of the mirror term, "} + name, 2e-7};

@@ -231,7 +231,7 @@ TEST_CASE("normals: draws fall as their density says, which is near p") {
         NormalDensity density;
         double most;  // of p over the density of the draw
     };
-    for (const auto& [name, density, most] :
+    for (const Case& each :
          {Case{"a Gaussian", NormalDensity::gaussian(0.1, 1), 1.5},
           Case{"cylinders", NormalDensity::gaussian(0.3, endless), 1.5},
           Case{"grooves", NormalDensity::grooves(40 * degree, 0.2), 1.5},
@@ -239,6 +239,7 @@ TEST_CASE("normals: draws fall as their density says, which is near p") {
           Case{"slanted fibres", NormalDensity::slanted_fibres(0.5, 40 * degree), 1.5},
           Case{"a table", NormalDensity::tabulated(lopsided()), 4},
           Case{"a picture", NormalDensity::image(0.4, 0.5, picture(), 0.9), 4}}) {
+        const NormalDensity& density = each.density;
         Random random{19};
         double sum = 0, squares = 0, largest = 0, draws = 0;
         const auto draw = [&]() -> std::optional<hts::testing::Angles> {
@@ -250,11 +251,11 @@ TEST_CASE("normals: draws fall as their density says, which is near p") {
             return hts::testing::Angles{std::atan2(std::hypot(h.x, h.y), h.z), std::atan2(h.y, h.x)};
         };
         const auto fit = hts::testing::fit_of(
-            draw, [&, &p = density](double theta, double phi) { return p.pdf(at(theta, phi)); }, count);
-        INFO(name << ": p " << fit.p_value << ", total " << fit.total << ", largest p/pdf " << largest);
+            draw, [&](double theta, double phi) { return density.pdf(at(theta, phi)); }, count);
+        INFO(each.name << ": p " << fit.p_value << ", total " << fit.total << ", largest p/pdf " << largest);
         CHECK(fit.p_value > 1e-4);
         CHECK(fit.total == Approx(1).margin(2e-3));
-        CHECK(largest <= most);
+        CHECK(largest <= each.most);
         const double mean = sum / draws, deviation = std::sqrt((squares / draws - mean * mean) / draws);
         CHECK(std::fabs(mean - 1) < 4 * deviation + 2e-4);  // p is normalised
     }
