@@ -1,7 +1,7 @@
 #include "validation/curves/quadrature.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/legendre.hpp>
-#include <ranges>
 
 namespace hts::validation {
 
@@ -13,8 +13,9 @@ GaussLegendre gauss_legendre(int n) {
         rule.weights.push_back(static_cast<double>(1 / ((1 - x * x) * slope * slope)));
     };
     const auto roots = boost::math::legendre_p_zeros<long double>(n);  // those from 0 on, rising
-    for (const long double root : roots | std::views::reverse)
+    std::for_each(roots.rbegin(), roots.rend(), [&](long double root) {
         if (root > 0) add(-root);
+    });
     for (const long double root : roots) add(root);
     return rule;
 }
