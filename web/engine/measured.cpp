@@ -1,7 +1,10 @@
 // Measured points of the text files that need no library to be read.
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "engine.hpp"
 #include "hts/error.hpp"
@@ -32,12 +35,12 @@ json points_of_table(const json& request, const std::string& file, const std::st
     const auto phi_i = table.find_column("phi_i_deg");
     const auto phi_r =
         table.find_column("phi_r_deg") ? table.find_column("phi_r_deg") : table.find_column("phi_deg");
-    const auto um = table.find_column("wavelength_um"), nm = table.find_column("wavelength_nm");
+    const auto named = table.find_wavelength();
     const auto first = table.find_column("first_um"), last = table.find_column("last_um");
     json points = json::array();
     for (std::size_t row = 0; row < table.row_count(); ++row) {
-        double wavelength = value_at(table, row, um, request.at("wavelength_um"));
-        if (nm) wavelength = table.number(row, *nm) / 1000;
+        double wavelength = named ? named->micrometres(table.number(row, named->place))
+                                  : request.at("wavelength_um").get<double>();
         if (first && last) wavelength = (table.number(row, *first) + table.number(row, *last)) / 2;
         const double i = table.number(row, theta_i), r = table.number(row, theta_r);
         if (!(i >= 0 && i <= 90))
@@ -51,36 +54,55 @@ json points_of_table(const json& request, const std::string& file, const std::st
         points.push_back({i, std::abs(r), std::remainder(phi, 360), wavelength, table.number(row, *brdf)});
     }
     if (points.empty()) throw Error{file + ": table without a row: must have at least one"};
-    return {{"points", points},
-            {"wavelength_from_page", !um && !nm && !(first && last)},
-            {"notes", json::array()}};
+    return {
+        {"points", points}, {"wavelength_from_page", !named && !(first && last)}, {"notes", json::array()}};
 }
 
-// A file of one channel that names no wavelength is taken to be at the page's.
-struct Read {
-    tables::ScatterPoints points;
-    bool wavelength_from_page = false;
+// A scatter file of another program.
+struct Format {
+    bool (*is)(std::string_view text);
+    bool (*names_wavelengths)(const std::string& text, const std::string& file);
+    /// `wavelengths` of a file that names none; azimuths count as the page says, where files differ.
+    tables::ScatterPoints (*points)(const std::string& text, const std::string& file,
+                                    const std::optional<WavelengthGrid>& wavelengths, double mirror_azimuth);
 };
 
-// None of a text that is in none of these formats.
-std::optional<Read> scatter_points(const json& request, const std::string& file, const std::string& text) {
-    const auto here = WavelengthGrid::from_micrometres({request.at("wavelength_um").get<double>()});
-    const double mirror = request.at("mirror_azimuth_deg");
-    if (tables::is_fred_file(text)) return Read{tables::points_of_fred(text, file, here, mirror), true};
-    if (tables::is_lighttools_file(text)) return Read{tables::points_of_lighttools(text, file, std::nullopt)};
-    if (tables::is_bird_file(text)) {
-        const bool says = text.find("\"wavelength\"") != std::string::npos;
-        return Read{tables::points_of_bird(text, file, says ? std::nullopt : std::optional{here}, 180),
-                    !says};
-    }
-    if (!tables::is_astm_file(text)) return std::nullopt;
-    const auto names = tables::astm_file(text, file).channel_names;
-    const bool says = names.size() != 1 || names[0].ends_with("nm");
-    return Read{tables::points_of_astm(text, file, says ? std::nullopt : std::optional{here}), !says};
+const std::array formats{Format{tables::is_fred_file, [](const auto&, const auto&) { return false; },
+                                [](const auto& text, const auto& file, const auto& at, double mirror) {
+                                    return tables::points_of_fred(text, file, at, mirror);
+                                }},
+                         Format{tables::is_lighttools_file, [](const auto&, const auto&) { return true; },
+                                [](const auto& text, const auto& file, const auto& at, double) {
+                                    return tables::points_of_lighttools(text, file, at);
+                                }},
+                         Format{tables::is_bird_file, tables::bird_names_wavelengths,
+                                [](const auto& text, const auto& file, const auto& at, double) {
+                                    return tables::points_of_bird(text, file, at);
+                                }},
+                         Format{tables::is_astm_file,
+                                [](const auto& text, const auto& file) {
+                                    const auto names = tables::astm_file(text, file).channel_names;
+                                    return names.size() != 1 || names[0].ends_with("nm");
+                                },
+                                [](const auto& text, const auto& file, const auto& at, double) {
+                                    return tables::points_of_astm(text, file, at);
+                                }}};
+
+// None where a text is in none of these formats.
+const Format* format_of(const std::string& text) {
+    for (const Format& format : formats)
+        if (format.is(text)) return &format;
+    return nullptr;
 }
 
-json listed(const Read& read, const std::string& file) {
-    const auto& [wavelengths, angles, values, lines, notes, channels] = read.points;
+// What names no wavelength is taken to be at the page's.
+json points_of_format(const Format& format, const json& request, const std::string& file,
+                      const std::string& text) {
+    std::optional<WavelengthGrid> here;
+    if (!format.names_wavelengths(text, file))
+        here = WavelengthGrid::from_micrometres({request.at("wavelength_um").get<double>()});
+    const auto [wavelengths, angles, values, lines, notes, channels] =
+        format.points(text, file, here, request.at("mirror_azimuth_deg"));
     if (!channels.empty())
         throw Error{file + ": channels " + spectral::joined(channels) +
                     ": must be wavelengths, which colours are not"};
@@ -90,21 +112,21 @@ json listed(const Read& read, const std::string& file) {
             points.push_back({angles[i].theta_i, angles[i].theta_r,
                               std::remainder(angles[i].phi_r - angles[i].phi_i, 360),
                               wavelengths[w].micrometres(), values[i * wavelengths.size() + w]});
-    return {{"points", points}, {"wavelength_from_page", read.wavelength_from_page}, {"notes", notes}};
+    return {{"points", points}, {"wavelength_from_page", here.has_value()}, {"notes", notes}};
 }
 
 }  // namespace
 
 bool is_scatter_file(const std::string& text) {
-    return tables::is_fred_file(text) || tables::is_lighttools_file(text) || tables::is_bird_file(text) ||
-           tables::is_astm_file(text);
+    return format_of(text) != nullptr;
 }
 
 json curve(const json& request) {
     const std::string file = request.at("file");
     const std::string text = spectral::checked_text(request.at("text"), file);
-    const auto read = scatter_points(request, file, text);
-    return read ? listed(*read, file) : points_of_table(request, file, text);
+    const Format* const format = format_of(text);
+    return format == nullptr ? points_of_table(request, file, text)
+                             : points_of_format(*format, request, file, text);
 }
 
 }  // namespace hts::page

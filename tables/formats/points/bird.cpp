@@ -180,6 +180,10 @@ bool is_bird_file(std::string_view text) {
     return true;
 }
 
+bool bird_names_wavelengths(const std::string& text, const std::string& name) {
+    return Variables{JsonValue::parse(text, name)["data"]}.wavelengths().has_value();
+}
+
 ScatterPoints points_of_bird(const std::string& text, const std::string& name,
                              const std::optional<spectral::WavelengthGrid>& wavelengths,
                              double mirror_azimuth) {

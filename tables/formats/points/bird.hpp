@@ -12,8 +12,11 @@ namespace hts::tables {
 
 [[nodiscard]] bool is_bird_file(std::string_view text);
 
+/// Whether it has a variable "wavelength", "wavelength_i" or "wavelength_r"; hts::Error as below.
+[[nodiscard]] bool bird_names_wavelengths(const std::string& text, const std::string& name);
+
 /// Its points.
-///   wavelengths      of a file without a variable "wavelength", "wavelength_i" or "wavelength_r"
+///   wavelengths      of a file that names none
 ///   mirror_azimuth   where azimuths have the mirror direction as the file counts them from phi_i [deg], 0 or
 ///                    180
 /// hts::Error "path: key …": for lists that are not equally long, units that are not known, a variable that
