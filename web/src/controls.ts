@@ -1,9 +1,8 @@
 // The controls: every one writes a part of the state, and follows the state when it changes elsewhere.
 
 import { brief, html } from "./dom";
-import { besideNames } from "./frame";
-import { hasBand, hasRoughness, hasTau, isAnisotropic, isKCorrelation, isTable } from "./material";
-import { initial, presets, ranges, type State } from "./state";
+import { hasBand, hasMirrors, hasRoughness, hasShortcut, isAnisotropic, isNumberOf, isTable, mayBeAnisotropic } from "./material";
+import { choices, fromAddress, initial, presets, ranges, type Choice, type State } from "./state";
 
 type Change = (part: Partial<State>) => void;
 
@@ -27,6 +26,13 @@ const sliders: Record<string, Slider> = {
   tau: { key: "tau", label: "correlation length τ", unit: "µm", from: 0.05, to: 200, logarithmic: true },
   b: { key: "b", label: "B", unit: "µm", from: 0.1, to: 1000, logarithmic: true },
   c: { key: "c", label: "C", unit: "", from: 1.1, to: 6 },
+  finest: { key: "finest", label: "fractal from the period", unit: "µm", from: 0.01, to: 100, logarithmic: true },
+  coarsest: { key: "coarsest", label: "to the period", unit: "µm", from: 0.1, to: 10000, logarithmic: true },
+  share: { key: "share", label: "share of the second in σ₀²", unit: "", from: 0.001, to: 0.999 },
+  tau2: { key: "tau2", label: "correlation length τ of the second", unit: "µm", from: 0.05, to: 200, logarithmic: true },
+  nu2: { key: "nu2", label: "ν of the second", unit: "", from: 0.5, to: 5 },
+  b2: { key: "b2", label: "B of the second", unit: "µm", from: 0.1, to: 1000, logarithmic: true },
+  c2: { key: "c2", label: "C of the second", unit: "", from: 1.1, to: 6 },
   across: { key: "across", label: "length across, 0: the same", unit: "µm", from: 0, to: 20 },
   axis: { key: "axis", label: "azimuth of the first", unit: "°", from: -180, to: 180 },
   nu: { key: "nu", label: "ν of Matérn", unit: "", from: 0.5, to: 5 },
@@ -41,6 +47,9 @@ const sliders: Record<string, Slider> = {
   tr: { key: "tr", label: "view θᵣ", unit: "°", from: 0, to: 89.9 },
   phi: { key: "phi", label: "azimuth φ", unit: "°", from: -180, to: 360 },
 };
+
+// Shown where the correlation of heights depends on them.
+const ofCorrelation: (keyof State)[] = ["first", "second", "share", "tau", "nu", "b", "c", "psd", "finest", "coarsest", "tau2", "nu2", "b2", "c2", "psd2"];
 
 const steps = 1000;
 
@@ -77,12 +86,20 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
       html("label", { for: s.key }, s.label, s.unit ? html("span", { class: "unit" }, ` ${s.unit}`) : ""), number, range);
   }
 
-  function select(key: keyof State, label: string, options: [string, string][]): HTMLElement {
+  function select(key: Choice | "tolerance", label: string, options: Record<string, string>): HTMLElement {
     const element = html("select", { id: key });
-    for (const [value, text] of options) element.append(html("option", { value }, text));
-    element.addEventListener("change", () => change({ [key]: key === "tolerance" ? Number(element.value) : element.value } as Partial<State>));
+    for (const [value, text] of Object.entries(options)) element.append(html("option", { value }, text));
+    element.addEventListener("change", () => change({ [key]: key === "tolerance" ? Number(element.value) : element.value }));
     followers.push((state) => (element.value = String(state[key])));
     return html("div", { class: "field", id: `${key}-field` }, html("label", { for: key }, label), element);
+  }
+  const choice = (key: Choice, label: string) => select(key, label, choices[key]);
+
+  function tick(key: "mixing" | "shortcut", label: string): HTMLElement {
+    const element = html("input", { type: "checkbox", id: key });
+    element.addEventListener("change", () => change({ [key]: element.checked }));
+    followers.push((state) => (element.checked = state[key]));
+    return html("div", { class: "field tick", id: `${key}-field` }, html("label", { for: key }, label), element);
   }
 
   const preset = html("select", { id: "preset" }, html("option", { value: "" }, "choose …"));
@@ -92,7 +109,7 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
   });
   followers.push((state) => {
     const now = JSON.stringify(state);
-    const found = presets.findIndex((p) => JSON.stringify({ ...initial, ...Object.fromEntries(numbersOf(p.address)) }) === now);
+    const found = presets.findIndex((p) => JSON.stringify(fromAddress(p.address).state) === now);
     preset.value = found < 0 ? "" : String(found);
   });
 
@@ -114,8 +131,7 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     film.value = chosen;
   };
   // A table of heights is chosen by dropping its file.
-  const correlation = select("correlation", "correlation of heights",
-    [["gaussian", "Gaussian"], ["exponential", "exponential"], ["matern", "Matérn"], ["k_correlation", "K-correlation"], ["psd", "power spectrum"], ["autocorrelation", "table of C"]]);
+  const correlation = choice("correlation", "correlation of heights");
   const heights = html("p", { class: "note", id: "heights-note" });
   followers.push((state) => {
     for (const option of correlation.querySelector("select")!.options)
@@ -124,17 +140,17 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
   });
   followers.push((state) => {
     indices(known, state.index);
-    const hide = (key: string, hidden: boolean) => (document.getElementById(`${key}-field`)!.hidden = hidden);
-    for (const key of ["n", "k"]) hide(key, state.index !== "nk");
-    hide("sigma", !hasRoughness(state));
-    hide("shortest", !hasRoughness(state));
-    hide("longest", !hasBand(state));
-    hide("tau", !hasTau(state));
-    for (const key of ["b", "c", "psd"]) hide(key, !isKCorrelation(state));
-    hide("across", isTable(state));
-    hide("axis", !isAnisotropic(state));
-    hide("nu", state.correlation !== "matern");
-    hide("thickness", state.film === "none");
+    const show = (shown: boolean, ...keys: (keyof State)[]) => keys.forEach((key) => (document.getElementById(`${key}-field`)!.hidden = !shown));
+    for (const key of ofCorrelation) show(isNumberOf(state, key), key);
+    show(state.index === "nk", "n", "k");
+    show(hasRoughness(state), "sigma", "shortest");
+    show(hasBand(state), "longest");
+    show(mayBeAnisotropic(state), "across");
+    show(isAnisotropic(state), "axis");
+    show(state.film !== "none", "thickness");
+    const models = [state.model, state.beside];
+    show(models.some((model) => hasMirrors(state, model)), "mirror", "mixing");
+    show(models.some((model) => hasShortcut(state, model)), "shortcut");
     films(state.film);
   });
 
@@ -144,25 +160,24 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     file.value = "";
   });
 
-  const light: [string, string][] = [["none", "unpolarised"], ["s", "s"], ["p", "p"], ["plus", "+45°"], ["minus", "−45°"], ["right", "right circular"], ["left", "left circular"]];
   const group = (title: string, ...children: (Node | string)[]) => html("fieldset", {}, html("legend", {}, title), ...children);
   form.append(
     html("div", { class: "field" }, html("label", { for: "preset" }, "Example"), preset),
-    group("Surface", slider(sliders.sigma), slider(sliders.shortest), slider(sliders.longest), correlation, heights, slider(sliders.nu),
-      slider(sliders.tau), slider(sliders.b), slider(sliders.c),
-      select("psd", "B and C are those of", [["2d", "the surface (2d)"], ["1d one-sided", "a profile (1d)"]]),
+    group("Surface", slider(sliders.sigma), slider(sliders.shortest), slider(sliders.longest), correlation, heights,
+      choice("first", "its first part"), slider(sliders.nu), slider(sliders.tau), slider(sliders.finest), slider(sliders.coarsest),
+      slider(sliders.b), slider(sliders.c), choice("psd", "this spectrum is of"),
+      choice("second", "its second part"), slider(sliders.nu2), slider(sliders.tau2), slider(sliders.b2), slider(sliders.c2),
+      choice("psd2", "this spectrum is of"), slider(sliders.share),
       slider(sliders.across), slider(sliders.axis),
       html("div", { class: "field" }, html("label", { for: "index" }, "optical constants"), index), note,
       slider(sliders.n), slider(sliders.k),
       html("div", { class: "field" }, html("label", { for: "film" }, "film on it"), film), slider(sliders.thickness), slider(sliders.albedo)),
     group("Light and view", slider(sliders.lambda), slider(sliders.ti), slider(sliders.tr), slider(sliders.phi),
-      select("in", "light", light), select("out", "analyser", [["none", "none"], ...light.slice(1)])),
-    group("Model", select("model", "model", [["he", "He-Torrance 1991 (he)"], ["he_unified", "its successor (he_unified)"]]),
-      select("beside", "beside it", [["none", "nothing"], ...Object.entries(besideNames)]),
-      select("tolerance", "relative error", [["0.001", "10⁻³"], ["0.000001", "10⁻⁶"], ["1e-12", "10⁻¹²"]])),
-    group("Pictures", select("radius", "radius of the plot", [["relative", "over specular direction"], ["absolute", "BRDF"], ["log", "logarithm"]]),
-      select("shape", "object", [["sphere", "sphere"], ["plate", "plate"], ["cylinder", "cylinder"]]),
-      select("light", "colour of the object", [["white", "white light"], ["one", "one wavelength"]])),
+      choice("in", "light"), choice("out", "analyser")),
+    group("Model", choice("model", "model"), choice("beside", "beside it"), choice("mirror", "he_unified: mirror term"),
+      tick("mixing", "he_unified: mixing of s and p"), tick("shortcut", "he_unified: shortcut of metals"),
+      select("tolerance", "relative error", { "0.001": "10⁻³", "0.000001": "10⁻⁶", "1e-12": "10⁻¹²" })),
+    group("Pictures", choice("radius", "radius of the plot"), choice("shape", "object"), choice("light", "colour of the object")),
     group("Your files", html("label", { for: "file" }, "Choose files, or drop them anywhere"), file,
       html("p", { class: "note", id: "file-note" }, "Optical constants of refractiveindex.info, material files, power spectra and correlation functions (CSV), ",
         "measured points (CSV, ASTM E1392, FRED, LightTools, BiRD)."),
@@ -186,7 +201,3 @@ export function controls(form: HTMLFormElement, change: Change, apply: (address:
     setNote: (text) => (note.textContent = text),
   };
 }
-
-// An address of a preset, numbers as numbers.
-const numbersOf = (address: string): [string, unknown][] =>
-  [...new URLSearchParams(address)].map(([key, value]) => [key, key in ranges ? Number(value) : value]);

@@ -3,7 +3,7 @@
 import type { Engine, Description, Detail, Match, Setting } from "./client";
 import { isPolarised, seen, seenOfDiffuse } from "./light";
 import { materialOf, microfacet } from "./material";
-import type { State } from "./state";
+import { choices, type State } from "./state";
 
 export interface Point {
   ti: number;
@@ -30,21 +30,6 @@ export interface Frame {
 }
 
 export const visible = Array.from({ length: 31 }, (_, i) => Number((0.4 + 0.01 * i).toFixed(2)));
-
-export const besideNames: Record<string, string> = {
-  ggx: "GGX (Walter)",
-  beckmann: "Beckmann (Walter)",
-  phong: "Phong (Walter)",
-  ward: "Ward",
-  ward_duer: "Ward-Duer",
-  cook_torrance: "Cook-Torrance",
-  kurt: "Kurt",
-  blinn_phong: "Blinn-Phong",
-  ashikhmin_shirley: "Ashikhmin-Shirley",
-  ashikhmin: "Ashikhmin, Gaussian normals",
-  he: "He-Torrance",
-  he_unified: "he_unified",
-};
 
 export const settingOf = (state: State, wavelengths: number[], model: string = state.model): Setting => ({
   material: materialOf(state, model),
@@ -74,7 +59,7 @@ export async function frameOf(state: State, engine: Engine, measured: Measured |
 // The model beside, its width matched to the lobe at the angle of incidence.
 export async function withBeside(frame: Frame): Promise<Frame> {
   const { state, engine, setting, description } = frame;
-  const name = besideNames[state.beside];
+  const name = choices.beside[state.beside];
   if (state.beside === "none" || state.beside === state.model) return frame;
   if (state.beside === "he" || state.beside === "he_unified")
     return { ...frame, beside: { setting: settingOf(state, [state.lambda], state.beside), name, match: null } };

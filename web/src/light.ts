@@ -1,8 +1,8 @@
 // Polarised light in and an analyser before the receiver.
 
-import type { Polarisation, State } from "./state";
+import type { Chosen, State } from "./state";
 
-const stokes: Record<Polarisation, [number, number, number, number]> = {
+const stokes: Record<Chosen<"in">, [number, number, number, number]> = {
   none: [1, 0, 0, 0],
   s: [1, 1, 0, 0],
   p: [1, -1, 0, 0],

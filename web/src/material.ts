@@ -1,64 +1,128 @@
 // The state as material files of the command, and back.
 
-import { ranges, type State } from "./state";
+import { choices, ranges, type Chosen, type State } from "./state";
 
 export type Material = Record<string, unknown>;
 
-const isFileName = (text: string): boolean => /\.[a-z]+$/i.test(text);
+// Names of built-in constants have no dot.
+export const isFileName = (text: string): boolean => text.includes(".");
+const fileOrName = (text: string): unknown => (isFileName(text) ? { file: text } : text);
+const indexOf = (state: State): unknown => (state.index === "nk" ? { n: state.n, k: state.k } : fileOrName(state.index));
 
-function indexOf(state: State): unknown {
-  if (state.index === "nk") return { n: state.n, k: state.k };
-  return isFileName(state.index) ? { file: state.index } : state.index;
+// ---- which numbers the choices leave to the controls
+
+const numbersOf: Record<Chosen<"correlation">, readonly (keyof State)[]> = {
+  gaussian: ["tau"],
+  exponential: ["tau"],
+  matern: ["tau", "nu"],
+  k_correlation: ["b", "c", "psd"],
+  sum: [],
+  fractal: ["finest", "coarsest", "c", "psd"],
+  psd: [],
+  autocorrelation: [],
+};
+
+// Whether the correlation of heights depends on it.
+export function isNumberOf(state: State, key: keyof State): boolean {
+  if (state.correlation !== "sum") return numbersOf[state.correlation].includes(key);
+  const second = numbersOf[state.second].map((name) => `${name}2`);
+  return [...numbersOf[state.first], ...second, "first", "second", "share"].includes(key);
 }
-
-// Which numbers the correlation leaves to the controls.
 export const isTable = (state: State): boolean => state.correlation === "psd" || state.correlation === "autocorrelation";
-export const isKCorrelation = (state: State): boolean => state.correlation === "k_correlation";
-export const hasTau = (state: State): boolean => !isTable(state) && !isKCorrelation(state);
 export const hasRoughness = (state: State): boolean => state.correlation !== "psd"; // a power spectrum is absolute
 export const hasBand = (state: State): boolean => hasRoughness(state) && state.shortest > 0;
-const length = (state: State): number => (isKCorrelation(state) ? state.b : state.tau);
-export const isAnisotropic = (state: State): boolean => !isTable(state) && state.across > 0 && state.across !== length(state);
+export const mayBeAnisotropic = (state: State): boolean => !isTable(state) && state.correlation !== "sum" && state.correlation !== "fractal";
+const length = (state: State): number => (state.correlation === "k_correlation" ? state.b : state.tau);
+export const isAnisotropic = (state: State): boolean => mayBeAnisotropic(state) && state.across > 0 && state.across !== length(state);
 export const hasFilm = (state: State): boolean => state.film !== "none" && state.thickness > 0;
+// What he_unified leaves to choose, and what of it is known of Gaussian surfaces without a grain alone.
+export const hasShortcut = (state: State, model: string): boolean => model === "he_unified" && !hasFilm(state);
+export const hasMirrors = (state: State, model: string): boolean =>
+  hasShortcut(state, model) && state.correlation === "gaussian" && !isAnisotropic(state);
 
 // Dropped files that a material file names.
 export const filesOf = (state: State): string[] =>
   [isFileName(state.index) ? state.index : "", isTable(state) ? state.heights : "", hasFilm(state) && isFileName(state.film) ? state.film : ""].filter(Boolean);
 
-export function nameOf(state: State): string {
-  const of = state.index === "nk" ? `n = ${state.n}, k = ${state.k}` : state.index;
-  const film = hasFilm(state) ? ` under ${state.thickness} um of ${state.film}` : "";
-  const lengths = isAnisotropic(state) ? `${length(state)} and ${state.across}` : length(state);
-  const sigma = hasRoughness(state) ? `, sigma0 ${state.sigma} um` : "";
-  const heights = isTable(state) ? `, heights of ${state.heights}` : isKCorrelation(state) ? `, B ${lengths} um, C ${state.c}` : `, tau ${lengths} um`;
-  return `${of}${film}${sigma}${heights}`;
+// ---- the state as a material file
+
+// A shape of correlation, as the sum has two.
+type Part = Pick<State, "tau" | "nu" | "b" | "c" | "psd"> & { type: Chosen<"first"> };
+const secondOf = (state: State): Part => ({ type: state.second, tau: state.tau2, nu: state.nu2, b: state.b2, c: state.c2, psd: state.psd2 });
+
+function shapeOf(part: Part, lengths: unknown = part.b): Material {
+  switch (part.type) {
+    case "matern":
+      return { type: "matern", nu: part.nu };
+    case "k_correlation":
+      return { type: "k_correlation", B_um: lengths, C: part.c, psd: part.psd };
+    default:
+      return { type: part.type };
+  }
 }
+const scaleOf = (part: Part): Material => (part.type === "k_correlation" ? shapeOf(part) : { ...shapeOf(part), length_um: part.tau });
 
 function correlationOf(state: State, lengths: unknown): unknown {
   switch (state.correlation) {
-    case "matern":
-      return { type: "matern", nu: state.nu };
-    case "k_correlation":
-      return { type: "k_correlation", B_um: lengths, C: state.c, psd: state.psd };
+    case "exponential":
+      return state.correlation;
+    case "fractal":
+      return { type: "fractal", C: state.c, psd: state.psd, periods_um: [state.finest, state.coarsest] };
     case "psd":
     case "autocorrelation":
       return { type: state.correlation, file: state.heights };
+    case "sum":
+      return {
+        type: "sum",
+        of: [[Number((1 - state.share).toPrecision(15)), scaleOf({ ...state, type: state.first })], [state.share, scaleOf(secondOf(state))]],
+      };
     default:
-      return state.correlation;
+      return shapeOf({ ...state, type: state.correlation }, lengths);
   }
+}
+
+// "tau 1.77 um", "B 5 um, C 2.5".
+const scaleName = (part: Part, lengths: unknown): string =>
+  part.type === "k_correlation" ? `B ${lengths} um, C ${part.c}` : `tau ${lengths} um`;
+
+function heightsName(state: State): string {
+  switch (state.correlation) {
+    case "psd":
+    case "autocorrelation":
+      return `heights of ${state.heights}`;
+    case "fractal":
+      return `fractal from ${state.finest} to ${state.coarsest} um, C ${state.c}`;
+    case "sum": {
+      const second = secondOf(state);
+      return `${scaleName({ ...state, type: state.first }, state.first === "k_correlation" ? state.b : state.tau)} and ` +
+        scaleName(second, second.type === "k_correlation" ? second.b : second.tau);
+    }
+    default:
+      return scaleName({ ...state, type: state.correlation }, isAnisotropic(state) ? `${length(state)} and ${state.across}` : length(state));
+  }
+}
+
+export function nameOf(state: State): string {
+  const of = state.index === "nk" ? `n = ${state.n}, k = ${state.k}` : state.index;
+  const film = hasFilm(state) ? ` under ${state.thickness} um of ${state.film}` : "";
+  const sigma = hasRoughness(state) ? `, sigma0 ${state.sigma} um` : "";
+  return `${of}${film}${sigma}, ${heightsName(state)}`;
 }
 
 export function materialOf(state: State, model: string = state.model): Material {
   const lengths = isAnisotropic(state) ? [length(state), state.across] : length(state);
   const material: Material = { name: nameOf(state), model };
   if (hasRoughness(state)) material.rms_roughness_um = state.sigma;
-  if (hasTau(state)) material.correlation_length_um = lengths;
+  if (state.correlation !== "sum" && isNumberOf(state, "tau")) material.correlation_length_um = lengths;
   if (isAnisotropic(state)) material.azimuth_deg = state.axis;
   if (state.correlation !== "gaussian") material.correlation = correlationOf(state, lengths);
   if (hasBand(state)) material.rms_band_um = [state.shortest, state.longest > 0 ? state.longest : "infinity"];
   material.index = indexOf(state);
   material.diffuse_albedo = state.albedo;
-  if (hasFilm(state)) material.films = [{ index: isFileName(state.film) ? { file: state.film } : state.film, thickness_um: state.thickness }];
+  if (hasFilm(state)) material.films = [{ index: fileOrName(state.film), thickness_um: state.thickness }];
+  if (hasMirrors(state, model) && state.mirror !== "closed") material.mirror = state.mirror;
+  if (hasMirrors(state, model) && state.mixing) material.polarisation_mixing = true;
+  if (hasShortcut(state, model) && state.shortcut) material.conductor_shortcut = true;
   return material;
 }
 
@@ -74,26 +138,46 @@ const fileOf = (value: unknown): string | null => {
   return typeof value === "string" ? value : typeof of?.file === "string" ? of.file : null;
 };
 
+function requireOnly(of: Material, ...keys: string[]): void {
+  const other = Object.keys(of).find((key) => key !== "type" && !keys.includes(key));
+  if (other) throw new Error(`"${other}" has no control here`);
+}
+
+// A part of a sum, whose controls have "2" at their ends if it is the second.
+function scaleIn(of: Material, end: "" | "2"): Partial<State> {
+  const numbers: Material = { [end ? "second" : "first"]: of.type };
+  for (const [key, name] of [["length_um", "tau"], ["nu", "nu"], ["B_um", "b"], ["C", "c"], ["psd", "psd"]])
+    if (key in of) numbers[name + end] = of[key];
+  return numbers as Partial<State>;
+}
+
+function sumIn(value: unknown): Partial<State> {
+  const parts = value as [number, Material][];
+  if (parts.length !== 2) throw new Error(`a sum of ${parts.length} has no control here, a sum of two has`);
+  const [[first, a], [second, b]] = parts;
+  return { correlation: "sum", share: second / (first + second), ...scaleIn(a, ""), ...scaleIn(b, "2") };
+}
+
 function correlationIn(value: unknown, material: Material): Partial<State> {
-  const of = (typeof value === "string" ? { type: value } : value) as Record<string, unknown>;
-  const only = (...keys: string[]) => {
-    const other = Object.keys(of).find((key) => key !== "type" && !keys.includes(key));
-    if (other) throw new Error(`"${other}" has no control here`);
-  };
+  const of = (typeof value === "string" ? { type: value } : value) as Material;
   switch (of.type) {
     case "gaussian":
     case "exponential":
-      only();
       return { correlation: of.type };
     case "matern":
-      only("nu");
       return { correlation: "matern", nu: of.nu as number };
     case "k_correlation":
-      only("B_um", "C", "psd");
+      requireOnly(of, "B_um", "C", "psd");
       return { correlation: "k_correlation", c: of.C as number, psd: of.psd as State["psd"], ...lengthsOf("b", of.B_um, material) };
+    case "sum":
+      return sumIn(of.of);
+    case "fractal": {
+      const [finest, coarsest] = of.periods_um as [number, number];
+      return { correlation: "fractal", c: of.C as number, psd: of.psd as State["psd"], finest, coarsest };
+    }
     case "psd":
     case "autocorrelation":
-      only("file");
+      requireOnly(of, "file");
       return { correlation: of.type, heights: of.file as string };
     default:
       throw new Error(`"${of.type}" has no control here`);
@@ -104,9 +188,13 @@ const readers: Record<string, Read> = {
   name: () => ({}),
   model: () => ({}),
   fitted: () => ({}),
+  uncertainty: () => ({}),
   azimuth_deg: () => ({}),
   rms_roughness_um: (value) => ({ sigma: value as number }),
   diffuse_albedo: (value) => ({ albedo: value as number }),
+  mirror: (value) => ({ mirror: value as State["mirror"] }),
+  polarisation_mixing: (value) => ({ mixing: value as boolean }),
+  conductor_shortcut: (value) => ({ shortcut: value as boolean }),
   correlation_length_um: (value, material) => lengthsOf("tau", value, material),
   correlation: correlationIn,
   rms_band_um: (value) => {
@@ -129,11 +217,26 @@ const readers: Record<string, Read> = {
   },
 };
 
-// What a material file says, in the terms of the controls; an Error that names file and key where there is no control for it.
+// A material file as the engine finds what it names, each file in the same folder, and these files.
+export function parsed(text: string): { material: Material; files: string[] } {
+  const files: string[] = [];
+  const material = JSON.parse(text, (key, value) => {
+    if (key !== "file" || typeof value !== "string") return value;
+    files.push(value.replace(/^.*\//, ""));
+    return files[files.length - 1];
+  });
+  return { material, files };
+}
+
+// What a material file that the engine reads says, in the terms of the controls; an Error that names file and key where there is no
+// control for it.
 export function stateOf(name: string, material: Material): Partial<State> {
-  if (material.model !== "he" && material.model !== "he_unified")
-    throw new Error(`${name}: key "model": must be "he" or "he_unified" to be shown with these controls`);
-  const part: Partial<State> = { model: material.model, across: 0, axis: 0, film: "none", albedo: 0, correlation: "gaussian", shortest: 0, longest: 0 };
+  if (!Object.keys(choices.model).includes(String(material.model)))
+    throw new Error(`${name}: key "model": must be ${Object.keys(choices.model).map((model) => `"${model}"`).join(" or ")} to be shown with these controls`);
+  const part: Partial<State> = {
+    model: material.model as State["model"], mirror: "closed", mixing: false, shortcut: false, across: 0, axis: 0, film: "none", albedo: 0,
+    correlation: "gaussian", shortest: 0, longest: 0,
+  };
   for (const [key, value] of Object.entries(material)) {
     const read = readers[key];
     if (!read) throw new Error(`${name}: key "${key}": has no control here`);

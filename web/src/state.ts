@@ -1,24 +1,66 @@
 // Everything that the page shows follows from this, and the address holds it.
 
-export type Model = "he" | "he_unified";
-export type Polarisation = "none" | "s" | "p" | "plus" | "minus" | "right" | "left";
-const besides = ["none", "ggx", "beckmann", "phong", "ward", "ward_duer", "cook_torrance", "kurt", "blinn_phong", "ashikhmin_shirley", "ashikhmin", "he", "he_unified"] as const;
-export type Beside = (typeof besides)[number];
-export type Radius = "relative" | "absolute" | "log";
-export type Shape = "sphere" | "plate" | "cylinder";
-export type Correlation = "gaussian" | "exponential" | "matern" | "k_correlation" | "psd" | "autocorrelation";
+const shapes = { gaussian: "Gaussian", exponential: "exponential", matern: "Matérn", k_correlation: "K-correlation" };
+const spectra = { "2d": "the surface (2d)", "1d one-sided": "a profile (1d)" };
+const polarised = { s: "s", p: "p", plus: "+45°", minus: "−45°", right: "right circular", left: "left circular" };
+
+// What can be chosen, and how the page calls it.
+export const choices = {
+  model: { he: "He-Torrance 1991 (he)", he_unified: "its successor (he_unified)" },
+  mirror: { closed: "closed form", second_order: "second order" },
+  correlation: { ...shapes, sum: "sum of two", fractal: "fractal", psd: "power spectrum", autocorrelation: "table of C" },
+  first: shapes,
+  second: shapes,
+  psd: spectra,
+  psd2: spectra,
+  light: { white: "white light", one: "one wavelength" },
+  in: { none: "unpolarised", ...polarised },
+  out: { none: "none", ...polarised },
+  beside: {
+    none: "nothing",
+    ggx: "GGX (Walter)",
+    beckmann: "Beckmann (Walter)",
+    phong: "Phong (Walter)",
+    ward: "Ward",
+    ward_duer: "Ward-Duer",
+    cook_torrance: "Cook-Torrance",
+    kurt: "Kurt",
+    blinn_phong: "Blinn-Phong",
+    ashikhmin_shirley: "Ashikhmin-Shirley",
+    ashikhmin: "Ashikhmin, Gaussian normals",
+    he: "He-Torrance",
+    he_unified: "he_unified",
+  },
+  radius: { relative: "over specular direction", absolute: "BRDF", log: "logarithm" },
+  shape: { sphere: "sphere", plate: "plate", cylinder: "cylinder" },
+} as const;
+export type Choice = keyof typeof choices;
+export type Chosen<Key extends Choice> = keyof (typeof choices)[Key];
 
 export interface State {
-  model: Model;
+  model: Chosen<"model">;
+  mirror: Chosen<"mirror">; // this and the next two: of he_unified
+  mixing: boolean; // of polarisations
+  shortcut: boolean; // of metals
   sigma: number; // um
   tau: number; // um
   across: number; // um, the length (tau or B) along the second axis; 0: the same
   axis: number; // degrees, azimuth of the first axis from the plane of incidence
-  correlation: Correlation;
+  correlation: Chosen<"correlation">;
   nu: number; // of Matern's correlation
   b: number; // um, B of the K-correlation
-  c: number; // C of the K-correlation
-  psd: "2d" | "1d one-sided"; // which spectrum its numbers are of
+  c: number; // C of the K-correlation and of fractals
+  psd: Chosen<"psd">; // which spectrum their numbers are of
+  finest: number; // um, the periods between which a fractal is one
+  coarsest: number;
+  first: Chosen<"first">; // the parts of a sum: the first has the numbers above, the second those that end in 2
+  second: Chosen<"second">;
+  tau2: number;
+  nu2: number;
+  b2: number;
+  c2: number;
+  psd2: Chosen<"psd2">;
+  share: number; // of the second in the variance of heights
   heights: string; // the dropped file of a power spectrum or a correlation function, or "none"
   shortest: number; // um, periods between which sigma holds; 0: all
   longest: number; // um; 0: no longest
@@ -29,20 +71,23 @@ export interface State {
   thickness: number; // um, of the film
   albedo: number;
   lambda: number; // um
-  light: "white" | "one";
+  light: Chosen<"light">;
   ti: number; // degrees
   tr: number;
   phi: number;
-  in: Polarisation;
-  out: Polarisation;
-  beside: Beside;
+  in: Chosen<"in">;
+  out: Chosen<"out">;
+  beside: Chosen<"beside">;
   tolerance: number;
-  radius: Radius;
-  shape: Shape;
+  radius: Chosen<"radius">;
+  shape: Chosen<"shape">;
 }
 
 export const initial: State = {
   model: "he",
+  mirror: "closed",
+  mixing: false,
+  shortcut: false,
   sigma: 0.28,
   tau: 1.77,
   across: 0,
@@ -52,6 +97,16 @@ export const initial: State = {
   b: 5,
   c: 2.5,
   psd: "2d",
+  finest: 0.5,
+  coarsest: 100,
+  first: "gaussian",
+  second: "gaussian",
+  tau2: 0.5,
+  nu2: 1.5,
+  b2: 1,
+  c2: 2.5,
+  psd2: "2d",
+  share: 0.1,
   heights: "none",
   shortest: 0,
   longest: 0,
@@ -74,18 +129,6 @@ export const initial: State = {
   shape: "sphere",
 };
 
-const polarisations = ["none", "s", "p", "plus", "minus", "right", "left"];
-const choices: { [key in keyof State]?: readonly (string | number)[] } = {
-  model: ["he", "he_unified"],
-  correlation: ["gaussian", "exponential", "matern", "k_correlation", "psd", "autocorrelation"],
-  psd: ["2d", "1d one-sided"],
-  light: ["white", "one"],
-  in: polarisations,
-  out: polarisations,
-  beside: besides,
-  radius: ["relative", "absolute", "log"],
-  shape: ["sphere", "plate", "cylinder"],
-};
 export const ranges: { [key in keyof State]?: [number, number] } = {
   sigma: [0, 100],
   tau: [0.01, 1000],
@@ -94,7 +137,14 @@ export const ranges: { [key in keyof State]?: [number, number] } = {
   thickness: [0, 10],
   nu: [0.5, 10],
   b: [0.01, 10000],
-  c: [1.1, 102],
+  c: [0.1, 102],
+  finest: [0.001, 10000],
+  coarsest: [0.01, 100000],
+  tau2: [0.01, 1000],
+  nu2: [0.5, 10],
+  b2: [0.01, 10000],
+  c2: [1.1, 102],
+  share: [1e-6, 0.999999],
   shortest: [0, 10000],
   longest: [0, 100000],
   n: [0.01, 100],
@@ -124,23 +174,23 @@ export interface Restored {
 export function fromAddress(text: string): Restored {
   const state: State = { ...initial };
   const problems: string[] = [];
-  const put = <K extends keyof State>(key: K, value: State[K]) => (state[key] = value);
+  const put = (key: keyof State, value: unknown) => ((state as unknown as Record<string, unknown>)[key] = value);
   for (const [key, value] of new URLSearchParams(text)) {
-    if (!(key in initial)) {
+    if (!Object.hasOwn(initial, key)) {
       problems.push(`${key}: not known`);
       continue;
     }
     const name = key as keyof State;
     const range = ranges[name];
-    const choice = choices[name];
+    const names = Object.hasOwn(choices, key) ? Object.keys(choices[key as Choice]) : typeof initial[name] === "boolean" ? ["true", "false"] : null;
     if (range) {
       const number = value.trim() === "" ? NaN : Number(value);
-      if (number >= range[0] && number <= range[1]) put(name, number as never);
+      if (number >= range[0] && number <= range[1]) put(name, number);
       else problems.push(`${key} ${value}: must be from ${range[0]} to ${range[1]}`);
-    } else if (choice && !choice.includes(value)) {
-      problems.push(`${key} ${value}: must be one of ${choice.join(", ")}`);
+    } else if (names && !names.includes(value)) {
+      problems.push(`${key} ${value}: must be one of ${names.join(", ")}`);
     } else {
-      put(name, value as never);
+      put(name, typeof initial[name] === "boolean" ? value === "true" : value);
     }
   }
   return { state, problems };
@@ -162,6 +212,7 @@ export const presets: Preset[] = [
   { name: "Brushed-fine gold", address: "sigma=0.12&tau=1.2&index=Au&lambda=0.6&shape=cylinder" },
   { name: "Brushed steel, two correlation lengths", address: "sigma=0.15&tau=8&across=1&axis=60&index=Fe&tr=40&phi=150" },
   { name: "Polished optic: K-correlation, 3 nm from 633 nm on", address: "model=he_unified&sigma=0.003&correlation=k_correlation&b=5.02655&c=3&shortest=0.6328&lambda=0.6328&tr=40&radius=log" },
+  { name: "Two scales: waves of 8 µm and fine grain", address: "model=he_unified&sigma=0.12&correlation=sum&tau=8&second=exponential&tau2=0.7&share=0.15&tr=45&radius=log" },
   { name: "Silicon dioxide of 0.3 µm on aluminium", address: "sigma=0.05&tau=1&film=SiO2&thickness=0.3&tr=40" },
   { name: "Copper at grazing incidence", address: "sigma=0.15&tau=1&index=Cu&ti=80&tr=80&lambda=0.6" },
 ];

@@ -20,12 +20,19 @@ const materialText = (state: State) => JSON.stringify(materialOf(state), null, 2
 export const command = (state: State): string =>
   `hts eval --material material.json --wavelength ${state.lambda} --theta-i ${state.ti} --theta-r ${state.tr} --phi ${state.phi} --tolerance ${state.tolerance}`;
 
+// As Python writes it.
+function literal(value: unknown): string {
+  if (typeof value === "boolean") return value ? "True" : "False";
+  if (Array.isArray(value)) return `[${value.map(literal).join(", ")}]`;
+  if (typeof value !== "object") return JSON.stringify(value);
+  return `{${Object.entries(value!).map(([key, of]) => `${JSON.stringify(key)}: ${literal(of)}`).join(", ")}}`;
+}
+
 export function python(state: State): string {
   const { name: _, ...keys } = materialOf(state);
-  const literal = JSON.stringify(keys).replaceAll('":', '": ').replaceAll(',"', ', "');
   return [
     "import hts",
-    `material = hts.Material(${literal})`,
+    `material = hts.Material(${literal(keys)})`,
     `brdf = material.brdf(${state.lambda}, ${state.ti}, ${state.tr}, ${state.phi}, tolerance=${state.tolerance}, degrees=True)`,
     `mirror = material.specular_reflectance(${state.lambda}, ${state.ti}, tolerance=${state.tolerance}, degrees=True)`,
   ].join("\n");

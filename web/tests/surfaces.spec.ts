@@ -1,7 +1,7 @@
 // Surfaces beyond two numbers: correlations, bands, files of heights, and the lit object that shows them.
 
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { drawn, drop, expect, open, shown, test, value, type View } from "./page";
@@ -22,6 +22,9 @@ const correlationFunction = (): string => {
 
 const rest: View[] = ["hemisphere", "lit", "scatter", "spectrum", "values", "energy", "take"];
 const k = "correlation=k_correlation&sigma=0.08&ti=40&tr=50";
+const two = "correlation=sum&sigma=0.1&tau=3&second=exponential&tau2=0.5&share=0.2&ti=40&tr=50";
+const fractal = "correlation=fractal&sigma=0.08&c=2.4&ti=40&tr=50";
+const unified = "model=he_unified&index=Ag&sigma=0.1&tau=0.8&ti=40&tr=50";
 const numbers: [string, string, string, View[]][] = [
   ["b", "9", k, ["polar", ...rest]],
   ["c", "3.5", k, ["polar", ...rest]],
@@ -31,6 +34,15 @@ const numbers: [string, string, string, View[]][] = [
   ["nu", "2.5", "correlation=matern&ti=40&tr=50", ["polar", ...rest]],
   ["axis", "40", "across=0.8&ti=40&tr=50", ["hemisphere", "lit", "values", "take"]],
   ["thickness", "0.3", "film=SiO2&ti=40&tr=50", ["polar", ...rest]],
+  ["tau", "5", two, ["polar", ...rest]],
+  ["tau2", "1", two, ["polar", ...rest]],
+  ["share", "0.4", two, ["polar", ...rest]],
+  ["nu", "2.5", `${two}&first=matern`, ["polar", ...rest]],
+  ["nu2", "2.5", two.replace("exponential", "matern"), ["polar", ...rest]],
+  ["b2", "3", two.replace("exponential", "k_correlation"), ["polar", ...rest]],
+  ["c2", "3.5", two.replace("exponential", "k_correlation"), ["polar", ...rest]],
+  ["finest", "1", fractal, ["polar", ...rest]],
+  ["coarsest", "30", fractal, ["polar", ...rest]],
 ];
 
 test("each number of a correlation changes each view that depends on it", async ({ page }) => {
@@ -46,20 +58,60 @@ test("each number of a correlation changes each view that depends on it", async 
     const after = await shown(page);
     for (const view of views) expect(after[view], `${view} after ${id}`).not.toBe(before[view]);
   }
-  await open(page, k);
-  const before = await shown(page);
-  await page.locator("#psd").selectOption("1d one-sided");
-  await drawn(page);
-  const after = await shown(page);
-  for (const view of ["polar", ...rest] as View[]) expect(after[view], `${view} after psd`).not.toBe(before[view]);
-  expect(page.url()).toContain("psd=1d+one-sided");
+});
+
+const selections: [string, string | boolean, string, View[]][] = [
+  ["psd", "1d one-sided", k, ["polar", ...rest]],
+  ["first", "exponential", two, ["polar", ...rest]],
+  ["second", "matern", two, ["polar", ...rest]],
+  ["psd2", "1d one-sided", two.replace("exponential", "k_correlation"), ["polar", ...rest]],
+  ["mirror", "second_order", unified, ["values", "energy", "take"]],
+  ["mixing", true, `${unified}&in=s`, ["polar", "hemisphere", "scatter", "spectrum", "mueller", "take"]],
+  ["shortcut", true, unified, ["polar", ...rest]],
+];
+test("each choice of a correlation and of the successor changes each view that depends on it", async ({ page }) => {
+  test.slow();
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  for (const [id, option, address, views] of selections) {
+    await open(page, address);
+    const before = await shown(page);
+    if (typeof option === "string") await page.locator(`#${id}`).selectOption(option);
+    else await page.locator(`#${id}`).check();
+    await drawn(page);
+    await expect(page.locator("#problem")).toBeEmpty();
+    const after = await shown(page);
+    for (const view of views) expect(after[view], `${view} after ${id}`).not.toBe(before[view]);
+    expect(page.url()).toContain(`${id}=${String(option).replace(" ", "+")}`);
+  }
+});
+
+test("controls that mean nothing are not shown", async ({ page }) => {
+  for (const [address, shownOnes, hidden] of [
+    ["", ["tau", "across"], ["mirror", "mixing", "shortcut", "first", "second", "share", "tau2", "finest", "b", "nu"]],
+    ["beside=he_unified", ["mirror", "mixing", "shortcut"], []],
+    ["model=he_unified", ["mirror", "mixing", "shortcut"], ["first"]],
+    ["model=he_unified&correlation=exponential", ["shortcut", "tau"], ["mirror", "mixing"]],
+    ["model=he_unified&film=SiO2", [], ["mirror", "mixing", "shortcut"]],
+    ["correlation=sum&first=k_correlation&second=matern", ["first", "second", "share", "b", "c", "psd", "tau2", "nu2"], ["tau", "nu", "b2", "c2", "psd2", "across", "axis"]],
+    ["correlation=fractal", ["finest", "coarsest", "c", "psd"], ["tau", "across", "b", "share"]],
+  ] as [string, string[], string[]][]) {
+    await open(page, address);
+    for (const id of shownOnes) await expect(page.locator(`#${id}`), `${id} of ${address}`).toBeVisible();
+    for (const id of hidden) await expect(page.locator(`#${id}`), `${id} of ${address}`).toBeHidden();
+  }
+  // what one cannot have is said until it is no longer asked for
+  await open(page, "model=he_unified&index=BK7");
+  await page.locator("#shortcut").check();
+  await expect(page.locator("#problem")).toContainText("conductor_shortcut at 0.5 um");
+  await page.locator("#shortcut").uncheck();
+  await expect(page.locator("#problem")).toBeEmpty();
 });
 
 // What the command prints for the material file and the command line of the page.
 function printed(text: string, files: Record<string, string>): (key: string) => number {
   const folder = mkdtempSync(join(tmpdir(), "hts-page-"));
   for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
-  const lines = execFileSync("bash", ["-e", "-c", text.replace("hts eval", `${command} eval`)], { cwd: folder, encoding: "utf8" })
+  const lines = execFileSync("bash", ["-e", "-c", text.replace("hts eval", `${command} eval --mueller`)], { cwd: folder, encoding: "utf8" })
     .trim().split("\n").map((line) => line.split(","));
   return (key) => Number(lines[1][lines[0].indexOf(key)]);
 }
@@ -73,6 +125,11 @@ const kinds: [string, string, string, number][] = [
   ["a K-correlation in a band", "model=he_unified&sigma=0.003&correlation=k_correlation&b=5.02655&c=3&shortest=0.6328&tr=40", "", table],
   ["a profile's K-correlation of two lengths", "sigma=0.05&correlation=k_correlation&c=2.5&psd=1d+one-sided&across=2&axis=30&shortest=0.5&longest=80&tr=40", "", table],
   ["a power spectrum", "ti=20&tr=35", "spectrum.csv", table],
+  ["a sum of two scales", "model=he_unified&sigma=0.12&correlation=sum&tau=8&second=exponential&tau2=0.7&share=0.15&tr=45", "", table],
+  ["a sum of K-correlation and Matérn", "sigma=0.05&correlation=sum&first=k_correlation&b=9&c=3&second=matern&tau2=0.4&nu2=2&share=0.3&tr=45&phi=170", "", table],
+  ["a fractal", "sigma=0.05&correlation=fractal&c=2.4&finest=0.4&coarsest=60&tr=40", "", table],
+  ["the second-order mirror and mixing", `${unified}&mirror=second_order&mixing=true&tolerance=1e-12`, "", 8e-12],
+  ["the shortcut of metals", `${unified}&shortcut=true&phi=160&tolerance=1e-12`, "", 8e-12],
   ["a correlation function", "sigma=0.02&ti=20&tr=35&model=he_unified", "acf.csv", table],
 ];
 const tables: Record<string, string> = { "spectrum.csv": spectrum(), "acf.csv": correlationFunction() };
@@ -95,6 +152,8 @@ test("what the page shows is what the command prints, of each kind of surface", 
       const expected = of(key), seen = await value(page, key);
       worst = Math.max(worst, expected > 0 ? Math.abs(seen / expected - 1) : seen);
     }
+    const matrix = (await page.locator("#mueller-maps").getAttribute("data-here"))!.split(" ").map(Number);
+    matrix.forEach((seen, i) => (worst = Math.max(worst, Math.abs(seen - of(`m${Math.floor(i / 4)}${i % 4}`)) / matrix[0])));
     console.log(`${kind}: worst relative difference from the command ${worst.toExponential(2)}`);
     expect(worst, kind).toBeLessThanOrEqual(bound);
   }
@@ -123,8 +182,16 @@ test("an address restores a correlation, and asks for the file that it cannot ho
 });
 
 test("a material file comes back as it was taken away", async ({ page }) => {
-  for (const [name, address] of Object.entries({ "one.json": `${k}&across=2&axis=30&shortest=0.5&longest=80`, "two.json": "model=he_unified&correlation=matern&nu=2&film=SiO2&thickness=0.2&index=nk&n=1.4&k=0.1&albedo=0.2" })) {
+  for (const [name, address] of Object.entries({
+    "one.json": `${k}&across=2&axis=30&shortest=0.5&longest=80`,
+    "two.json": "model=he_unified&correlation=matern&nu=2&film=SiO2&thickness=0.2&index=nk&n=1.4&k=0.1&albedo=0.2",
+    "three.json": `${two}&first=matern&nu=2&shortest=0.5`,
+    "four.json": "correlation=sum&first=k_correlation&b=7&c=3&psd=1d+one-sided&second=k_correlation&b2=2&c2=2.2&psd2=1d+one-sided&share=0.7",
+    "five.json": `${unified}&mirror=second_order&mixing=true&shortcut=true`,
+    "six.json": `${fractal}&finest=0.3&coarsest=70&psd=1d+one-sided`,
+  })) {
     await open(page, address);
+    await expect(page.locator("#problem"), name).toBeEmpty();
     const state = await page.evaluate(() => window.hts.state());
     const material = (await page.locator("#command").textContent())!.match(/<<'END'\n([^]*?)END\n/)![1];
     await open(page, "index=Cu&sigma=0.3"); // something else
@@ -132,8 +199,11 @@ test("a material file comes back as it was taken away", async ({ page }) => {
     await expect(page.locator("#status")).toContainText(name);
     await drawn(page);
     const back = await page.evaluate(() => window.hts.state());
-    for (const key of ["model", "sigma", "correlation", "across", "axis", "b", "c", "nu", "psd", "shortest", "longest", "film", "thickness", "albedo", "index"])
-      expect(back[key], key).toBe(state[key]);
+    for (const [key, wanted] of new URLSearchParams(address))
+      if (!["ti", "tr"].includes(key)) expect(String(back[key]), `${key} of ${name}`).toBe(wanted);
+    for (const key of ["model", "sigma", "correlation", "across", "axis", "shortest", "longest", "film", "albedo", "index", "mirror", "mixing", "shortcut"])
+      expect(back[key], `${key} of ${name}`).toBe(state[key]);
+    expect((await page.locator("#command").textContent())!, name).toContain(material);
   }
 });
 
@@ -147,7 +217,9 @@ test("bad files of heights are refused, and lose nothing", async ({ page }) => {
     ["spectrum.csv", "frequency_per_um,psd_um4\n0.1,1\n0.05,2\n", "spectrum.csv:3"],
     ["profile.csv", "frequency_per_um,psd_um3\n0.1,-1\n", "profile.csv:2"],
     ["acf.csv", "distance_um,autocorrelation\n0,0.5\n1,0.1\n", "must be 1 at the distance 0"],
-    ["sum.json", JSON.stringify({ model: "he", rms_roughness_um: 0.1, correlation: { type: "sum", of: [] }, index: "Al" }), 'sum.json: key "correlation": "sum" has no control here'],
+    ["sum.json", JSON.stringify({ model: "he", rms_roughness_um: 0.1, correlation: { type: "sum", of: [] }, index: "Al" }), 'sum.json: key "correlation.of"'],
+    ["three.json", JSON.stringify({ model: "he", rms_roughness_um: 0.1, correlation: { type: "sum", of: [1, 2, 3].map((um) => [1, { type: "gaussian", length_um: um }]) }, index: "Al" }),
+      'three.json: key "correlation": a sum of 3 has no control here'],
     ["power.json", JSON.stringify({ model: "he", correlation: { type: "psd", file: "away.csv" }, index: "Al" }), "away.csv: is not here"],
   ]) {
     await drop(page, name, text);
@@ -245,52 +317,4 @@ test("the engine draws the lit object as the shader of the model does", async ({
   expect(Math.max(...byShader)).toBeGreaterThan(150); // there is a highlight
   expect(mean).toBeLessThan(2);
   expect(worst).toBeLessThan(12);
-});
-
-const odd = (name: string) => readFileSync(new URL(`../../tables/formats/tests/odd/${name}`, import.meta.url), "utf8");
-
-test("scatter files of other programs are shown beside the model, and bad ones refused", async ({ page }) => {
-  test.slow();
-  // Their values on the mirror's side at 40 degrees for light at 50, or at 30 for light along the normal.
-  for (const [name, ti, tr, phi, um, brdf] of [
-    ["scatter/plain.fred.txt", 50, 40, 180, 0.6, 0.18],
-    ["scatter/viavi.fred.txt", 50, 40, 180, 0.6, 0.18],
-    ["scatter/radians.fred.txt", 50, 40, 180, 0.6, 0.18],
-    ["scatter/plain.astm", 0, 30, 180, 0.55, 0.15],
-    ["scatter/semicolons.astm", 0, 30, 180, 0.55, 0.15],
-    ["matrices/lighttools.bsdf", 40, 40, 180, 0.55, NaN],
-  ] as [string, number, number, number, number, number][]) {
-    await open(page, "lambda=0.6&radius=absolute");
-    await drop(page, name.replace(/.*\//, ""), odd(name));
-    await expect(page.locator("#status"), name).toContainText("measured points are shown");
-    await drawn(page);
-    const points = await page.evaluate(() => window.hts.measured()!.points);
-    const near = (p: Record<string, number>) =>
-      Math.abs(p.ti - ti) < 1e-3 && Math.abs(p.tr - tr) < 1e-3 && Math.abs(Math.abs(p.phi) - phi) < 1e-3 && Math.abs(p.um - um) < 1e-9;
-    const found = points.filter(near);
-    expect(found.length, name).toBeGreaterThan(0);
-    if (!Number.isNaN(brdf)) for (const p of found) expect(Math.abs(p.brdf / brdf - 1), name).toBeLessThan(1e-4);
-    await page.locator("#ti").fill(String(ti));
-    await page.locator("#ti").press("Enter");
-    await drawn(page);
-    await expect(page.locator("#polar-picture circle.measured").first(), name).toBeVisible();
-  }
-  const before = await page.evaluate(() => window.hts.state());
-  for (const [name, message] of [
-    ["scatter/other-side.fred.txt", "more light at azimuth 180 deg than at 0"],
-    ["scatter/no-light.fred.txt", "no-light.fred.txt:3"],
-    ["scatter/wrong-count.astm", "wrong-count.astm: 39 points: NUM_POINTS says 7"],
-    ["scatter/misspelt.astm", "misspelt.astm"],
-    ["scatter/xyz.astm", "must be wavelengths, which colours are not"],
-    ["matrices/lighttools-twice.bsdf", "lighttools-twice.bsdf"],
-  ]) {
-    await drop(page, name.replace(/.*\//, ""), odd(name));
-    await expect(page.locator("#problem"), name).toContainText(message);
-  }
-  expect(await page.evaluate(() => window.hts.state())).toEqual(before);
-  // the other way to count azimuths
-  await page.locator("#mirror-azimuth").selectOption("180");
-  await drop(page, "other-side.fred.txt", odd("scatter/other-side.fred.txt"));
-  await expect(page.locator("#status")).toContainText("measured points are shown");
-  await expect(page.locator("#problem")).toBeEmpty();
 });

@@ -4,7 +4,7 @@ import model from "../../../tables/formats/glsl/he_torrance.glsl?raw";
 import { canvas, card } from "../dom";
 import { settingOf, type Frame } from "../frame";
 import { hasFilm, isAnisotropic } from "../material";
-import type { State } from "../state";
+import { choices, type State } from "../state";
 
 const size = 320;
 export const shaderWavelengths = Array.from({ length: 8 }, (_, i) => 0.4 + (0.3 * i) / 7);
@@ -265,7 +265,7 @@ class Stage {
     const a = (-state.ti * Math.PI) / 180;
     for (const program of [this.byShader, this.composed, this.#spots]) {
       this.gl.useProgram(program);
-      this.gl.uniform1i(this.place(program, "shape"), ["sphere", "plate", "cylinder"].indexOf(state.shape));
+      this.gl.uniform1i(this.place(program, "shape"), Object.keys(choices.shape).indexOf(state.shape));
       this.gl.uniform3fv(this.place(program, "lamp"), [Math.sin(a) * 0.96, 0.28, Math.cos(a) * 0.96].map((v) => v / Math.hypot(0.96, 0.28)));
     }
   }
