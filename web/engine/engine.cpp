@@ -65,9 +65,9 @@ json forget() {
 // Dropped files stand in the root folder of the page's file system.
 const spectral::Material& material_of_request(const json& request) {
     static Recent<spectral::Material> materials;
-    const std::string text = request.at("material").dump();
-    return materials(text + std::to_string(generation),
-                     [&] { return spectral::material_from_text(text, "/material.json"); });
+    const std::string text = request.at("material").dump(), file = request.value("file", "material.json");
+    return materials(json{generation, file, text}.dump(),
+                     [&] { return spectral::material_from_text(text, "/" + file); });
 }
 
 namespace {

@@ -9,6 +9,7 @@ export class EngineError extends Error {}
 
 export interface Setting {
   material: Material;
+  file?: string; // of the material, for messages
   wavelengths: number[];
   tolerance?: number;
   outside?: "error" | "hold";

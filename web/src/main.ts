@@ -5,7 +5,7 @@ import { Engine } from "./client";
 import { controls } from "./controls";
 import { brief, html } from "./dom";
 import { frameOf, settingOf, withBeside, type Frame, type Measured } from "./frame";
-import { filesOf, stateOf } from "./material";
+import { filesOf, isFileName, parsed, stateOf } from "./material";
 import { fromAddress, initial, toAddress, type State } from "./state";
 import { takeAway } from "./takeaway";
 import { litView } from "./views/lit";
@@ -26,7 +26,11 @@ let known: string[] = [], constants: string[] = [];
 const fitting = html("div", { id: "fitting" });
 
 const say = (text: string) => (status.textContent = text);
-const complain = (text: string) => (problem.textContent = text);
+let ofDrawing = false; // whether what is complained of goes away with the next good drawing
+function complain(text: string, drawing = false): void {
+  problem.textContent = text;
+  ofDrawing = drawing;
+}
 
 function change(part: Partial<State>): void {
   state = { ...state, ...part };
@@ -68,28 +72,21 @@ async function drawAll(): Promise<void> {
     dirty = false;
     const now = state;
     try {
-      requireFiles(now);
+      requireFiles(filesOf(now));
       const frame = await frameOf(now, engine, measured);
       const failed = await drawOne(frame);
       if (!dirty) {
-        complainOf(failed);
+        if (failed.length || ofDrawing) complain([...new Set(failed)].join(" "), true);
         history.replaceState(null, "", toAddress(now) ? `#${toAddress(now)}` : location.pathname + location.search);
         await describeIndex(now);
         document.body.dataset.drawn = JSON.stringify(now);
       }
     } catch (error) {
-      complain(error instanceof Error ? error.message : String(error));
+      complain(error instanceof Error ? error.message : String(error), true);
       document.body.dataset.drawn = JSON.stringify(now);
     }
   }
   busy = false;
-}
-
-let complained = false;
-function complainOf(failed: string[]): void {
-  if (failed.length) complain([...new Set(failed)].join(" "));
-  else if (complained) complain("");
-  complained = failed.length > 0;
 }
 
 // A view that has nothing to draw, say since the constants end before the visible, does not keep the others waiting.
@@ -142,19 +139,20 @@ async function keep<T>(name: string, data: Uint8Array, use: () => Promise<T>): P
   }
 }
 
-function requireFiles(of: State): void {
-  const missing = filesOf(of).find((name) => !files.has(name));
+function requireFiles(names: string[]): void {
+  const missing = names.find((name) => !files.has(name));
   if (missing) throw new Error(missing === "none" ? "correlation of heights: drop the file of its table onto the page" : `${missing}: is not here; drop the file onto the page`);
 }
 
 const describe = (part: Partial<State>) => engine.describe(settingOf({ ...state, ...part }, [part.lambda ?? state.lambda]));
 
 async function takeMaterial(name: string, text: string): Promise<string> {
-  const part = stateOf(name, JSON.parse(text));
-  requireFiles({ ...state, ...part });
-  await describe(part);
-  change(part);
-  return `${name}: the material is shown.`;
+  const { material, files: named } = parsed(text);
+  requireFiles(named);
+  await engine.describe({ material, file: name, wavelengths: [state.lambda] });
+  change(stateOf(name, material));
+  const unused = "uncertainty" in material ? " Its uncertainty is not used here; hts eval --uncertainty carries it to the BRDF." : "";
+  return `${name}: the material is shown.${unused}`;
 }
 
 async function takePoints(name: string, text: string): Promise<string> {
@@ -174,6 +172,7 @@ async function takeHeights(name: string, data: Uint8Array, correlation: "psd" | 
 }
 
 async function takeConstants(name: string, data: Uint8Array): Promise<string> {
+  if (!isFileName(name)) throw new Error(`${name}: must have an ending, such as .yml, to be read as optical constants`);
   const of = await keep(name, data, () => engine.indexOf({ file: "/" + name }));
   if (!constants.includes(name)) constants.push(name);
   panel.setIndices([...known, ...constants]);
@@ -182,22 +181,23 @@ async function takeConstants(name: string, data: Uint8Array): Promise<string> {
   return `${name}: the optical constants are used.`;
 }
 
+const isJson = (file: File) => /\.json$/i.test(file.name);
+
 async function takeOne(file: File): Promise<string> {
   const data = new Uint8Array(await file.arrayBuffer());
-  const name = file.name.replaceAll(/[^\w.+-]/g, "_");
-  const text = new TextDecoder().decode(data);
-  if (await engine.isScatterFile(text)) return takePoints(file.name, text);
-  if (/\.json$/i.test(name)) return takeMaterial(file.name, text);
+  const name = file.name, text = new TextDecoder().decode(data);
+  if (await engine.isScatterFile(text)) return takePoints(name, text);
+  if (isJson(file)) return takeMaterial(name, text);
   const header = text.split(/\r?\n/).find((line) => line.trim() && !line.startsWith("#")) ?? "";
   if (/frequency_per_um/.test(header)) return takeHeights(name, data, "psd");
   if (/distance_um/.test(header)) return takeHeights(name, data, "autocorrelation");
-  if (/theta_i_deg/.test(header) || (/\.csv$/i.test(name) && /brdf/.test(header))) return takePoints(file.name, text);
+  if (/theta_i_deg/.test(header) || (/\.csv$/i.test(name) && /brdf/.test(header))) return takePoints(name, text);
   return takeConstants(name, data);
 }
 
 async function take(list: FileList): Promise<void> {
   complain("");
-  for (const file of list) {
+  for (const file of [...list].sort((a, b) => Number(isJson(a)) - Number(isJson(b)))) { // materials after the files they name
     try {
       say(await takeOne(file));
     } catch (error) {

@@ -146,7 +146,8 @@ test("files of optical constants are read, and a bad one gives a message and los
     ["worse.yml", "DATA:\n  - {type: [", "worse.yml:"],
     ["empty.csv", "", "empty.csv"],
     ["curve.csv", "theta_i_deg,theta_r_deg,brdf\n30,95,1\n", "curve.csv:2: theta_r_deg"],
-    ["gold.json", '{"model": "walter"}', 'gold.json: key "model"'],
+    ["gold.json", JSON.stringify({ model: "walter", distribution: "ggx", alpha: 0.3, index: "Au" }), 'gold.json: key "model": must be "he" or "he_unified"'],
+    ["keys.json", '{"model": "walter"}', "keys.json: key"],
     ["bad.json", "{", "JSON"],
   ]) {
     await drop(page, name, text);
