@@ -141,7 +141,10 @@ export class Engine {
   async evaluate(setting: Setting, of: Of, triples: Float64Array): Promise<Float64Array> {
     const matrices = of === "mueller" || of === "specular_mueller";
     const outputs = (triples.length / 3) * setting.wavelengths.length * (matrices ? 16 : 1);
-    return (await this.request({ do: "evaluate", of, ...setting }, triples, outputs)).output;
+    // The mirror term is no part of the lobe, and the tables of a second-order one take a while.
+    const { mirror, ...lobe } = setting.material;
+    const material = of.startsWith("specular") ? setting.material : lobe;
+    return (await this.request({ do: "evaluate", of, ...setting, material }, triples, outputs)).output;
   }
   describe = async (setting: Setting) => (await this.request<Description>({ do: "describe", ...setting })).answer;
   detail = async (setting: Setting, triple: Float64Array) =>

@@ -86,6 +86,7 @@ test("each choice of a correlation and of the successor changes each view that d
 });
 
 test("controls that mean nothing are not shown", async ({ page }) => {
+  test.slow();
   for (const [address, shownOnes, hidden] of [
     ["", ["tau", "across"], ["mirror", "mixing", "shortcut", "first", "second", "share", "tau2", "finest", "b", "nu"]],
     ["beside=he_unified", ["mirror", "mixing", "shortcut"], []],
@@ -247,7 +248,7 @@ test("the successor is judged by its own distance from exact scattering, as hts 
     const expected = info.expected_distance_db.by_angle[0];
     await expect(page.locator("#verdict")).toHaveAttribute("data-severity", info.validity);
     if (!expected.studied) {
-      await expect(page.locator("#distance")).toContainText("Nothing like this surface was solved exactly");
+      await expect(page.locator("#validity")).toContainText(/Nothing like (it|this surface) was solved exactly/);
       continue;
     }
     for (const of of ["he", "he_unified"])

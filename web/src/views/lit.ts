@@ -1,6 +1,7 @@
 // A sphere, a plate and the paper's cylinder under a small lamp and a sky, drawn by the shader that hts table export writes.
 
 import model from "../../../tables/formats/glsl/he_torrance.glsl?raw";
+import type { Setting } from "../client";
 import { canvas, card } from "../dom";
 import { settingOf, type Frame } from "../frame";
 import { hasFilm, isAnisotropic } from "../material";
@@ -370,8 +371,7 @@ export function litView() {
     return true;
   };
 
-  function enginePass(frame: Frame, wavelengths: number[], colours: number[], turn: number): Pass {
-    const setting = { ...settingOf(frame.state, wavelengths), tolerance: pictureTolerance };
+  function enginePass(frame: Frame, setting: Setting, colours: number[], turn: number): Pass {
     let portion = 256;
     return async () => {
       const { pixels, numbers } = stage.ask();
@@ -431,7 +431,8 @@ export function litView() {
     const { state, engine } = frame;
     const one = state.light === "one", byShader = isOfShader(state);
     const wavelengths = one ? [state.lambda] : shaderWavelengths;
-    const { n, k, rms_roughness_um } = await engine.describe(settingOf(state, wavelengths));
+    const setting = { ...settingOf(state, wavelengths), tolerance: pictureTolerance };
+    const { n, k, rms_roughness_um } = await engine.describe(setting);
     if (!weights) {
       const units = new Float64Array(64);
       for (let i = 0; i < 8; ++i) units[9 * i] = 1;
@@ -451,7 +452,7 @@ export function litView() {
     gl!.uniform1f(place("tau"), state.tau);
     gl!.uniform1f(place("albedo"), state.albedo);
     const turn = ++running;
-    await paint(turn, byShader ? shaderPass : enginePass(frame, wavelengths, colours, turn), byShader);
+    await paint(turn, byShader ? shaderPass : enginePass(frame, setting, colours, turn), byShader);
     const how = byShader ? "drawn by the shader of the model, to 10⁻³" : "computed by the engine pixel by pixel, to 10⁻³";
     view.note.textContent = `${one ? `At ${state.lambda} µm alone, in grey` : "Spectral, eight wavelengths"}, ${how}; the noise of the sky falls while nothing changes. ` +
       "The light is unpolarised, the lamp stands at the angle of incidence" + (isAnisotropic(state) ? ", and azimuth 0 of the surface lies level." : ".");

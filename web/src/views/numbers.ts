@@ -81,7 +81,7 @@ export function validityView() {
   // As hts info prints it: distances from exact scattering, of both theories.
   function distances(frame: Frame): HTMLElement {
     const { distance } = frame.detail;
-    if (!distance.studied) return html("p", { class: "note", id: "distance" }, `Nothing like this surface was solved exactly. Studied of ${distance.substance}: ${distance.range}.`);
+    if (!distance.studied) return html("p", { class: "note", id: "distance" }, `${distance.severity ? "" : "Nothing like this surface was solved exactly. "}Studied of ${distance.substance}: ${distance.range}.`);
     const table = html("table", { id: "distance" },
       html("caption", {}, `Expected distance from exact scattering at θᵢ ${brief(frame.state.ti)}°, dB, between ${distance.cases} cases of ${distance.substance}`),
       html("tr", {}, html("td", {}), ...["TE", "TM", "unpolarised"].map((name) => html("th", { scope: "col" }, name))));

@@ -101,12 +101,13 @@ export function polarView(change: (part: Partial<State>) => void) {
     }
     for (const a of [-60, -30, 0, 30, 60]) {
       parts.push(svg("polyline", { class: "grid", points: `${shaft(a, 0)} ${shaft(a, 1)}` }));
+      if (Math.abs(a + state.ti) < 8) continue; // the light stands there
       const [x, y] = at(a, 1.06);
-      parts.push(svg("text", { class: "tick", x, y: y + 3, "text-anchor": "middle" }, `${a}°`));
+      parts.push(svg("text", { class: "tick", x, y: y + 3, "text-anchor": "middle" }, `${a < 0 ? "−" : ""}${Math.abs(a)}°`));
     }
     parts.push(svg("line", { class: "surface", x1: centre - size * 1.1, x2: centre + size * 1.1, y1: base, y2: base }));
-    parts.push(svg("text", { class: "tick", x: centre - size * 1.1, y: base + 18 }, "viewed on the light's side"));
-    parts.push(svg("text", { class: "tick", x: centre + size * 1.1, y: base + 18, "text-anchor": "end" }, "on the mirror's side"));
+    parts.push(svg("text", { class: "tick", x: centre - size * 1.1, y: base + 22 }, "viewed on the light's side"));
+    parts.push(svg("text", { class: "tick", x: centre + size * 1.1, y: base + 22, "text-anchor": "end" }, "on the mirror's side"));
     if (other) parts.push(svg("polyline", { class: "beside", id: "polar-beside", points: path(other) }));
     parts.push(svg("polyline", { class: "model", id: "polar-curve", points: path(values) }));
     for (const p of frame.measured?.points ?? []) {
