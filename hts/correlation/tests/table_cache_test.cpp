@@ -23,7 +23,7 @@ class Gate {
     }
     [[nodiscard]] bool wait() {
         std::unique_lock lock{mutex_};
-        return changed_.wait_for(lock, std::chrono::seconds{60}, [this] { return open_; });
+        return changed_.wait_for(lock, std::chrono::minutes{10}, [this] { return open_; });
     }
 
   private:
