@@ -5,6 +5,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/models/material.hpp"
+#include "spectral/text/run_files.hpp"
 #include "tables/formats/measured_model.hpp"
 
 namespace hts::cli {
@@ -33,6 +34,8 @@ std::string reference_from(const std::string& output, const std::string& file) {
         throw Error{file + ": no file that " + output + " could name: must be one that stays"};
     const fs::path target = fs::canonical(file);
     const fs::path folder = fs::weakly_canonical(fs::absolute(output).parent_path());
+    // where the output is a link into another folder, no relative way leads back from both
+    if (fs::path{spectral::resolved(output)}.parent_path() != folder) return target.string();
     const fs::path relative = target.lexically_relative(folder);
     return (relative.empty() ? target : relative).string();
 }

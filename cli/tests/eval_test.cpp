@@ -91,6 +91,21 @@ TEST_CASE("hts eval repeats the input columns as they stand and adds its own") {
     CHECK(result.errors.find("evaluations/s") != std::string::npos);
 }
 
+TEST_CASE("of many columns that hts eval does not use, the first are named and the others counted") {
+    const Workplace place;
+    place.file("al.json", aluminium);
+    std::string names = header, row = "0.5,30,0,40,170";
+    for (int i = 0; i < 2000; ++i) {
+        names += ",c" + std::to_string(i);
+        row += ",1";
+    }
+    place.file("wide.csv", names + "\n" + row + "\n");
+    const auto result = place.hts("eval --material al.json --points wide.csv");
+    CHECK(result.exit_code == 0);
+    CHECK(result.errors.find("not used: c0, c1, c2, c3, c4, c5, c6, c7, c8, c9 and 1990 more\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("hts eval of one point, by standard input and of a grid agree") {
     const Workplace place;
     place.file("al.json", aluminium);

@@ -253,6 +253,7 @@ TEST_CASE("any name that the system takes can be written") {
 TEST_CASE("what cannot be read ends with a message that says why") {
     const Workplace place;
     check_complaint(place.hts("phi --points - <&-"), 1, {"<stdin>: cannot be read: Bad file descriptor"});
+    check_complaint(place.hts("table import - <&-"), 1, {"<stdin>: cannot be read: Bad file descriptor"});
     check_complaint(place.hts("phi --points - < ."), 1, {"<stdin>: cannot be read: Is a directory"});
     place.file("zero.json", R"({"model": "he", "rms_roughness_um": 0.28, "correlation_length_um": 1.77,
                                 "index": {"file": "/dev/zero"}})");

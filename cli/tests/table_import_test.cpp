@@ -158,6 +158,11 @@ TEST_CASE("a material file leads back to what it was made of, from wherever it s
         CHECK(place.hts("table import scan.csv --wavelengths 0.55 --output " + output).exit_code == 0);
         CHECK(number_in_column(place.hts("eval --material " + output + point), "brdf") == Approx(2.05));
     }
+    // a link into another folder: the file leads back from there, too
+    fs::create_symlink(place.folder() / "deep/real/target.json", place.folder() / "linked.json");
+    CHECK(place.hts("table import scan.csv --wavelengths 0.55 --output linked.json").exit_code == 0);
+    for (const std::string name : {"linked.json", "deep/real/target.json"})
+        CHECK(number_in_column(place.hts("eval --material " + name + point), "brdf") == Approx(2.05));
     const Result redirected =
         place.hts("table import /dev/stdin --wavelengths 0.55 --output s.json < scan.csv");
     INFO(redirected.errors);

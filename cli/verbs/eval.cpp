@@ -1,5 +1,6 @@
 // hts eval: BRDF, specular reflectance and Mueller matrix at given directions and wavelengths.
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -104,11 +105,14 @@ CsvReader single_point(const EvalOptions& options) {
 }
 
 void warn_of_unused(const CsvReader& points) {
-    std::string names;
-    for (const std::string& name : PointEvaluator::unused_columns(points))
-        names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty())
-        std::cerr << "hts: " << points.where_header() << "columns repeated but not used: " << names << '\n';
+    constexpr std::size_t most = 10;
+    auto unused = PointEvaluator::unused_columns(points);
+    if (unused.empty()) return;
+    const std::size_t more = unused.size() - std::min(unused.size(), most);
+    unused.resize(unused.size() - more);
+    std::cerr << "hts: " << points.where_header()
+              << "columns repeated but not used: " << spectral::joined(unused)
+              << (more == 0 ? "" : " and " + std::to_string(more) + " more") << '\n';
 }
 
 std::optional<spectral::Material> material(const EvalOptions& options) {

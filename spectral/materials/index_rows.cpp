@@ -16,6 +16,24 @@ std::optional<Dispersion> curve(const std::vector<PiecewiseLinear::Point>& point
     return PiecewiseLinear{points};
 }
 
+// "path: n at 0.5 um and 2 more wavelengths: …", none where no two rows differ.
+std::optional<std::string> contradiction(std::vector<PiecewiseLinear::Point> points, const char* quantity,
+                                         const std::string& file) {
+    std::ranges::stable_sort(points, {}, &PiecewiseLinear::Point::um);
+    std::vector<double> differ;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double um = points[i].um;
+        if (um == points[i - 1].um && points[i].value != points[i - 1].value &&
+            (differ.empty() || differ.back() != um))
+            differ.push_back(um);
+    }
+    if (differ.empty()) return std::nullopt;
+    const std::size_t more = differ.size() - 1;
+    return file + ": " + quantity + " at " + shortest(differ.front()) + " um" +
+           (more == 0 ? "" : " and " + std::to_string(more) + " more") +
+           ": rows differ there, and their mean is taken";
+}
+
 }  // namespace
 
 void IndexRows::add_n(double um, double n) {
@@ -36,6 +54,13 @@ void IndexRows::add_if_physical(char quantity, double um, double value, const st
         notes_.push_back(place + ": " + failure.what());
         (quantity == 'n' ? n_ : k_).push_back({um, std::numeric_limits<double>::quiet_NaN()});
     }
+}
+
+std::vector<std::string> IndexRows::notes(const std::string& file) const {
+    std::vector<std::string> result = notes_;
+    for (const auto& found : {contradiction(n_, "n", file), contradiction(k_, "k", file)})
+        if (found) result.push_back(*found);
+    return result;
 }
 
 void IndexRows::require_physical() const {

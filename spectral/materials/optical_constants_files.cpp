@@ -23,6 +23,10 @@ struct Columns {
 };
 
 Columns columns_of(const CsvTable& table) {
+    if (const auto website = table.find_column("wl")) {
+        table.require_known_columns({"wl", "n", "k"});
+        return {{*website, false}, table.column("n"), table.find_column("k")};
+    }
     table.require_known_columns({"wavelength_um", "wavelength_nm", "n", "k"});
     return {table.wavelength(), table.column("n"), table.find_column("k")};
 }
@@ -42,7 +46,7 @@ OpticalConstants material_from_csv(const CsvTable& table) {
     if (table.row_count() == 0) throw Error{table.name() + ": table without a row: must have at least one"};
     IndexRows rows;
     for (std::size_t row = 0; row < table.row_count(); ++row) add_row(rows, table, row, columns);
-    return {table.name(), table.name(), rows.n().value(), rows.k()};
+    return {table.name(), table.name(), rows.n().value(), rows.k(), rows.notes(table.name())};
 }
 
 // One of the two tables that the website writes below each other; lines of the other stand
@@ -83,7 +87,7 @@ OpticalConstants material_from_website(std::string_view text, const std::string&
     add_website_rows(rows, text, file, 'n');
     if (!rows.n()) throw Error{file + ": table without a row: must have at least one"};
     if (has_line(text, "wl", 'k')) add_website_rows(rows, text, file, 'k');
-    return {file, file, rows.n().value(), rows.k()};
+    return {file, file, rows.n().value(), rows.k(), rows.notes(file)};
 }
 
 // A line and its numbers, which white space, commas or brackets part.
@@ -132,7 +136,7 @@ OpticalConstants material_from_rows(std::string_view text, const std::string& fi
         });
     }
     if (!rows.n()) throw Error{file + ": table without a row: must have at least one"};
-    return {file, file, rows.n().value(), rows.k()};
+    return {file, file, rows.n().value(), rows.k(), rows.notes(file)};
 }
 
 bool begins_with_number(std::string_view text) {

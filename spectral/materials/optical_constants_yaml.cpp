@@ -92,7 +92,7 @@ Curves tabulated(const Source& source, const YAML::Node& item, std::string_view 
     if (!rows.n() && !rows.k())
         throw Error{source.place(item) + ": table without a row: must have at least one"};
     rows.require_physical();
-    return {rows.n(), rows.k(), rows.notes()};
+    return {rows.n(), rows.k(), rows.notes(source.place(item))};
 }
 
 int formula_number(std::string_view type) {

@@ -1,5 +1,6 @@
 #include "spectral/text/text.hpp"
 
+#include <unistd.h>
 #include <utf8.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace hts::spectral {
 namespace {
 
 constexpr std::string_view white_space = " \t\r\n\f\v";
+constexpr const char* standard_input = "/dev/stdin";
 
 // A device may have no end: what is no text, or too long for one, is refused while it is read.
 std::string contents(const std::filesystem::path& path) {
@@ -53,6 +55,9 @@ void require_utf8(const std::string& text, const std::filesystem::path& path) {
 }  // namespace
 
 void require_file(const std::filesystem::path& path) {
+    // closed, it would pass for an empty file
+    if (path == standard_input && ::read(STDIN_FILENO, nullptr, 0) != 0)
+        throw Error{std::string{"<stdin>: cannot be read: "} + std::strerror(errno)};
     std::error_code failure;
     const auto status = std::filesystem::status(path_to_read(path), failure);
     if (status.type() == std::filesystem::file_type::not_found) throw Error{path.string() + ": no such file"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -81,10 +82,12 @@ std::vector<ImportedPoint> points_in(const fs::path& path, const ImportRecipe& r
                                                : read_astm_points(path, recipe);
 }
 
-/// What `checked` would say without the line.
-void check_value(const CurvePoint& p, bool noisy, bool uncertain) {
-    if (!(p.value >= 0) && !noisy)
-        throw out_of_range("value", p.value, "", ">= 0; or as noise about 0 by the recipe's \"noise_floor\"");
+/// What `checked` would say without the line; `lowest` is the least value that is taken for noise about 0.
+void check_value(const CurvePoint& p, double lowest, bool uncertain) {
+    if (!(p.value >= lowest))
+        throw out_of_range("value", p.value, "",
+                           ">= 0, or noise about 0 of at most 5 % of the largest value; larger noise by the "
+                           "recipe's \"noise_floor\"");
     if (uncertain && !(p.uncertainty > 0)) throw out_of_range("uncertainty", p.uncertainty, "", "> 0");
     for (const double theta : {p.theta_i, p.theta_r})
         if (!(theta >= 0 && theta <= 90)) throw out_of_range("polar angle", theta, "deg", "0 ... 90 deg");
@@ -166,20 +169,23 @@ void add_uncertainty(CurveSet& set, const ImportRecipe& recipe) {
     }
 }
 
-/// Standard deviation of noise about 0 that values below 0 show; none if there are none, or if they are too
-/// large for noise.
+/// The least value that may be noise about 0: not more than 5 % of the largest below it.
+double lowest_noise(const std::vector<ImportedPoint>& points) {
+    double largest = 0;
+    for (const ImportedPoint& p : points) largest = std::max(largest, p.point.value);
+    return -0.05 * largest;
+}
+
+/// Standard deviation of noise about 0 that values below 0 show; none if there are none.
 std::optional<double> noise_of(const std::vector<ImportedPoint>& points) {
-    constexpr double most_of_largest = 0.05;
-    double largest = 0, squares = 0, lowest = 0;
+    double squares = 0;
     std::size_t count = 0;
     for (const ImportedPoint& p : points) {
-        largest = std::max(largest, p.point.value);
         if (!(p.point.value < 0)) continue;
-        lowest = std::min(lowest, p.point.value);
         squares += p.point.value * p.point.value;
         ++count;
     }
-    if (count == 0 || -lowest > most_of_largest * largest) return std::nullopt;
+    if (count == 0) return std::nullopt;
     return std::sqrt(squares / static_cast<double>(count));
 }
 
@@ -189,6 +195,7 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
     Filter filter{recipe.selection};
     const bool stated = head.noise_floor.has_value();
     if (!stated && !recipe.selection.positive_only) head.noise_floor = noise_of(points);
+    const double lowest = stated ? -std::numeric_limits<double>::infinity() : lowest_noise(points);
     const bool uncertain = !recipe.values.empty() && !recipe.values.front().uncertainty.empty();
     std::size_t negative = 0;
     std::vector<ImportedPoint> kept;
@@ -199,7 +206,7 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
                 static_cast<void>(filter.keeps(p.point));
                 return;
             }
-            check_value(p.point, head.noise_floor.has_value(), uncertain);
+            check_value(p.point, lowest, uncertain);
             if (!filter.keeps(p.point)) return;
             const CurvePoint& q = p.point;
             const double turn = std::abs(std::remainder(q.phi_r - q.phi_i, 360));

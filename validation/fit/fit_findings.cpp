@@ -151,9 +151,10 @@ Statements of_energy(const Fit& fit, const FitData& data) {
     Statements result;
     const std::string where = " of the light at " + rounded_text(at_deg) + " deg and " +
                               spectral::brief(at_um) + " um: more than all";
-    if (most > allowed) result.push_back("the fitted material reflects " + rounded_text(most) + where);
+    if (most > allowed) result.push_back("the fitted material reflects " + spectral::brief(most) + where);
     if (most * scale > allowed && scale > 1)
-        result.push_back("with the factor scale the surface reflects " + rounded_text(most * scale) + where);
+        result.push_back("with the factor scale the surface reflects " + spectral::brief(most * scale) +
+                         where);
     return result;
 }
 

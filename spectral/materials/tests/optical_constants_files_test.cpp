@@ -50,6 +50,12 @@ TEST_CASE("CSV materials in micrometres and nanometres are read") {
     CHECK(um.index(micrometres(0.6)).n() == Approx(1.7).epsilon(1e-14));
     CHECK(um.index(micrometres(0.5)).k() == Approx(0.25).epsilon(1e-14));
     CHECK(um.name() == (folder.path() / "m.csv").string());
+    CHECK(um.warnings() ==
+          std::vector<std::string>{um.name() + ": n at 0.6 um: rows differ there, and their mean is taken",
+                                   um.name() + ": k at 0.6 um: rows differ there, and their mean is taken"});
+    CHECK(read_optical_constants(folder.write("s.csv", "wavelength_um,n\n0.4,1.4\n0.4,1.4\n0.5,1.5\n"))
+              .warnings()
+              .empty());
     const auto nm =
         read_optical_constants(folder.write("m.CSV", "n,wavelength_nm\r\n1.4,400\r\n1.6,600\r\n"));
     CHECK(nm.range().shortest == 0.4);
@@ -68,6 +74,9 @@ TEST_CASE("what the database's website writes is read") {
         CHECK(metal.index(micrometres(0.45)).k() == Approx(0.15).epsilon(1e-14));
         CHECK(metal.range().longest == 0.5);
     }
+    const auto both = read_optical_constants(folder.write("b.csv", "wl;n;k\n0,4;1,4;0,1\n0,6;1,6;0,3\n"));
+    CHECK(both.index(micrometres(0.5)).n() == Approx(1.5).epsilon(1e-14));
+    CHECK(both.index(micrometres(0.5)).k() == Approx(0.2).epsilon(1e-14));
     const auto glass = read_optical_constants(folder.write("g.csv", "wl,n\n0.4,1.4\n0.6,1.6\n"));
     CHECK(glass.index(micrometres(0.5)).k() == 0);
     CHECK(complaint_about(folder, "m.csv", "wl,n\n0.4,1.4\nwl,k\n0.4,-1\n") ==

@@ -160,7 +160,7 @@ TEST_CASE("noise about 0 is kept, and what is too large for noise is not") {
     CHECK(imported(csv_recipe(R"("noise_floor": 0.01, )"), "a.csv", rows).noise_floor == 0.01);
     CHECK_FALSE(imported(csv_recipe(), "a.csv", csv).noise_floor);
     refuses(csv_recipe(), "a.csv", with(rows, "-0.003", "-0.3"),
-            ":4: value -0.004: must be >= 0; or as noise");
+            ":6: value -0.3: must be >= 0, or noise about 0 of at most 5 % of the largest value");
     CHECK_THROWS_WITH(
         read_curves(folder.write("bad.json", with(curves_text(set), "noise_floor\": ", "noise_floor\": -"))),
         Catch::Contains("noise_floor"));
