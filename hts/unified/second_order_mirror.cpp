@@ -20,9 +20,10 @@ double square(double x) {
     return x * x;
 }
 
-/// exp(-z) I_nu(z), nu = 0 or 1.
+/// exp(-z) I_nu(z), nu = 0 or 1. In double throughout: long double is emulated in WebAssembly.
 double scaled_bessel(int nu, double z) {
-    if (z < 40) return boost::math::cyl_bessel_i(nu, z) * std::exp(-z);
+    using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    if (z < 40) return boost::math::cyl_bessel_i(nu, z, InDouble{}) * std::exp(-z);
     double sum = 1, term = 1;
     for (int j = 1; j <= 12; ++j) {
         term *= -(4.0 * nu * nu - square(2 * j - 1)) / (8 * z * j);
