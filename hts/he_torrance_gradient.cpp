@@ -214,7 +214,7 @@ class ScaledMueller {
 };
 
 /// Derivatives by n, k and thickness of each film that is asked for.
-///   of   of the amplitudes' derivatives, those of what follows from them
+///   of   turns derivatives of the amplitudes into those of the wanted value
 template <class Value, class Use>
 void each_film(const CoatedIndex& index, double cos_theta, const Wavelength& wavelength,
                std::span<ByFilm<Value>> films, Use&& of) {

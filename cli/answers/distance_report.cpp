@@ -152,8 +152,8 @@ std::string solved_text(const std::vector<AtAngle>& angles) {
     }
     if (lines.str().empty()) return "";
     return "\nThe nearest of the surfaces rough in both directions that were solved exactly (hts truth "
-           "vector) [dB],\ns / p / cross-polarised / unpolarised, in and out of the plane of incidence; of "
-           "two tau the first is along it:\n"
+           "vector) [dB],\ns / p / cross-polarised / unpolarised; of several wavelengths, the one with the "
+           "greatest unpolarised distance.\nOf two tau the first lies in the plane of incidence:\n"
            "  theta_i  he                          he_unified                  sigma0, tau [lambda], "
            "theta_i\n" +
            lines.str();

@@ -110,8 +110,8 @@ class Correlation {
     /// Makes the table where there is none yet.
     ///   cost   some 0.2 s, once for every shape of the same numbers
     void prepare() const;
-    /// The same for this shape and its copies alone. One of the same numbers that was read anew, or by the
-    /// next process, does not find it: of shapes that are wanted once, as a small change of another one.
+    /// The same, but the table serves this shape and its copies alone: it is left neither in the process's
+    /// cache nor in the folder. For shapes that are wanted once, such as a small change of another one.
     void prepare_unkept() const;
     /// 2 D and beta.
     ///   g       0 ... most_phase_variance; beyond, the value there      q   >= 0

@@ -7,7 +7,6 @@ namespace hts::correlation_detail {
 TableCache::Table TableCache::of(const ShapePointer& shape, Keep keep) {
     const std::vector<double> identity = shape->identity();
     auto entry = std::make_shared<Entry>();
-    std::filesystem::path folder;
     {
         const std::lock_guard lock{mutex_};
         if (const auto found = entries_.find(identity); found != entries_.end()) {
@@ -16,11 +15,11 @@ TableCache::Table TableCache::of(const ShapePointer& shape, Keep keep) {
             // what is being made now is held by those who wait for it
             if (entries_.size() >= most)
                 std::erase_if(entries_, [](const auto& each) { return each.second.use_count() == 1; });
+            entry->folder = folder_;
             entries_.emplace(identity, entry);
         }
-        if (keep == Keep::yes) folder = folder_;
     }
-    std::call_once(entry->once, [&] { entry->table = kept_table(folder, shape); });
+    std::call_once(entry->once, [&] { entry->table = kept_table(entry->folder, shape); });
     return entry->table;
 }
 

@@ -32,6 +32,7 @@ class TableCache {
     struct Entry {
         std::once_flag once;
         Table table;
+        std::filesystem::path folder;  // where it is kept; empty: nowhere
     };
     static constexpr std::size_t most = 16;
     std::mutex mutex_;  // nothing is made while it is held

@@ -21,7 +21,7 @@ std::vector<SolvedSurface> read_cases() {
     std::vector<SolvedSurface> cases;
     for (std::size_t row = 0; row < table.row_count(); ++row) {
         const auto number = [&](std::string_view column) { return table.number(row, table.column(column)); };
-        const bool along = number("azimuth_deg") == 0;
+        const bool along = number("azimuth_deg") == 0;  // 0 or 90
         const double x = number("tau_x_over_lambda"), y = number("tau_y_over_lambda");
         cases.push_back(
             {number("sigma0_over_lambda"),
@@ -55,9 +55,13 @@ std::optional<SolvedSurface> nearest_solved(const Surface& surface, const Spectr
         return std::nullopt;
     const double lambda = sample.wavelength.micrometres();
     const Direction across = Direction::from_vector({-in.sin_phi(), in.cos_phi(), 0});
+    const double in_plane = surface.correlation_length(in), beside = surface.correlation_length(across);
+    // every case has an axis in the plane of incidence; elsewhere the product is below tau_x tau_y
+    if (in_plane * beside < 0.95 * surface.correlation_length() * surface.correlation_length())
+        return std::nullopt;
     const SolvedSurface asked{surface.rms_roughness() / lambda,
-                              surface.correlation_length(in) / lambda,
-                              surface.correlation_length(across) / lambda,
+                              in_plane / lambda,
+                              beside / lambda,
                               std::acos(std::fmin(1, in.cos_theta())) * 180 / std::numbers::pi,
                               {},
                               {}};

@@ -19,6 +19,7 @@ std::optional<Dispersion> curve(const std::vector<PiecewiseLinear::Point>& point
 // "path: n at 0.5 um and 2 more wavelengths: …", none where no two rows differ.
 std::optional<std::string> contradiction(std::vector<PiecewiseLinear::Point> points, const char* quantity,
                                          const std::string& file) {
+    std::erase_if(points, [](const auto& point) { return std::isnan(point.value); });  // noted already
     std::ranges::stable_sort(points, {}, &PiecewiseLinear::Point::um);
     std::vector<double> differ;
     for (std::size_t i = 1; i < points.size(); ++i) {

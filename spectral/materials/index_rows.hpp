@@ -20,8 +20,9 @@ class IndexRows {
     /// what is no n or no k there is unknown up to the rows beside it, and noted.
     ///   quantity   'n' or 'k'      place   "path:line"
     void add_if_physical(char quantity, double um, double value, const std::string& place);
-    /// A line for each of those, and one where rows of the same wavelength, whose mean is taken, differ.
-    ///   file   stands in front of the last
+    /// A line for each of those, and one for n and one for k where rows of the same wavelength differ, whose
+    /// mean is taken.
+    ///   file   begins the lines about rows that differ
     [[nodiscard]] std::vector<std::string> notes(const std::string& file) const;
     /// hts::Error if no row of a quantity that has rows is physical.
     void require_physical() const;

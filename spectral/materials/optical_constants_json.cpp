@@ -71,7 +71,7 @@ OpticalConstants optical_constants_from_json(const JsonValue& object, const std:
     object.require_keys_among({"table", "name", "source"});
     const IndexRows rows = index_rows(object["table"]);
     return {text_or(object.find("name"), name), text_or(object.find("source"), object.place()),
-            rows.n().value(), rows.k()};
+            rows.n().value(), rows.k(), rows.notes(object.place())};
 }
 
 }  // namespace hts::spectral

@@ -31,7 +31,8 @@ struct SpectrumFit {
     std::vector<FittedValue> values;
     /// rms that the description has with its noise where the rings of frequencies alone say how strong it is,
     /// summed over them as the maps show it; the corners beyond the rings as they were measured. All else
-    /// here is of the fit that is held to the rms of the heights, which this may miss by its error.
+    /// here is of the fit that is held to the rms of the heights. The error is that of the difference between
+    /// the two: how well the heights' rms is known is not in it.
     FittedValue free_rms;
     FittedValue rms_of_band;  ///< of the fit without noise, between the frequencies that the maps know
     /// Relative covariances of rms_of_band and of the model's own values in their order, row by row: their

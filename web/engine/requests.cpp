@@ -108,7 +108,7 @@ json decibels_of(const spectral::TrueDecibels& of) {
 // What hts info says of the distance from exact scattering.
 json distance(const spectral::RoughSurface& surface, const SpectralSample& sample, const Direction& in) {
     const auto expected = spectral::expected_distance(surface, sample, in);
-    const auto& study = spectral::distance_study(sample.index.substrate());
+    const auto& study = spectral::distance_study(surface, sample.index.substrate());
     json result{{"studied", expected.studied},
                 {"he", decibels_of(expected.distance.he)},
                 {"he_unified", decibels_of(expected.distance.unified)},

@@ -199,6 +199,9 @@ TEST_CASE("errors of a tabulated spectrum, row by row, are those of the reflecta
 TEST_CASE("shapes that are changed by a part of an error leave no tables behind") {
     const testing::TemporaryFolder place;
     keep_correlation_tables_in(place.path());
+    const struct Off {
+        ~Off() { keep_correlation_tables_in({}); }
+    } off;
     std::vector<double> relative(11);
     relative[3] = relative[8] = 0.07, relative[5] = 0.03;
     const std::string k_correlation = R"({"model": "he_unified", "rms_roughness_um": 0.1,
@@ -211,7 +214,6 @@ TEST_CASE("shapes that are changed by a part of an error leave no tables behind"
         CHECK(deviation[0] > 0);
         CHECK(place.size() == ++own);  // that of the material itself
     }
-    keep_correlation_tables_in({});
 }
 
 TEST_CASE("errors of a tabulated spectrum are those of draws", "[.][exhaustive]") {
