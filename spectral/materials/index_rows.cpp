@@ -20,7 +20,7 @@ std::optional<Dispersion> curve(const std::vector<PiecewiseLinear::Point>& point
 std::optional<std::string> contradiction(std::vector<PiecewiseLinear::Point> points, const char* quantity,
                                          const std::string& file) {
     std::erase_if(points, [](const auto& point) { return std::isnan(point.value); });  // noted already
-    std::ranges::stable_sort(points, {}, &PiecewiseLinear::Point::um);
+    std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.um < b.um; });
     std::vector<double> differ;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double um = points[i].um;
