@@ -147,8 +147,8 @@ std::vector<spectral::LinearRgb> rgb_weights(const spectral::WavelengthGrid& wav
         um.back() < spectral::longest_coverage - 1e-9)
         return {};
     std::vector<spectral::LinearRgb> result;
-    for (const auto& xyz : spectral::tristimulus_weights(um, white).weights())
-        result.push_back(spectral::linear_srgb(xyz, white));
+    const auto weights = spectral::tristimulus_weights(um, white);
+    for (const auto& xyz : weights.weights()) result.push_back(spectral::linear_srgb(xyz, white));
     return result;
 }
 
