@@ -17,8 +17,9 @@ test("scatter files of other programs are shown beside the model, and bad ones r
     ["matrices/lighttools.bsdf", 40, 40, 180, 0.55, NaN],
   ] as [string, number, number, number, number, number][]) {
     await open(page, "lambda=0.6&radius=absolute");
-    await drop(page, name.replace(/.*\//, ""), odd(name));
-    await expect(page.locator("#status"), name).toContainText("measured points are shown");
+    const file = name.replace(/.*\//, "");
+    await drop(page, file, odd(name));
+    await expect(page.locator("#status"), name).toHaveText(new RegExp(`^${file}: \\d+ measured points are shown`));
     await drawn(page);
     const points = await page.evaluate(() => window.hts.measured()!.points);
     const near = (p: Record<string, number>) =>
@@ -47,7 +48,7 @@ test("scatter files of other programs are shown beside the model, and bad ones r
   // the other way to count azimuths
   await page.locator("#mirror-azimuth").selectOption("180");
   await drop(page, "other-side.fred.txt", odd("scatter/other-side.fred.txt"));
-  await expect(page.locator("#status")).toContainText("measured points are shown");
+  await expect(page.locator("#status")).toContainText(/^other-side.fred.txt: \d+ measured points are shown/);
   await expect(page.locator("#problem")).toBeEmpty();
 });
 
