@@ -16,7 +16,7 @@ std::optional<Dispersion> curve(const std::vector<PiecewiseLinear::Point>& point
     return PiecewiseLinear{points};
 }
 
-// "path: n at 0.5 um and 2 more wavelengths: …", none where no two rows differ.
+// "path: n at 0.5 um and 2 more: …", none where no two rows differ.
 std::optional<std::string> contradiction(std::vector<PiecewiseLinear::Point> points, const char* quantity,
                                          const std::string& file) {
     std::erase_if(points, [](const auto& point) { return std::isnan(point.value); });  // noted already

@@ -248,7 +248,9 @@ test("the successor is judged by its own distance from exact scattering, as hts 
     const expected = info.expected_distance_db.by_angle[0];
     await expect(page.locator("#verdict")).toHaveAttribute("data-severity", info.validity);
     if (!expected.studied) {
-      await expect(page.locator("#validity")).toContainText(/Nothing like (it|this surface) was solved exactly/);
+      // said once, by the verdict of the successor or beside the criteria of the published model
+      const said = (await page.locator("#validity").textContent())!.match(/Nothing like (it|this surface) was solved exactly/g);
+      expect(said).toHaveLength(1);
       continue;
     }
     for (const of of ["he", "he_unified"])
