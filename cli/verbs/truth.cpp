@@ -167,9 +167,9 @@ void run(const TruthOptions& options) {
         }
     }
     if (options.study == "models") {
-        truth.tables.push_back(validation::kept_vector_distance_table());
-        for (auto& table : validation::kept_vector_distances())
-            truth.section.tables.push_back(std::move(table));
+        auto [by_case, of_all_models] = validation::kept_vector_distances();
+        truth.tables.push_back(std::move(by_case));
+        for (auto& table : of_all_models) truth.section.tables.push_back(std::move(table));
     }
     if (options.quick) mark_as_quick(truth.section.checks);
     for (const validation::FigureTable& table : truth.tables) {

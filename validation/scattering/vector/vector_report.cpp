@@ -184,13 +184,9 @@ Section vector_section(Effort effort) {
     return section;
 }
 
-FigureTable kept_vector_distance_table() {
-    return vector_distance_table(compared(kept_table("vector-lobes")));
-}
-
-std::vector<ReportTable> kept_vector_distances() {
+KeptVectorDistances kept_vector_distances() {
     const auto lobes = compared(kept_table("vector-lobes"));
-    return {vector_summary_table(lobes), vector_case_table(lobes)};
+    return {vector_distance_table(lobes), {vector_summary_table(lobes), vector_case_table(lobes)}};
 }
 
 }  // namespace hts::validation

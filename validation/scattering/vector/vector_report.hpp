@@ -26,10 +26,11 @@ inline constexpr std::size_t fewest_vector_realisations = 10;
 /// takes hours.
 [[nodiscard]] Section vector_section(Effort effort);
 
-/// Distances of the published model and he_unified from the lobes that are kept, for
-/// spectral/energy/solved_surfaces.hpp.
-[[nodiscard]] FigureTable kept_vector_distance_table();
-/// Distances of the models from the same: by light and region, and by case.
-[[nodiscard]] std::vector<ReportTable> kept_vector_distances();
+/// Distances of models from the lobes that are kept.
+struct KeptVectorDistances {
+    FigureTable by_case;  ///< of the published model and he_unified, for spectral/energy/solved_surfaces.hpp
+    std::vector<ReportTable> of_all_models;  ///< by light and region, and by case
+};
+[[nodiscard]] KeptVectorDistances kept_vector_distances();
 
 }  // namespace hts::validation

@@ -95,7 +95,7 @@ TEST_CASE("vector results: Kirchhoff's currents on realisations have the mean of
 }
 
 TEST_CASE("vector results: hts info has the distances of the lobes that are kept") {
-    const FigureTable table = kept_vector_distance_table();
+    const FigureTable table = kept_vector_distances().by_case;
     const auto kept =
         spectral::CsvTable::read(HTS_SOURCE_DIR "/spectral/energy/data/vector-distances.csv");
     REQUIRE(kept.row_count() == table.rows.size());
