@@ -1,8 +1,12 @@
 #include "hts/direction.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <string>
 
+#include "hts/angles/degrees_simd.hpp"
 #include "hts/angles/half_turns.hpp"
 #include "hts/error.hpp"
 
@@ -44,6 +48,32 @@ Direction Direction::from_degrees(double theta, double phi) {
     }
     // Near the horizon the cosine is the sine of the elevation, whose subtraction is exact.
     return {sin_half_turns((90 - theta) / 180), sin_half_turns(theta / 180), azimuth.cosine, azimuth.sine};
+}
+
+void Direction::from_degrees(std::span<const double> theta, std::span<const double> phi,
+                             std::span<Direction> result) {
+    if (theta.size() != result.size() || phi.size() != result.size()) {
+        throw Error{"Direction::from_degrees: " + std::to_string(theta.size()) + " polar angles and " +
+                    std::to_string(phi.size()) + " azimuths for " + std::to_string(result.size()) +
+                    " directions: must be as many"};
+    }
+    using angles_detail::DirectionColumns;
+    const angles_detail::OctantTable& octant = angles_detail::octant_table();
+    DirectionColumns columns;
+    for (std::size_t first = 0; first < result.size(); first += DirectionColumns::size) {
+        const std::size_t number = std::min(DirectionColumns::size, result.size() - first);
+        std::copy_n(theta.data() + first, number, columns.theta.data());
+        std::copy_n(phi.data() + first, number, columns.phi.data());
+        std::fill(columns.theta.begin() + number, columns.theta.end(), 0);
+        std::fill(columns.phi.begin() + number, columns.phi.end(), 0);
+        const std::uint64_t uncertain = angles_detail::turn(octant, columns);
+        for (std::size_t i = 0; i < number; ++i) {
+            result[first + i] = (uncertain >> i & 1) != 0
+                                    ? from_degrees(theta[first + i], phi[first + i])
+                                    : Direction{columns.cos_theta[i], columns.sin_theta[i],
+                                                columns.cos_phi[i], columns.sin_phi[i]};
+        }
+    }
 }
 
 Direction Direction::from_vector(Vector3 v) {

@@ -7,6 +7,8 @@
 /// `from_degrees`.
 #pragma once
 
+#include <span>
+
 namespace hts {
 
 /// A vector in the frame of the surface; no invariant.
@@ -45,6 +47,12 @@ class Direction {
     /// From polar angle and azimuth in degrees; multiples of 90 degrees come out exact (cos 90 deg is 0).
     ///   theta   [deg]  0 ... 90, else hts::Error        phi   [deg]  any finite value
     [[nodiscard]] static Direction from_degrees(double theta, double phi);
+
+    /// The same of many directions: the same bits in less time. The error of the first that is wrong is
+    /// thrown; the directions before it are written.
+    ///   theta, phi   [deg]      result   as many; other sizes are an hts::Error
+    static void from_degrees(std::span<const double> theta, std::span<const double> phi,
+                             std::span<Direction> result);
 
     /// From a vector of any non-zero finite length with z >= 0, else hts::Error; a vertical one gets azimuth
     /// 0.

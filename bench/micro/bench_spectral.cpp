@@ -96,13 +96,16 @@ void evaluate_batch(benchmark::State& state, const HeTorranceSingle& model) {
 /// As a caller with arrays has it: angles [degrees] in, values out, a million pairs, so many threads.
 void evaluate_arrays(benchmark::State& state, int wavelengths, int threads) {
     constexpr std::size_t count = 1000000, block = 256;
-    static const auto angles = [] {
+    struct Angles {
+        std::vector<double> theta_i, theta_r, phi;
+    };
+    static const Angles angles = [] {
         Random random{20240604};
-        std::vector<std::array<double, 3>> drawn(count);
-        for (auto& [theta_i, theta_r, phi] : drawn) {
-            theta_i = random.uniform(0, 89);
-            theta_r = random.uniform(0, 89);
-            phi = random.uniform(0, 360);
+        Angles drawn;
+        for (std::size_t i = 0; i < count; ++i) {
+            drawn.theta_i.push_back(random.uniform(0, 89));
+            drawn.theta_r.push_back(random.uniform(0, 89));
+            drawn.phi.push_back(random.uniform(0, 360));
         }
         return drawn;
     }();
@@ -112,12 +115,17 @@ void evaluate_arrays(benchmark::State& state, int wavelengths, int threads) {
     std::vector<double> result(count * model.size());
     for (auto _ : state) {
         spectral::parallel_blocks(count, block, [&](std::size_t first, std::size_t number) {
+            static constexpr std::array<double, block> along_x{};
+            thread_local std::vector<Direction> in(block, Direction::from_degrees(0, 0)), out = in;
             thread_local std::vector<spectral::DirectionPair> pairs;
+            const auto part = [=](const std::vector<double>& of) {
+                return std::span{of}.subspan(first, number);
+            };
+            Direction::from_degrees(part(angles.theta_i), std::span{along_x}.first(number),
+                                    std::span{in}.first(number));
+            Direction::from_degrees(part(angles.theta_r), part(angles.phi), std::span{out}.first(number));
             pairs.clear();
-            for (std::size_t i = first; i < first + number; ++i) {
-                const auto [theta_i, theta_r, phi] = angles[i];
-                pairs.push_back({Direction::from_degrees(theta_i, 0), Direction::from_degrees(theta_r, phi)});
-            }
+            for (std::size_t i = 0; i < number; ++i) pairs.push_back({in[i], out[i]});
             model.evaluator().brdf_batch(
                 pairs, std::span{result}.subspan(first * model.size(), number * model.size()));
         });

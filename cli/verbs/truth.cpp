@@ -66,7 +66,7 @@ what is solved stands in STUDY.unfinished until the tables do.
 vector keeps every realisation in a file of the folder vector.parts, so that it goes on where
 it was stopped. --shard k/N solves every N-th of them, on as many machines as one likes; the
 files of all go into one folder. --collect makes the tables of what is there, and solves
-nothing.
+nothing. --side 24 takes a wider square and a wider beam, in 3 times the time.
 
 A check that the model misses is a finding; exit code 1 if a result contradicts the one
 recorded with the program (see hts validate --help).
@@ -104,7 +104,13 @@ struct TruthOptions {
     bool quick = false;
     std::string shard;
     std::size_t realisations = 100;
+    double side = validation::vector_side;
     bool collect = false;
+
+    /// Whether the long study of surfaces is meant, whose options no other study has.
+    [[nodiscard]] bool long_vector() const { return study == "vector" && !quick; }
+    /// Whether what comes out is what the program is recorded to find.
+    [[nodiscard]] bool is_recorded() const { return side == validation::vector_side; }
 };
 
 /// The caption, then columns of equal width.
@@ -136,9 +142,20 @@ void report(const std::vector<validation::Check>& checks) {
 
 /// What of the vector study is solved here.
 tables::TableShard shard_of(const TruthOptions& options) {
-    const bool vector = options.study == "vector" && !options.quick;
-    if (!vector && (options.collect || !options.shard.empty()))
-        throw UsageError{"--shard and --collect are of hts truth vector without --quick"};
+    const TruthOptions unasked;
+    const bool of_vector = options.collect || !options.shard.empty() || options.side != unasked.side ||
+                           options.realisations != unasked.realisations;
+    if (of_vector && !options.long_vector()) {
+        throw UsageError{
+            "--shard, --collect, --side and --realisations are of hts truth vector without --quick"};
+    }
+    if (!(options.side >= 9 && options.side <= 60))
+        throw UsageError{"--side " + shortest(options.side) +
+                         " wavelengths: must be from 9 to 60 wavelengths"};
+    constexpr std::size_t fewest = validation::fewest_vector_realisations, most = 10000;
+    if (options.realisations < fewest || options.realisations > most)
+        throw UsageError{"--realisations " + std::to_string(options.realisations) + ": must be from " +
+                         std::to_string(fewest) + " to " + std::to_string(most)};
     if (options.shard.empty()) return {};
     if (options.collect)
         throw UsageError{"--collect takes what all shards have solved, so it goes without --shard"};
@@ -153,14 +170,15 @@ void run(const TruthOptions& options) {
     const std::string unfinished =
         options.quick ? std::string{} : (folder / (options.study + ".unfinished")).string();
     if (!unfinished.empty()) fs::create_directories(folder);
-    if (options.study == "vector" && !options.quick) {
+    if (options.long_vector()) {
         const fs::path parts = folder / "vector.parts";
-        if (!options.collect) validation::solve_vector_realisations(parts, shard, options.realisations);
+        if (!options.collect)
+            validation::solve_vector_realisations(parts, shard, options.side, options.realisations);
         if (shard.count > 1) {
             std::cout << parts.string() << '\n';
             return;
         }
-        truth = validation::vector_study(parts);
+        truth = validation::vector_study(parts, options.side);
     } else {
         for (const Truth& each : studies) {
             if (options.study == each.name) truth = each.study(effort, unfinished);
@@ -183,6 +201,7 @@ void run(const TruthOptions& options) {
     for (const validation::ReportTable& table : truth.section.tables) print(table);
     if (!truth.section.tables.empty()) std::cout << '\n';
     report(truth.section.checks);
+    if (!options.is_recorded()) return;
     require_as_recorded(validation::Record::kept().contradictions({truth.section}, effort),
                         "truth " + options.study);
 }
@@ -200,7 +219,8 @@ void add_truth(CLI::App& program) {
     verb->add_flag("--quick", options->quick, "few cases and realisations");
     verb->add_option("--shard", options->shard, "of vector: the k-th of N shares, k/N");
     verb->add_option("--realisations", options->realisations, "of vector: of each surface")
-        ->check(CLI::Range(std::size_t{validation::fewest_vector_realisations}, std::size_t{10000}))
+        ->capture_default_str();
+    verb->add_option("--side", options->side, "of vector: of the square, in wavelengths")
         ->capture_default_str();
     verb->add_flag("--collect", options->collect, "of vector: tables of what is solved so far");
     verb->footer(truth_help);

@@ -9,6 +9,8 @@
 #include <boost/math/special_functions/cos_pi.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 
+#include "hts/angles/degrees_simd.hpp"
+
 namespace hts {
 namespace {
 
@@ -27,18 +29,22 @@ struct Octant {
     }
 };
 
+const Octant& octant() {
+    static const Octant octant;
+    return octant;
+}
+
 /// The nearest place of an octant's table, and sin a and cos a - 1 of the angle a from there, |a| < 0.0062.
 struct Step {
     Extended sine, cosine, sin_a, cos_a_1;
 
     ///   r   0 ... 1/4
     explicit Step(double r) {
-        static const Octant octant;
         const auto i = static_cast<std::size_t>(256 * r + 0.5);
         const Extended a = std::numbers::pi_v<Extended> * (r - static_cast<double>(i) / 256);  // exact
         const Extended s = a * a;
-        sine = octant.sine[i];
-        cosine = octant.cosine[i];
+        sine = octant().sine[i];
+        cosine = octant().cosine[i];
         sin_a = a - a * s * (1 / Extended{6} - s * (1 / Extended{120} - s / 5040));
         cos_a_1 = -s * (1 / Extended{2} - s * (1 / Extended{24} - s / 720));
     }
@@ -61,6 +67,22 @@ double signed_sine(Extended size, double x) {
 }
 
 }  // namespace
+
+const angles_detail::OctantTable& angles_detail::octant_table() {
+    static const OctantTable made = [] {
+        OctantTable table;
+        double* to = table.values.data();
+        for (std::size_t i = 0; i < octant().sine.size(); ++i) {
+            for (const Extended value : {octant().sine[i], octant().cosine[i]}) {
+                const auto nearest = static_cast<double>(value);
+                *to++ = nearest;
+                *to++ = static_cast<double>(value - static_cast<Extended>(nearest));
+            }
+        }
+        return table;
+    }();
+    return made;
+}
 
 double sin_half_turns(double x) noexcept {
     const double size = std::fabs(x), r = size <= 0.5 ? size : 1 - size;

@@ -184,15 +184,33 @@ std::ptrdiff_t Walk::offset(std::size_t i, const Shape& steps) const noexcept {
     return offset;
 }
 
-void Walk::offsets(std::size_t first, const Shape& steps, std::span<std::ptrdiff_t> result) const noexcept {
-    for (std::size_t i = 0; i < result.size();) {
-        // along the last axis as far as it goes
-        const std::size_t length = axes_.empty() ? 1 : static_cast<std::size_t>(lengths_.back());
-        const std::size_t run = std::min(length - (first + i) % length, result.size() - i);
-        const std::ptrdiff_t begin = offset(first + i, steps), step = axes_.empty() ? 0 : steps[axes_.back()];
-        for (std::size_t j = 0; j < run; ++j) result[i + j] = begin + static_cast<std::ptrdiff_t>(j) * step;
+template <class Function>
+void Walk::runs(std::size_t first, const Shape& steps, std::size_t number, const Function& f) const {
+    // along the last axis as far as it goes
+    const std::size_t length = axes_.empty() ? 1 : static_cast<std::size_t>(lengths_.back());
+    const std::ptrdiff_t step = axes_.empty() ? 0 : steps[axes_.back()];
+    for (std::size_t i = 0; i < number;) {
+        const std::size_t run = std::min(length - (first + i) % length, number - i);
+        f(i, run, offset(first + i, steps), step);
         i += run;
     }
+}
+
+void Walk::offsets(std::size_t first, const Shape& steps, std::span<std::ptrdiff_t> result) const noexcept {
+    runs(first, steps, result.size(),
+         [&](std::size_t i, std::size_t number, std::ptrdiff_t begin, std::ptrdiff_t step) {
+             for (std::size_t j = 0; j < number; ++j)
+                 result[i + j] = begin + static_cast<std::ptrdiff_t>(j) * step;
+         });
+}
+
+void Walk::values(std::size_t first, const Shape& steps, const double* data,
+                  std::span<double> result) const noexcept {
+    runs(first, steps, result.size(),
+         [&](std::size_t i, std::size_t number, std::ptrdiff_t begin, std::ptrdiff_t step) {
+             const double* from = data + begin;
+             for (std::size_t j = 0; j < number; ++j, from += step) result[i + j] = *from;
+         });
 }
 
 Result::Result(const Shape& shape, nb::object out, std::span<const Operand* const> inputs,

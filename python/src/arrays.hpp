@@ -83,8 +83,15 @@ class Walk {
     [[nodiscard]] std::ptrdiff_t offset(std::size_t i, const Shape& steps) const noexcept;
     /// Offsets of elements first, first + 1, …
     void offsets(std::size_t first, const Shape& steps, std::span<std::ptrdiff_t> result) const noexcept;
+    /// Their values in an array.
+    void values(std::size_t first, const Shape& steps, const double* data,
+                std::span<double> result) const noexcept;
 
   private:
+    /// f(i, number, offset, step): results i, i + 1, … are of equal steps.
+    template <class Function>
+    void runs(std::size_t first, const Shape& steps, std::size_t number, const Function& f) const;
+
     std::vector<std::size_t> axes_;
     Shape lengths_;
     std::size_t size_ = 1;

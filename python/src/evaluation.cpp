@@ -7,6 +7,7 @@
 #include <array>
 
 #include "hts/error.hpp"
+#include "pairs.hpp"
 #include "spectral/parallel.hpp"
 
 namespace hts::python {
@@ -15,8 +16,7 @@ namespace {
 using spectral::Reflectance;
 using spectral::WavelengthGrid;
 
-constexpr std::size_t block = 256;  // pairs evaluated at a time
-using Offsets = std::array<std::ptrdiff_t, block>;
+constexpr std::size_t block = Pairs::most;  // pairs evaluated at a time
 
 /// The operands of a call.
 struct Operands {
@@ -97,58 +97,6 @@ std::string index_text(std::size_t i, const Shape& shape) {
     return text_of(index);
 }
 
-/// Reads pairs of directions from operands, a block at a time.
-class Pairs {
-  public:
-    Pairs(const Operands& of, const Broadcast& broadcast, bool degrees) : degrees_{degrees} {
-        for (const auto* group : {&of.angles, &of.vectors}) {
-            for (const Operand& operand : *group) {
-                data_.push_back(operand.data());
-                steps_.push_back(broadcast.steps(operand));
-                component_.push_back(operand.component_stride());
-            }
-        }
-        vectors_ = !of.vectors.empty();
-    }
-
-    /// Where each operand has the values of a block of elements.
-    struct Places {
-        std::array<Offsets, 4> of;
-    };
-    [[nodiscard]] Places places(const Walk& walk, std::size_t first, std::size_t number) const {
-        Places places;
-        for (std::size_t which = 0; which < data_.size(); ++which)
-            walk.offsets(first, steps_[which], std::span{places.of[which]}.first(number));
-        return places;
-    }
-    /// The i-th of the block.
-    [[nodiscard]] DirectionPair operator()(const Places& places, std::size_t i) const {
-        if (vectors_) {
-            const Direction in = vector(0, places, i);
-            return {in, data_.size() > 1 ? vector(1, places, i) : in};
-        }
-        const double phi_i = at(1, places, i);
-        const Direction in = direction(at(0, places, i), phi_i, degrees_);
-        if (data_.size() < 4) return {in, in};
-        return {in, direction(at(2, places, i), phi_i + at(3, places, i), degrees_)};
-    }
-
-  private:
-    [[nodiscard]] double at(std::size_t which, const Places& places, std::size_t i) const {
-        return data_[which][places.of[which][i]];
-    }
-    [[nodiscard]] Direction vector(std::size_t which, const Places& places, std::size_t i) const {
-        const double* v = data_[which] + places.of[which][i];
-        const std::ptrdiff_t step = component_[which];
-        return Direction::from_vector({v[0], v[step], v[2 * step]});
-    }
-
-    std::vector<const double*> data_;
-    std::vector<Shape> steps_;
-    std::vector<std::ptrdiff_t> component_;
-    bool degrees_, vectors_ = false;
-};
-
 /// Whether this thread forked, in the child: OpenMP's other threads stayed behind, and a loop that is shared
 /// with them would wait for ever.
 thread_local bool forked = false;
@@ -192,7 +140,7 @@ class Call {
           threads_{where.threads},
           operands_{operands},
           shape_{broadcast.shape()},
-          pairs_{operands, broadcast, where.degrees},
+          pairs_{operands.angles, operands.vectors, broadcast, where.degrees},
           wavelength_steps_{broadcast.steps(*operands.wavelength)},
           out_{result.data()},
           out_steps_{result.strides()},
@@ -219,8 +167,9 @@ class Call {
 
   private:
     /// What f returns; its error says which element it was.
+    ///   i   of the element, once f has ended
     template <class Function>
-    auto named(std::size_t i, const Function& f) const {
+    auto named(const std::size_t& i, const Function& f) const {
         try {
             return f();
         } catch (const Error& error) {
@@ -275,12 +224,9 @@ class Call {
         for (std::size_t w = 0; w < place.size(); ++w)
             in_order = in_order && place[w] == w && to[w] == static_cast<std::ptrdiff_t>(w * each_);
         in_blocks(pairs.size(), threads_, [&](std::size_t first, std::size_t number) {
-            thread_local std::vector<DirectionPair> of_block;
             thread_local std::vector<double> spectra;
-            const Pairs::Places places = pairs_.places(pairs, first, number);
-            of_block.clear();
-            for (std::size_t i = 0; i < number; ++i) of_block.push_back(pair(places, first, i));
-            Offsets row;
+            const auto of_block = block_of(pairs, first, number);
+            std::array<std::ptrdiff_t, block> row;
             pairs.offsets(first, out_steps_, std::span{row}.first(number));
             bool adjacent = in_order;
             for (std::size_t i = 0; i < number; ++i)
@@ -304,9 +250,9 @@ class Call {
         in_blocks(all.size(), threads_, [&](std::size_t first, std::size_t number) {
             thread_local std::vector<double> values;
             values.resize(each_);
-            const Pairs::Places places = pairs_.places(all, first, number);
+            const auto of_block = block_of(all, first, number);
             for (std::size_t i = first; i < first + number; ++i) {
-                const DirectionPair one[1]{pair(places, first, i - first)};
+                const auto one = of_block.subspan(i - first, 1);
                 const double wavelength = operands_.wavelength->data()[all.offset(i, wavelength_steps_)];
                 const std::span<double> of_one{values};
                 named(i, [&] {
@@ -321,8 +267,10 @@ class Call {
         });
     }
 
-    [[nodiscard]] DirectionPair pair(const Pairs::Places& places, std::size_t first, std::size_t i) const {
-        return named(first + i, [&] { return pairs_(places, i); });
+    [[nodiscard]] std::span<const DirectionPair> block_of(const Walk& walk, std::size_t first,
+                                                          std::size_t number) const {
+        std::size_t element = first;
+        return named(element, [&] { return pairs_.of_block(walk, element, number); });
     }
 
     const PyMaterial& material_;
@@ -373,10 +321,6 @@ void survive_forks() {
         forked = true;
         omp_set_num_threads(1);
     });
-}
-
-Direction direction(double theta, double phi, bool degrees) {
-    return degrees ? Direction::from_degrees(theta, phi) : Direction::from_angles(theta, phi);
 }
 
 nb::object evaluate(const PyMaterial& material, const Quantity& quantity, const Where& where, const How& how,

@@ -43,7 +43,4 @@ struct Where {
 [[nodiscard]] nb::object evaluate(const PyMaterial& material, const Quantity& quantity, const Where& where,
                                   const How& how, nb::object out);
 
-/// The unit and the legal range of an angle: radians or degrees.
-[[nodiscard]] Direction direction(double theta, double phi, bool degrees);
-
 }  // namespace hts::python

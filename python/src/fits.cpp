@@ -1,5 +1,6 @@
 // Measured curves and fits.
 #include "evaluation.hpp"
+#include "pairs.hpp"
 #include "module.hpp"
 
 #include <nanobind/stl/map.h>

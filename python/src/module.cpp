@@ -4,8 +4,8 @@
 #include <chrono>
 #include <exception>
 
-#include "hts/correlation/kept_tables.hpp"
 #include "evaluation.hpp"
+#include "hts/correlation/kept_tables.hpp"
 #include "hts/error.hpp"
 #include "spectral/jobs/progress.hpp"
 

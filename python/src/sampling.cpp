@@ -8,6 +8,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "evaluation.hpp"
+#include "pairs.hpp"
 #include "module.hpp"
 
 namespace hts::python {

@@ -112,3 +112,77 @@ TEST_CASE("degrees become the doubles that Boost's long doubles round to, zeros 
     }
     CHECK(different == 0);
 }
+
+TEST_CASE("many directions from degrees have the bits of each") {
+    Random random{11};
+    std::vector<double> theta, phi;
+    const double odd[]{0.0,
+                       -0.0,
+                       5e-324,
+                       1e-310,
+                       1e-250,
+                       1e-199,
+                       1e-20,
+                       180,
+                       -180,
+                       179.99999999999997,
+                       360,
+                       -360,
+                       539.9999999999999,
+                       540,
+                       -540,
+                       720,
+                       1e5,
+                       90,
+                       -90,
+                       45,
+                       135,
+                       -135,
+                       30,
+                       60,
+                       270};
+    for (const double a : odd) {
+        for (const double b : odd) {
+            theta.push_back(a >= 0 && a <= 90 ? a : 90 - 1e-13);
+            phi.push_back(b);
+        }
+    }
+    for (const double angle : degrees(100'000, 90)) {
+        theta.push_back(angle);
+        phi.push_back(random.uniform(-700, 700));
+    }
+    for (const double angle : degrees(100'000, 720)) {
+        theta.push_back(random.uniform(0, 90));
+        phi.push_back(random.uniform(0, 1) < 0.5 ? angle : -angle);
+    }
+    std::vector<Direction> all(theta.size(), Direction::from_degrees(0, 0));
+    Direction::from_degrees(theta, phi, all);
+    const auto same = [](double a, double b) {
+        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+    };
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Direction one = Direction::from_degrees(theta[i], phi[i]);
+        const bool alike = same(all[i].cos_theta(), one.cos_theta()) &&
+                           same(all[i].sin_theta(), one.sin_theta()) &&
+                           same(all[i].cos_phi(), one.cos_phi()) && same(all[i].sin_phi(), one.sin_phi());
+        if (!alike && different++ == 0) UNSCOPED_INFO("theta " << theta[i] << ", phi " << phi[i]);
+    }
+    CHECK(different == 0);
+}
+
+TEST_CASE("of many directions from degrees the first that is wrong is named") {
+    std::vector<Direction> all(300, Direction::from_degrees(0, 0));
+    std::vector<double> theta(300, 30), phi(300, 20);
+    theta[200] = 91;
+    phi[250] = HUGE_VAL;
+    CHECK_THROWS_WITH(Direction::from_degrees(theta, phi, all),
+                      "polar angle 91 deg: must be from 0 to 90 deg");
+    CHECK(all[199].cos_phi() == Direction::from_degrees(30, 20).cos_phi());
+    theta[200] = 90;
+    CHECK_THROWS_WITH(Direction::from_degrees(theta, phi, all), "azimuth inf deg: must be finite");
+    theta[200] = NAN;
+    CHECK_THROWS_WITH(Direction::from_degrees(theta, phi, all), Catch::Matchers::StartsWith("polar angle"));
+    phi.pop_back();
+    CHECK_THROWS_WITH(Direction::from_degrees(theta, phi, all), Catch::Matchers::EndsWith("must be as many"));
+}

@@ -24,9 +24,14 @@ std::vector<VectorSurface> surfaces() {
             {0.3, {1, 1}, 5},      {0.5, {2, 2}, 5},      {0.2, {2, 1}, 5}};
 }
 
-VectorSettings quick_settings() {
+VectorSettings settings_of(double side) {
     VectorSettings settings;
-    settings.length = 10;
+    settings.length = side;
+    return settings;
+}
+
+VectorSettings quick_settings() {
+    VectorSettings settings = settings_of(10);
     settings.theta_i_deg = {40};
     return settings;
 }
@@ -125,20 +130,22 @@ GroundTruth study(const std::vector<VectorResult>& results, const VectorSettings
     }
     const std::string count =
         fewest == most ? std::to_string(most) : std::to_string(fewest) + " to " + std::to_string(most);
+    const bool other = effort == Effort::full && settings.length != vector_side;
+    const std::string side = other ? " --side " + shortest(settings.length) : "";
     return ground_truth(
         "Exact scattering by rough surfaces of a perfect conductor: magnetic-field integral equation, " +
             count + " realisations, a square of " + shortest(settings.length) +
             " wavelengths, Gaussian beam of a sixth, Kirchhoff's currents as control variate, seeds from " +
-            std::to_string(settings.study) + regenerating("vector", effort),
+            std::to_string(settings.study) + regenerating("vector" + side, effort),
         {map_table(results, settings), vector_lobe_table(results, settings)}, empty_section(), add_results);
 }
 
 }  // namespace
 
 void solve_vector_realisations(const std::filesystem::path& parts, const tables::TableShard& shard,
-                               std::size_t realisations) {
+                               double side, std::size_t realisations) {
     std::filesystem::create_directories(parts);
-    const VectorSettings settings;
+    const VectorSettings settings = settings_of(side);
     const auto all = surfaces();
     const auto own = shard.slices(all.size() * realisations);
     const spectral::Job job{"solving realisations", own.size()};
@@ -152,9 +159,9 @@ void solve_vector_realisations(const std::filesystem::path& parts, const tables:
     }
 }
 
-GroundTruth vector_study(const std::filesystem::path& parts) {
+GroundTruth vector_study(const std::filesystem::path& parts, double side) {
     constexpr std::size_t most = 10000;
-    const VectorSettings settings;
+    const VectorSettings settings = settings_of(side);
     std::vector<VectorResult> results;
     for (const VectorSurface& surface : surfaces()) {
         const auto all = solved(parts, surface, settings, most);

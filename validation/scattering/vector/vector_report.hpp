@@ -11,13 +11,16 @@ namespace hts::validation {
 
 /// Solves the realisations of a shard that have no file in the folder yet, the surfaces in turn, so that a
 /// run that is stopped has about as many of each.
+///   side           of the square [wavelengths]
 ///   realisations   of each surface
 void solve_vector_realisations(const std::filesystem::path& parts, const tables::TableShard& shard,
-                               std::size_t realisations);
+                               double side, std::size_t realisations);
 
-/// The study of what stands in a folder of solved realisations.
+/// The study of what stands in a folder of solved realisations on squares of that side.
 ///   hts::Error where a surface has fewer than `fewest_vector_realisations`
-[[nodiscard]] GroundTruth vector_study(const std::filesystem::path& parts);
+[[nodiscard]] GroundTruth vector_study(const std::filesystem::path& parts, double side);
+/// Of the study that is kept.
+inline constexpr double vector_side = 18;
 inline constexpr std::size_t fewest_vector_realisations = 10;
 /// One surface on a small patch, six realisations.
 [[nodiscard]] GroundTruth quick_vector_study();

@@ -33,7 +33,7 @@ struct VectorSurface {
 };
 
 struct VectorSettings {
-    double length = 18;  ///< of the patch; the beam's width is a sixth of it
+    double length;  ///< of the square; the beam's width is a sixth of it
     double tolerance = 1e-3;
     std::vector<double> theta_i_deg{20, 40, 60};
     std::uint64_t study = 2026;

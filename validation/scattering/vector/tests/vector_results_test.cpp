@@ -96,8 +96,7 @@ TEST_CASE("vector results: Kirchhoff's currents on realisations have the mean of
 
 TEST_CASE("vector results: hts info has the distances of the lobes that are kept") {
     const FigureTable table = kept_vector_distances().by_case;
-    const auto kept =
-        spectral::CsvTable::read(HTS_SOURCE_DIR "/spectral/energy/data/vector-distances.csv");
+    const auto kept = spectral::CsvTable::read(HTS_SOURCE_DIR "/spectral/energy/data/vector-distances.csv");
     REQUIRE(kept.row_count() == table.rows.size());
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         for (std::size_t column = 0; column < table.columns.size(); ++column)
@@ -154,7 +153,7 @@ TEST_CASE("vector results: a realisation's file gives back what was written, and
         } -> path();
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
     CHECK_THROWS_WITH(file.read(), Catch::Contains("is damaged"));
-    CHECK_THROWS_WITH(vector_study(folder.path()),
+    CHECK_THROWS_WITH(vector_study(folder.path(), vector_side),
                       Catch::Contains("0 realisations of the surface sigma0 0.05") &&
                           Catch::Contains("must be at least 10"));
     CHECK_THROWS_WITH(vector_results(surface, settings, {solved}), Catch::Contains("at least 3"));
