@@ -28,14 +28,14 @@ struct Sum {
     Real high, rest;
 };
 
-/// The double nearest to a sum, and whether it is nearest to all values within 1.5 * 2^-61 of it: then the
-/// value in long double, which is within 2^-62 of this one, rounds to it too, and is as certain.
+/// The double nearest to a sum, and whether it is nearest to all values within 1.25 * 2^-62 of it: then the
+/// values in long double, which are within 2^-62 of the exact one, round to it too.
 struct Rounded {
     Real value;
     Mask certain;
 };
 HWY_INLINE Rounded rounded(const Sum& sum) {
-    const Real error = hn::Mul(hn::Abs(sum.high), real(1.5 * 0x1p-61));
+    const Real error = hn::Mul(hn::Abs(sum.high), real(1.25 * 0x1p-62));
     const Real low = hn::Add(sum.high, hn::Sub(sum.rest, error));
     return {low, hn::Eq(low, hn::Add(sum.high, hn::Add(sum.rest, error)))};
 }
@@ -50,8 +50,8 @@ HWY_INLINE SineCosine octant_turn(const OctantTable& octant, Real q) {
     constexpr double pi = 0x1.921fb54442d18p+1, pi_rest = 0x1.1a62633145c07p-53;
     const Real place = hn::Floor(hn::MulAdd(q, real(256), real(0.5)));
     const Real from = hn::NegMulAdd(place, real(1.0 / 256), q);  // exact, |from| <= 1/512
-    const auto row = hn::ShiftLeft<2>(hn::ConvertTo(hn::RebindToSigned<decltype(d)>{}, place));
     static_assert(OctantTable::columns == 4);
+    const auto row = hn::ShiftLeft<2>(hn::ConvertTo(hn::RebindToSigned<decltype(d)>{}, place));
     const auto column = [&](OctantTable::Column of) {
         return hn::GatherIndex(d, octant.values.data() + of, row);
     };

@@ -3,6 +3,14 @@
 #include "hts/error.hpp"
 
 namespace hts::python {
+namespace {
+
+/// What places hold before they are written.
+Direction any_direction() {
+    return Direction::from_unit_vector({0, 0, 1});
+}
+
+}  // namespace
 
 Direction direction(double theta, double phi, bool degrees) {
     return degrees ? Direction::from_degrees(theta, phi) : Direction::from_angles(theta, phi);
@@ -26,13 +34,13 @@ void Pairs::add(const Operand& operand, std::ptrdiff_t offset, const Broadcast& 
 std::span<const DirectionPair> Pairs::of_block(const Walk& walk, std::size_t& element,
                                                std::size_t number) const {
     thread_local Columns columns;
-    thread_local std::vector<DirectionPair> pairs;
+    thread_local std::vector<DirectionPair> pairs(most, {any_direction(), any_direction()});
     for (std::size_t column = 0; column < data_.size(); ++column)
         walk.values(element, steps_[column], data_[column], std::span{columns[column]}.first(number));
-    pairs.clear();
-    if (degrees_ && !vectors_ && from_degrees(columns, number, pairs)) return pairs;
-    for (std::size_t i = 0; i < number; ++i, ++element) pairs.push_back(pair(columns, i));
-    return pairs;
+    const std::span<DirectionPair> result = std::span{pairs}.first(number);
+    if (degrees_ && !vectors_ && from_degrees(columns, result)) return result;
+    for (std::size_t i = 0; i < number; ++i, ++element) result[i] = pair(columns, i);
+    return result;
 }
 
 DirectionPair Pairs::pair(const Columns& of, std::size_t i) const {
@@ -46,8 +54,9 @@ DirectionPair Pairs::pair(const Columns& of, std::size_t i) const {
     return {in, direction(of[2][i], of[1][i] + of[3][i], degrees_)};
 }
 
-bool Pairs::from_degrees(Columns& of, std::size_t number, std::vector<DirectionPair>& pairs) const {
-    thread_local std::vector<Direction> in(most, Direction::from_unit_vector({0, 0, 1})), out = in;
+bool Pairs::from_degrees(Columns& of, std::span<DirectionPair> pairs) const {
+    thread_local std::vector<Direction> in(most, any_direction()), out = in;
+    const std::size_t number = pairs.size();
     const auto read = [number](const Numbers& theta, const Numbers& phi, std::vector<Direction>& to) {
         Direction::from_degrees(std::span{theta}.first(number), std::span{phi}.first(number),
                                 std::span{to}.first(number));
@@ -61,7 +70,7 @@ bool Pairs::from_degrees(Columns& of, std::size_t number, std::vector<DirectionP
         return false;
     }
     const std::vector<Direction>& second = views ? out : in;
-    for (std::size_t i = 0; i < number; ++i) pairs.push_back({in[i], second[i]});
+    for (std::size_t i = 0; i < number; ++i) pairs[i] = {in[i], second[i]};
     return true;
 }
 

@@ -37,7 +37,7 @@ class Pairs {
     void add(const Operand& operand, std::ptrdiff_t offset, const Broadcast& broadcast);
     [[nodiscard]] DirectionPair pair(const Columns& of, std::size_t i) const;
     /// All together; false if one is wrong.
-    [[nodiscard]] bool from_degrees(Columns& of, std::size_t number, std::vector<DirectionPair>& pairs) const;
+    [[nodiscard]] bool from_degrees(Columns& of, std::span<DirectionPair> pairs) const;
 
     std::vector<const double*> data_;
     std::vector<Shape> steps_;
