@@ -33,6 +33,21 @@ RandomField scaled(RandomField field, double by) {
     return field;
 }
 
+/// The same surface by the middle one of every so many samples, an odd number.
+RandomField thinned(const RandomField& fine, std::size_t every) {
+    const std::size_t side = fine.samples / every;
+    RandomField coarse{fine.step * static_cast<double>(every), side, {}, {}, {}};
+    for (std::size_t j = 0; j < side; ++j) {
+        for (std::size_t i = 0; i < side; ++i) {
+            const std::size_t at = (every * j + every / 2) * fine.samples + every * i + every / 2;
+            coarse.height.push_back(fine.height[at]);
+            coarse.slope_x.push_back(fine.slope_x[at]);
+            coarse.slope_y.push_back(fine.slope_y[at]);
+        }
+    }
+    return coarse;
+}
+
 /// Directions of a hemisphere, with their solid angles.
 struct Sphere {
     std::vector<Direction> out;
@@ -131,20 +146,9 @@ TEST_CASE(
 TEST_CASE("conductor patch: the error falls with the third power of the step") {
     const Sphere sphere = hemisphere(10, 24);
     const PlaneWaveBeam beam{40 * degree, 0, 1, 7};
-    // the same surface by all samples, by the middle ones of every three and of every five
     const RandomField fine = random_field({0.25, 1}, 1.0 / 15, 75, 5);
     const auto amplitudes = [&](std::size_t every) {
-        const std::size_t side = fine.samples / every;
-        RandomField coarse{fine.step * static_cast<double>(every), side, {}, {}, {}};
-        for (std::size_t j = 0; j < side; ++j) {
-            for (std::size_t i = 0; i < side; ++i) {
-                const std::size_t at = (every * j + every / 2) * fine.samples + every * i + every / 2;
-                coarse.height.push_back(fine.height[at]);
-                coarse.slope_x.push_back(fine.slope_x[at]);
-                coarse.slope_y.push_back(fine.slope_y[at]);
-            }
-        }
-        return far(ConductorPatch{coarse}, beam, sphere.out);
+        return far(ConductorPatch{thinned(fine, every)}, beam, sphere.out);
     };
     const auto exact = amplitudes(1);
     const double at_5 = off(amplitudes(3), exact), at_3 = off(amplitudes(5), exact);
@@ -152,6 +156,45 @@ TEST_CASE("conductor patch: the error falls with the third power of the step") {
     CHECK(at_5 < 0.01);
     CHECK(at_3 < 0.1);
     CHECK(at_3 > 3 * at_5);
+}
+
+TEST_CASE("conductor patch: the points per wavelength of the study suffice to 0.2 dB of each bin") {
+    struct Case {
+        double sigma, tau, step;
+        std::size_t samples, kept, finer;  // of the finest surface; every so many are taken
+    };
+    constexpr int polar = 45, round = 72, polar_bin = 5, round_bin = 8;  // 10 by 40 degrees
+    const Sphere sphere = hemisphere(polar, round);
+    for (const Case& of : {Case{0.3, 1, 1.0 / 25, 240, 5, 3}, Case{0.15, 0.5, 1.0 / 30, 270, 5, 3}}) {
+        const RandomField fine = random_field({of.sigma, of.tau}, of.step, of.samples, 29);
+        const double side = of.step * static_cast<double>(of.samples);
+        const PlaneWaveBeam beam{40 * degree, 0, side / 6, 1.25 * side};
+        const auto bins = [&](std::size_t every) {
+            const auto amplitudes = far(ConductorPatch{thinned(fine, every)}, beam, sphere.out, 1e-3);
+            std::vector<double> energy(2 * 2 * (polar / polar_bin) * (round / round_bin));
+            for (std::size_t state = 0; state < 2; ++state) {
+                for (std::size_t i = 0; i < sphere.out.size(); ++i) {
+                    const std::size_t bin =
+                        i / round / polar_bin * (round / round_bin) + i % round / round_bin;
+                    energy[4 * bin + 2 * state] += sphere.weights[i] * std::norm(amplitudes[state][i].s);
+                    energy[4 * bin + 2 * state + 1] += sphere.weights[i] * std::norm(amplitudes[state][i].p);
+                }
+            }
+            return energy;
+        };
+        const auto coarse = bins(of.kept), exact = bins(of.finer);
+        double all = 0, squares = 0, worst = 0;
+        for (const double energy : exact) all += energy;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            const double off_db = 10 * std::log10(coarse[i] / exact[i]);
+            squares += exact[i] / all * off_db * off_db;
+            if (exact[i] > 1e-3 * all) worst = std::fmax(worst, std::fabs(off_db));
+        }
+        std::printf("(%g, %g): %.3g points beside %.3g, rms %.3f dB, worst bin %.3f dB\n", of.sigma, of.tau,
+                    1 / (of.step * static_cast<double>(of.kept)),
+                    1 / (of.step * static_cast<double>(of.finer)), std::sqrt(squares), worst);
+        CHECK(worst < 0.2);
+    }
 }
 
 TEST_CASE("conductor patch: the first order in the heights is perturbation theory, cross-polarised too") {
