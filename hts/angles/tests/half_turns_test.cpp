@@ -15,6 +15,7 @@
 
 #include "comparison.hpp"
 #include "hts/direction.hpp"
+#include "targets.hpp"
 
 using hts::Direction;
 using hts::testing::Random;
@@ -155,20 +156,24 @@ TEST_CASE("many directions from degrees have the bits of each") {
         theta.push_back(random.uniform(0, 90));
         phi.push_back(random.uniform(0, 1) < 0.5 ? angle : -angle);
     }
-    std::vector<Direction> all(theta.size(), Direction::from_degrees(0, 0));
-    Direction::from_degrees(theta, phi, all);
+    std::vector<Direction> one, all(theta.size(), Direction::from_degrees(0, 0));
+    for (std::size_t i = 0; i < theta.size(); ++i) one.push_back(Direction::from_degrees(theta[i], phi[i]));
     const auto same = [](double a, double b) {
         return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
     };
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Direction one = Direction::from_degrees(theta[i], phi[i]);
-        const bool alike = same(all[i].cos_theta(), one.cos_theta()) &&
-                           same(all[i].sin_theta(), one.sin_theta()) &&
-                           same(all[i].cos_phi(), one.cos_phi()) && same(all[i].sin_phi(), one.sin_phi());
-        if (!alike && different++ == 0) UNSCOPED_INFO("theta " << theta[i] << ", phi " << phi[i]);
-    }
-    CHECK(different == 0);
+    hts::testing::on_every_target([&](const std::string& target) {
+        Direction::from_degrees(theta, phi, all);
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool alike = same(all[i].cos_theta(), one[i].cos_theta()) &&
+                               same(all[i].sin_theta(), one[i].sin_theta()) &&
+                               same(all[i].cos_phi(), one[i].cos_phi()) &&
+                               same(all[i].sin_phi(), one[i].sin_phi());
+            if (!alike && different++ == 0)
+                UNSCOPED_INFO(target << ": theta " << theta[i] << ", phi " << phi[i]);
+        }
+        CHECK(different == 0);
+    });
 }
 
 TEST_CASE("of many directions from degrees the first that is wrong is named") {

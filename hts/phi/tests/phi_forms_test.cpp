@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include <hwy/targets.h>
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
@@ -16,12 +15,14 @@
 #include "hts/phi/phi_simd.hpp"
 #include "hts/phi/tables/phi_series.hpp"
 #include "hts/phi/tables/phi_table.hpp"
+#include "targets.hpp"
 
 using hts::phi;
 using hts::PhiMethod;
 using hts::Tolerance;
 using hts::phi_detail::phi_forms;
 using hts::phi_detail::PhiForms;
+using hts::testing::on_every_target;
 using hts::testing::Random;
 using hts::testing::ReferenceTable;
 using hts::testing::relative_error;
@@ -143,18 +144,6 @@ void check(const Worsts& worsts, const std::string& where) {
     }
 }
 
-/// Calls f(forms, name) with what phi would be on every lesser processor too.
-template <class F>
-void on_every_target(F f) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        f(phi_forms(), hwy::TargetName(target));
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 /// Ordinary points, points beyond the tables, and every kind of edge.
 std::vector<Point> mixed_points(Random& random, std::size_t count) {
     const std::vector<double> edges{0, infinity, std::numeric_limits<double>::quiet_NaN(), -1, 1e-310, 1e308};
@@ -200,13 +189,15 @@ TEST_CASE("phi agrees with long sums beyond its tables") {
 }
 
 TEST_CASE("phi keeps its tolerances on every instruction set") {
-    on_every_target([](const PhiForms& forms, const std::string& target) {
+    on_every_target([](const std::string& target) {
+        const PhiForms forms = phi_forms();
         check(sweep(forms, draw, 10, 1000), target);
     });
 }
 
 TEST_CASE("the gradient of phi keeps its tolerance on every instruction set") {
-    on_every_target([](const PhiForms& forms, const std::string& target) {
+    on_every_target([](const std::string& target) {
+        const PhiForms forms = phi_forms();
         Random random{18};
         WorstCase worst{"log-gradient of phi, " + target, hts::accuracy::tabled_phi_gradient};
         for (int i = 0; i < 20000; ++i) {
@@ -246,7 +237,8 @@ TEST_CASE("phi is continuous across cells") {
 }
 
 TEST_CASE("a batch of phi has the bits of single calls at every place") {
-    on_every_target([](const PhiForms& forms, const std::string& target) {
+    on_every_target([](const std::string& target) {
+        const PhiForms forms = phi_forms();
         INFO(target);
         Random random{5};
         int different = 0;
