@@ -58,10 +58,10 @@ Studies:
                  of the rough limit, and the light reflected more than once.
 
 Into the folder go the tables (.csv, with the command that writes them) and the pictures
-(.svg, .gnuplot). On one core moments takes some 8 minutes, dielectric 4, the others one or
-two; with --quick fewer cases and realisations, and each some seconds. The numbers are the
-same for any number of threads. A study by moments that is stopped goes on where it ended:
-what is solved stands in STUDY.unfinished until the tables do.
+(.svg, .gnuplot). On one core metal takes some 10 minutes, moments 8, grazing 5, dielectric,
+unseen and k-correlation 4, the others one or two; with --quick each takes some seconds.
+The numbers are the same for any number of threads. A study by moments that is stopped goes
+on where it ended: what is solved stands in STUDY.unfinished until the tables do.
 
 vector keeps every realisation in a file of the folder vector.parts, so that it goes on where
 it was stopped. --shard k/N solves every N-th of them, on as many machines as one likes; the
