@@ -9,7 +9,7 @@
 Wavelengths are in micrometres in vacuum. Angles are in radians, or in degrees with ``degrees=True``. Both directions point
 away from the surface, the incident one towards the light; polar angles are measured from the normal, and the mirror direction
 is ``theta_r = theta_i``, ``phi = pi``. Arguments broadcast by NumPy's rules; results have the common shape. Every error is
-an ``hts.Error`` with the message that the command ``hts`` prints.
+an ``hts.Error`` with the message that the command ``hts`` prints; an option of the wrong type is a ``TypeError``.
 """
 
 from __future__ import annotations

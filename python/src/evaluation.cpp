@@ -16,8 +16,6 @@ namespace {
 using spectral::Reflectance;
 using spectral::WavelengthGrid;
 
-constexpr std::size_t block = Pairs::most;  // pairs evaluated at a time
-
 /// The operands of a call.
 struct Operands {
     std::optional<Operand> wavelength;
@@ -86,17 +84,6 @@ Operands operands_of(const Quantity& quantity, const Where& where) {
     return of;
 }
 
-/// "(3, 2)": the index of an element, for messages.
-std::string index_text(std::size_t i, const Shape& shape) {
-    Shape index(shape.size());
-    for (std::size_t axis = shape.size(); axis-- > 0;) {
-        const auto length = static_cast<std::size_t>(shape[axis]);
-        index[axis] = static_cast<std::ptrdiff_t>(i % length);
-        i /= length;
-    }
-    return text_of(index);
-}
-
 /// Whether this thread forked, in the child: OpenMP's other threads stayed behind, and a loop that is shared
 /// with them would wait for ever.
 thread_local bool forked = false;
@@ -115,18 +102,22 @@ class Team {
     int before_;
 };
 
-/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock. The
-/// error of the lowest block is thrown.
-template <class Function>
-void in_blocks(std::size_t count, int threads, const Function& f) {
-    constexpr int at_a_time = 4, most = 1024;
-    if (threads < 0 || threads > most)
+void require_threads(int threads) {
+    if (threads < 0 || threads > 1024)
         throw Error{"threads " + std::to_string(threads) + ": must be 0, for all cores, ... 1024"};
+}
+
+/// Calls f(first, number) for blocks of 0 … count - 1 on as many threads as asked, without Python's lock.
+/// The error of the lowest block is thrown.
+///   slow   whether an element takes so long that each goes to whichever thread is free
+template <class Function>
+void in_blocks(std::size_t count, int threads, bool slow, const Function& f) {
+    const std::size_t size = slow ? 1 : Pairs::most;
     const Team team{threads};
     const nb::gil_scoped_release others_may_run;
-    spectral::parallel_for((count + block - 1) / block,
-                           [&](std::size_t i) { f(i * block, std::min(block, count - i * block)); },
-                           at_a_time);
+    spectral::parallel_for((count + size - 1) / size,
+                           [&](std::size_t i) { f(i * size, std::min(size, count - i * size)); },
+                           slow ? 1 : 4);
 }
 
 /// A call in full: what is to be computed, of what, and where it goes.
@@ -145,6 +136,7 @@ class Call {
           out_{result.data()},
           out_steps_{result.strides()},
           each_{size_of(quantity.trailing)} {
+        require_threads(where.threads);
         out_steps_.resize(shape_.size());
         for (const Operand& each : operands.overrides) override_steps_.push_back(broadcast.steps(each));
         for (std::size_t axis = 0; axis < shape_.size(); ++axis) {
@@ -154,6 +146,7 @@ class Call {
             for (const auto* group : {&operands.angles, &operands.vectors, &operands.overrides})
                 others = others || std::any_of(group->begin(), group->end(), moves);
             along_wavelengths_.push_back(spectral && !others);
+            if (!along_wavelengths_.back()) pair_shape_.push_back(shape_[axis]);
             separable_ = separable_ && !(spectral && others);
         }
         for (const Operand& each : operands.overrides) separable_ = separable_ && size_of(each.shape()) == 1;
@@ -170,15 +163,8 @@ class Call {
     ///   i   of the element, once f has ended
     template <class Function>
     auto named(const std::size_t& i, const Function& f) const {
-        try {
-            return f();
-        } catch (const Error& error) {
-            if (size_of(shape_) == 1) throw;
-            const bool whole = !separable_;
-            throw Error{std::string{error.what()} +
-                        (whole ? " (element " + index_text(i, shape_) + ")"
-                               : " (pair of directions " + std::to_string(i) + ")")};
-        }
+        if (size_of(shape_) == 1 || !separable_) return of_element(shape_, i, f);
+        return of_element(pair_shape_, i, f, "pair of directions");
     }
 
     void store(const double* values, std::ptrdiff_t to) const { std::copy_n(values, each_, out_ + to); }
@@ -223,10 +209,10 @@ class Call {
         bool in_order = place.size() == of.size();
         for (std::size_t w = 0; w < place.size(); ++w)
             in_order = in_order && place[w] == w && to[w] == static_cast<std::ptrdiff_t>(w * each_);
-        in_blocks(pairs.size(), threads_, [&](std::size_t first, std::size_t number) {
+        in_blocks(pairs.size(), threads_, quantity_.slow, [&](std::size_t first, std::size_t number) {
             thread_local std::vector<double> spectra;
             const auto of_block = block_of(pairs, first, number);
-            std::array<std::ptrdiff_t, block> row;
+            std::array<std::ptrdiff_t, Pairs::most> row;
             pairs.offsets(first, out_steps_, std::span{row}.first(number));
             bool adjacent = in_order;
             for (std::size_t i = 0; i < number; ++i)
@@ -247,7 +233,7 @@ class Call {
     /// Each element has a wavelength, or a surface, of its own.
     void by_elements() const {
         const Walk all{shape_, std::vector<bool>(shape_.size(), true)};
-        in_blocks(all.size(), threads_, [&](std::size_t first, std::size_t number) {
+        in_blocks(all.size(), threads_, quantity_.slow, [&](std::size_t first, std::size_t number) {
             thread_local std::vector<double> values;
             values.resize(each_);
             const auto of_block = block_of(all, first, number);
@@ -286,16 +272,23 @@ class Call {
     std::size_t each_;
     std::vector<Shape> override_steps_;
     std::vector<bool> along_wavelengths_;
+    Shape pair_shape_;  ///< of the axes along which directions change
     bool separable_ = true;
 };
 
 bool is_number(nb::handle value) {
-    return value.is_valid() && (PyFloat_CheckExact(value.ptr()) || PyLong_CheckExact(value.ptr()));
+    if (!value.is_valid()) return false;
+    if (PyFloat_CheckExact(value.ptr())) return true;
+    if (!PyLong_CheckExact(value.ptr())) return false;
+    const bool too_large = PyLong_AsDouble(value.ptr()) == -1.0 && PyErr_Occurred() != nullptr;
+    PyErr_Clear();
+    return !too_large;
 }
 
 /// One pair of directions at one wavelength, all of them plain numbers.
 std::optional<double> of_numbers(const PyMaterial& material, const Quantity& quantity, const Where& w,
                                  const How& how) {
+    require_threads(w.threads);
     if (!quantity.trailing.empty() || quantity.samplers || given(w.incident) || given(w.reflected))
         return std::nullopt;
     if (!is_number(w.wavelength) || !is_number(w.theta_i) || !is_number(w.phi_i)) return std::nullopt;

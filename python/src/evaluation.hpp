@@ -19,6 +19,7 @@ struct Quantity {
     Shape trailing;  ///< axes of the values of one element: none, or (4, 4) of a Mueller matrix
     bool views;      ///< whether it takes an outgoing direction
     bool samplers;   ///< whether it asks samplers instead of reflectances
+    bool slow;       ///< whether an element takes a millisecond or so
     /// All wavelengths of a pair together.
     std::function<void(const spectral::Reflectance&, std::span<const DirectionPair>, std::span<double>)>
         evaluate;

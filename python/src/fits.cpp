@@ -1,7 +1,7 @@
 // Measured curves and fits.
 #include "evaluation.hpp"
-#include "pairs.hpp"
 #include "module.hpp"
+#include "pairs.hpp"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -52,8 +52,8 @@ nb::dict curves(const std::string& name_or_path) {
     return result;
 }
 
-/// Plain samples of arrays that broadcast: wavelength, light and view [rad], value, uncertainty.
-FitData samples_data(const nb::tuple& arrays) {
+/// Plain samples of arrays that broadcast: wavelength, light and view, value, uncertainty.
+FitData samples_data(const nb::tuple& arrays, bool degrees) {
     constexpr const char* names[]{"wavelength", "theta_i", "theta_r", "phi", "brdf", "uncertainty"};
     std::vector<Operand> operands;
     for (std::size_t i = 0; i < 6; ++i) operands.emplace_back(names[i], arrays[i]);
@@ -73,10 +73,11 @@ FitData samples_data(const nb::tuple& arrays) {
     std::vector<FitSample> samples;
     for (std::size_t i = 0; i < walk.size(); ++i) {
         const auto place = std::ranges::lower_bound(wavelengths, value(0, i)) - wavelengths.begin();
-        samples.push_back({{direction(value(1, i), 0, false), direction(value(2, i), value(3, i), false)},
-                           static_cast<std::size_t>(place),
-                           value(4, i),
-                           value(5, i)});
+        const DirectionPair pair = of_element(broadcast.shape(), i, [&] {
+            return DirectionPair{direction(value(1, i), 0, degrees),
+                                 direction(value(2, i), value(3, i), degrees)};
+        });
+        samples.push_back({pair, static_cast<std::size_t>(place), value(4, i), value(5, i)});
     }
     return fit_data("samples", grid, samples);
 }
@@ -117,7 +118,7 @@ nb::dict fit(nb::object data, const std::string& model, int lobes, const std::st
              const std::string& films, const std::vector<std::string>& freed,
              const std::map<std::string, double>& fixed, const std::map<std::string, double>& starts,
              const std::string& residual, const std::string& loss, std::size_t followed_starts,
-             double largest_theta) {
+             double largest_theta, bool degrees) {
     FitRequest request;
     request.model = model;
     request.lobes = lobes;
@@ -137,7 +138,7 @@ nb::dict fit(nb::object data, const std::string& model, int lobes, const std::st
         if (set->scale == Scale::unknown && !request.fixed.contains("scale"))
             request.freed.emplace_back("scale");
     } else {
-        of = samples_data(nb::cast<nb::tuple>(data));
+        of = samples_data(nb::cast<nb::tuple>(data), degrees);
     }
     std::optional<Fit> made;
     {
@@ -158,10 +159,10 @@ void bind_fits(nb::module_& module) {
         "_fit", &fit,
         HTS_ANY("_fit(data: typing.Any, model: str, lobes: int, index: str, films: str, free: typing.Any, "
                 "fix: typing.Any, start: typing.Any, residual: str, loss: str, followed_starts: int, "
-                "largest_theta: float)"),
+                "largest_theta: float, degrees: bool)"),
         nb::arg("data"), nb::arg("model"), nb::arg("lobes"), nb::arg("index"), nb::arg("films"),
         nb::arg("free"), nb::arg("fix"), nb::arg("start"), nb::arg("residual"), nb::arg("loss"),
-        nb::arg("followed_starts"), nb::arg("largest_theta"));
+        nb::arg("followed_starts"), nb::arg("largest_theta"), nb::arg("degrees"));
 }
 
 }  // namespace hts::python

@@ -1,6 +1,7 @@
 // hts.Material: files and descriptions, and every call that evaluates.
 #include "module.hpp"
 
+#include <filesystem>
 #include <numbers>
 #include <span>
 #include <tuple>
@@ -173,14 +174,17 @@ void construct(PyMaterial* self, nb::object source, nb::kwargs keywords) {
         return;
     }
     const nb::object arguments = nb::borrow(keywords);
+    const nb::module_ helper = nb::module_::import_("hts._description");
     const auto [text, path, index] = nb::cast<std::tuple<std::string, std::string, nb::object>>(
-        nb::module_::import_("hts._description").attr("described")(source, arguments));
+        helper.attr("described")(source, arguments));
     if (text.empty()) {
         new (self) PyMaterial{material_of_any_file(path)};
-    } else {
-        new (self) PyMaterial{spectral::material_from_text(text, path, tables::models_with_files()), text,
-                              index.is_none() ? nb::object{} : index};
+        return;
     }
+    const bool of_function = !index.is_none();
+    const auto readable = of_function ? nb::cast<std::string>(helper.attr("with_any_index")(text)) : text;
+    new (self) PyMaterial{spectral::material_from_text(readable, path, tables::models_with_files()), text,
+                          of_function ? index : nb::object{}, std::filesystem::current_path().string()};
 }
 
 std::string repr(const PyMaterial& self) {
@@ -251,7 +255,12 @@ void bind_material(nb::module_& module) {
         "What the description says that the model cannot be.");
     material.def_prop_ro(
         "description", [](const PyMaterial& self) { return self.description(); },
-        "JSON of the material file; empty where there is none.");
+        "JSON of the material file; empty where there is none. An index that is a function is named as "
+        "such.");
+    material.def_prop_ro("_index", [](const PyMaterial& self) {
+        return self.index().is_valid() ? self.index() : nb::object{nb::none()};
+    });
+    material.def_prop_ro("_folder", [](const PyMaterial& self) { return self.folder(); });
 
     const auto pair_call = [&](const char* name, auto function, auto signature, const char* what,
                                const auto&... more) {

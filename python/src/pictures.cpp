@@ -6,6 +6,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/colour/display_colour.hpp"
+#include "validation/pictures/appearance.hpp"
 #include "validation/pictures/gallery.hpp"
 
 namespace hts::python {
@@ -28,7 +29,7 @@ nb::object render(const std::string& scene, nb::object material, std::size_t siz
                                           : nullptr;
     if (shape != nullptr) {
         if (material.is_none()) throw Error{"material: must be given with scene \"" + scene + "\""};
-        const auto of = nb::cast<const PyMaterial&>(material).material();
+        const auto of = nb::cast<const PyMaterial&>(material).sampled(picture_wavelengths()).material();
         gallery = {scene, of.name(), 1, 1, [shape, of] { return std::vector{shape(Appearance{of})}; }};
     } else {
         const auto& all = galleries();

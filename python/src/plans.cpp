@@ -2,6 +2,8 @@
 #include "evaluation.hpp"
 #include "module.hpp"
 
+#include <nanobind/stl/vector.h>
+
 #include "hts/terms.hpp"
 #include "spectral/plans/plan.hpp"
 
@@ -21,9 +23,11 @@ nb::dict as_dict(const spectral::MeasuredRung& measured) {
 }
 
 /// What was chosen, what was rejected, and the material as the plan evaluates it.
-///   scene   as a scene file has it, without materials
-nb::dict plan(const PyMaterial& self, const std::string& scene, std::size_t pairs, std::uint64_t seed) {
-    const auto asked = spectral::scene_from_text(scene, "plan", self.material());
+///   scene   as a scene file has it, without materials, at the wavelengths
+nb::dict plan(const PyMaterial& self, const std::string& scene, const std::vector<double>& wavelengths,
+              std::size_t pairs, std::uint64_t seed) {
+    const auto grid = spectral::WavelengthGrid::from_micrometres(wavelengths);
+    const auto asked = spectral::scene_from_text(scene, "plan", self.sampled(grid).material());
     std::optional<spectral::Plan> made;
     {
         const nb::gil_scoped_release others_may_run;
@@ -42,9 +46,11 @@ nb::dict plan(const PyMaterial& self, const std::string& scene, std::size_t pair
 }  // namespace
 
 void bind_plans(nb::module_& module) {
-    module.def("_plan", &plan, nb::arg("material"), nb::arg("scene"), nb::arg("pairs"), nb::arg("seed"),
-               nb::sig("def _plan(material: Material, scene: str, pairs: int, seed: int) -> "
-                       "dict[str, typing.Any]"));
+    module.def(
+        "_plan", &plan, nb::arg("material"), nb::arg("scene"), nb::arg("wavelengths"), nb::arg("pairs"),
+        nb::arg("seed"),
+        nb::sig("def _plan(material: Material, scene: str, wavelengths: list[float], pairs: int, seed: "
+                "int) -> dict[str, typing.Any]"));
 }
 
 }  // namespace hts::python

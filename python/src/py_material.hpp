@@ -32,13 +32,20 @@ struct How {
 /// A material as Python holds it: with what was prepared of it last.
 class PyMaterial {
   public:
-    explicit PyMaterial(spectral::Material material, std::string description = {}, nb::object index = {});
+    ///   description   JSON of its file, without the index where that is a Python function
+    ///   folder        absolute, from which relative paths in the description lead
+    explicit PyMaterial(spectral::Material material, std::string description = {}, nb::object index = {},
+                        std::string folder = {});
 
     [[nodiscard]] const spectral::Material& material() const noexcept { return material_; }
     /// JSON of its file; empty where it came from elsewhere.
     [[nodiscard]] const std::string& description() const noexcept { return description_; }
+    [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
+    /// A Python function of wavelength that gives the optical constants, or none.
     [[nodiscard]] const nb::object& index() const noexcept { return index_; }
 
+    /// With what such a function says at these wavelengths in its place; itself where there is none.
+    [[nodiscard]] PyMaterial sampled(const spectral::WavelengthGrid& grid) const;
     /// The material at wavelengths. With optical constants that are a Python function, it is called here.
     [[nodiscard]] spectral::Reflectance at(const spectral::WavelengthGrid& grid, const How& how,
                                            const spectral::RoughSurfaceValues& instead = {}) const;
@@ -61,7 +68,8 @@ class PyMaterial {
 
     spectral::Material material_;
     std::string description_;
-    nb::object index_;  ///< a callable, or none
+    nb::object index_;
+    std::string folder_;
     std::shared_ptr<Kept> kept_;
 };
 

@@ -30,8 +30,8 @@ auto pair_by_pair(Function f) {
 
 /// One number for each pair of directions, or for each direction of light.
 template <class Function>
-Quantity numbers(const char* name, bool views, Function f) {
-    return {name, {}, views, false, pair_by_pair(f), {}};
+Quantity numbers(const char* name, bool views, Function f, bool slow = false) {
+    return {name, {}, views, false, slow, pair_by_pair(f), {}};
 }
 
 /// f(reflectance, pair, matrices): a Mueller matrix for each.
@@ -44,15 +44,16 @@ Quantity matrices(const char* name, bool views, Function f) {
         auto to = values.begin();
         for (const Mueller& matrix : all) to = std::ranges::copy(matrix.elements(), to).out;
     };
-    return {name, {4, 4}, views, false, pair_by_pair(of_pair), {}};
+    return {name, {4, 4}, views, false, false, pair_by_pair(of_pair), {}};
 }
 
 /// f(reflectance, light, wavelength): a directional-hemispherical reflectance.
 template <class Function>
 Quantity albedos(const char* name, Function f) {
-    return numbers(name, false, [f](const Reflectance& of, const Pair& pair, Values values) {
+    const auto of_pair = [f](const Reflectance& of, const Pair& pair, Values values) {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(of, pair.in, i).total();
-    });
+    };
+    return numbers(name, false, of_pair, true);
 }
 
 constexpr std::size_t derivative_count = 11;
@@ -136,18 +137,20 @@ Quantity gradient(Shape trailing, bool views, std::size_t films, OfPair of_pair)
             }
         }
     };
-    return {"gradient", std::move(trailing), views, false, each, {}};
+    return {"gradient", std::move(trailing), views, false, false, each, {}};
 }
 
 }  // namespace
 
-const Quantity brdf{
-    "brdf",
-    {},
-    true,
-    false,
-    [](const Reflectance& of, Pairs pairs, Values values) { of.evaluator().brdf_batch(pairs, values); },
-    {}};
+const Quantity brdf{"brdf",
+                    {},
+                    true,
+                    false,
+                    false,
+                    [](const Reflectance& of, Pairs pairs, Values values) {
+                        of.evaluator().brdf_batch(pairs, values);
+                    },
+                    {}};
 const Quantity directional_diffuse = numbers(
     "directional_diffuse", true,
     [](const Reflectance& of, const Pair& pair, Values values) { of.directional_diffuse(pair, values); });
@@ -175,14 +178,15 @@ const Quantity p_albedo =
     albedos("emissivity", [](const Reflectance& of, const Direction& in, std::size_t i) {
         return of.albedo(in, i, Stokes::p_polarised());
     });
-const Quantity pdf{"pdf", {}, true, true, {}, [](const spectral::Sampler& of, Pairs pairs, Values values) {
-                       for (std::size_t i = 0; i < pairs.size(); ++i)
-                           values[i] = of.pdf(pairs[i].in, pairs[i].out);
-                   }};
+const Quantity pdf{
+    "pdf", {}, true, true, false, {}, [](const spectral::Sampler& of, Pairs pairs, Values values) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = of.pdf(pairs[i].in, pairs[i].out);
+    }};
 
 const Quantity validity{"validity",
                         {3},
                         true,
+                        false,
                         false,
                         pair_by_pair([](const Reflectance& of, const Pair& pair, Values values) {
                             constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -8,8 +8,8 @@
 #include <nanobind/stl/vector.h>
 
 #include "evaluation.hpp"
-#include "pairs.hpp"
 #include "module.hpp"
+#include "pairs.hpp"
 
 namespace hts::python {
 namespace {
@@ -32,8 +32,10 @@ nb::tuple sample(const PyMaterial& self, double wavelength, nb::handle theta_i, 
     {
         const nb::gil_scoped_release others_may_run;
         for (std::size_t i = 0; i < walk.size(); ++i) {
-            const Direction in = direction(polar.data()[walk.offset(i, polar_steps)],
-                                           azimuth.data()[walk.offset(i, azimuth_steps)], degrees);
+            const Direction in = of_element(broadcast.shape(), i, [&] {
+                return direction(polar.data()[walk.offset(i, polar_steps)],
+                                 azimuth.data()[walk.offset(i, azimuth_steps)], degrees);
+            });
             const double* u = drawn.data() + walk.offset(i, drawn_steps);
             const std::ptrdiff_t step = drawn.component_stride();
             const Draw draw = sampler.sample(in, {u[0], u[step], u[2 * step]});

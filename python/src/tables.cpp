@@ -2,6 +2,8 @@
 #include "evaluation.hpp"
 #include "module.hpp"
 
+#include <filesystem>
+
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
@@ -29,8 +31,9 @@ struct PyTable {
 PyTable built(const PyMaterial& material, const std::vector<double>& wavelengths, double tolerance,
               bool polarised, std::size_t largest_bytes) {
     const auto grid = WavelengthGrid::from_micrometres(wavelengths);
-    const auto exact = material.at(grid, {1e-9});
-    const tables::TableSource source{material.material().name(), material.description(), ""};
+    const PyMaterial of = material.sampled(grid);
+    const auto exact = of.at(grid, {1e-9});
+    const tables::TableSource source{of.material().name(), of.description(), ""};
     const tables::TableRequest request{tolerance, 1, polarised, largest_bytes};
     const nb::gil_scoped_release others_may_run;
     std::string bytes = tables::finished_table(exact, source, tables::plan_table(exact, request),
@@ -106,7 +109,9 @@ PyMaterial material_of_any_file(const std::string& path, const std::string& form
                                 std::optional<std::vector<double>> wavelengths) {
     if (path.ends_with(".json") && format.empty()) {
         return PyMaterial{spectral::read_material(path, tables::models_with_files()),
-                          spectral::read_text_file(path)};
+                          spectral::read_text_file(path),
+                          {},
+                          std::filesystem::absolute(path).parent_path().string()};
     }
     std::optional<WavelengthGrid> grid;
     if (wavelengths) grid = WavelengthGrid::from_micrometres(*wavelengths);

@@ -55,7 +55,7 @@ def test_hemispherical_emissivity():
     material = brushed()
     x, w = np.polynomial.legendre.leggauss(20)
     root, azimuths = (x + 1) / 2, 2 * np.pi * (np.arange(12) + 0.3) / 12
-    each = material.emissivity(0.5, np.arccos(root**2)[:, np.newaxis], phi=azimuths)
+    each = material.emissivity(0.5, np.arccos(root**2)[:, np.newaxis], phi_i=azimuths)
     expected = np.sum(w / 2 * 4 * root**3 * np.mean(each, axis=1))
     assert material.hemispherical_emissivity(0.5) == pytest.approx(expected, abs=2e-5)
 

@@ -192,3 +192,37 @@ def test_read_only_out(aluminium):
     out.flags.writeable = False
     with pytest.raises(hts.Error, match="read-only"):
         aluminium.brdf(0.5, [0.1], 0.1, 3.0, out=out)
+
+
+def test_errors_name_the_element(aluminium):
+    theta = np.full((20, 30), 10.0)
+    theta[8, 15] = 91
+    with pytest.raises(hts.Error, match=r"polar angle 91 deg.*\(pair of directions \(8, 15\)\)"):
+        aluminium.brdf([0.5, 0.6], theta[..., np.newaxis], 20, 180, degrees=True)
+    with pytest.raises(hts.Error, match=r"\(element \(8, 15\)\)"):
+        aluminium.brdf(np.full((20, 30), 0.5) + np.arange(30) / 100, theta, 20, 180, degrees=True)
+    for wrong in (0, 255, 256, 300):
+        angles = np.full(301, 0.3)
+        angles[wrong] = np.nan
+        with pytest.raises(hts.Error, match=rf"polar angle nan rad.*directions {wrong}\)"):
+            aluminium.brdf(0.5, 0.2, angles, 3.0)
+        with pytest.raises(hts.Error, match=rf"polar angle nan deg.*directions {wrong}\)"):
+            aluminium.brdf(0.5, 0.2, angles, 3.0, degrees=True)
+    with pytest.raises(hts.Error, match=r"polar angle 95 deg.*\(element 1\)"):
+        aluminium.sample(0.5, [20, 95], degrees=True)
+    bad = {"wavelength": 0.5, "theta_i": 30, "theta_r": [20, 95], "phi": 180, "brdf": 0.1}
+    with pytest.raises(hts.Error, match=r"polar angle 95 deg.*\(element 1\)"):
+        hts.fit(bad, degrees=True)
+
+
+def test_errors_are_of_one_family(aluminium):
+    for call in (
+        lambda: aluminium.brdf(0.5, 0.1, 0.2, 10**400),
+        lambda: aluminium.sample(0.5, [0.1, 0.2], [1, 2, 3]),
+        lambda: aluminium.sample(0.5, 0.1, rng="x"),
+        lambda: aluminium.sample(0.5, 0.1, rng=-1),
+        lambda: aluminium.brdf(0.5, 0.1, 0.2, 3.0, threads=-1),
+        lambda: aluminium.brdf(0.5, [], 0.2, 3.0, threads=-1),
+    ):
+        with pytest.raises(hts.Error):
+            call()

@@ -1,6 +1,8 @@
 """What a material offers besides values: identities, limits and other ways to the same number."""
 
+import copy
 import gc
+import json
 import pickle
 import resource
 import shutil
@@ -130,6 +132,67 @@ def test_index_of_a_function():
 
     pye = hts.Material(model="he", rms_roughness_um=0.28, correlation_length_um=1.77, index=Ellipsometry())
     assert pye.brdf(0.5, 0.3, 0.4, 3.0) == pytest.approx(aluminium.brdf(0.5, 0.3, 0.4, 3.0), rel=1e-9)
+
+
+def index_for_pickling(um):
+    return 1 + 5j + 0 * um
+
+
+def test_index_of_a_function_goes_along(tmp_path):
+    surface = {"model": "he", "rms_roughness_um": 0.2, "correlation_length_um": 2}
+    of_function = hts.Material({**surface, "index": index_for_pickling})
+    constant = hts.Material({**surface, "index": 1 + 5j})
+    expected = constant.brdf(0.5, 0.1, 0.2, 3.0)
+    copies = [pickle.loads(pickle.dumps(of_function)), copy.copy(of_function), copy.deepcopy(of_function), hts.Material(of_function)]
+    for each in copies:
+        assert each.brdf(0.5, 0.1, 0.2, 3.0) == expected
+    um = [0.5, 0.6]
+    assert of_function.plan(um, pairs=256).material.brdf(0.5, 0.1, 0.2, 3.0) == constant.plan(um, pairs=256).material.brdf(0.5, 0.1, 0.2, 3.0)
+    np.testing.assert_allclose(hts.render("sphere", of_function, size=16), hts.render("sphere", constant, size=16), rtol=1e-12)
+    assert "1.5" not in of_function.description and "function" in of_function.description
+    of_function.table([0.5, 0.55, 0.6]).save(tmp_path / "t.htst")
+    assert b'"n":1.5' not in (tmp_path / "t.htst").read_bytes().replace(b" ", b"")
+
+
+def test_pickled_files_are_found_from_elsewhere(tmp_path, monkeypatch):
+    (tmp_path / "i.csv").write_text("wavelength_um,n,k\n0.4,1.2,3\n0.7,1.4,4\n")
+    surface = {"model": "he", "rms_roughness_um": 0.2, "correlation_length_um": 2, "index": {"file": "i.csv"}}
+    (tmp_path / "m.json").write_text(json.dumps(surface))
+    of_file = hts.Material(tmp_path / "m.json")
+    monkeypatch.chdir(tmp_path)
+    of_dict = hts.Material(surface)
+    monkeypatch.chdir("/")
+    for each in (of_file, of_dict):
+        assert pickle.loads(pickle.dumps(each)).brdf(0.5, 0.1, 0.2, 3.0) == of_file.brdf(0.5, 0.1, 0.2, 3.0)
+
+
+def test_nan_is_no_key_of_what_is_kept(aluminium):
+    aluminium.brdf(0.5, 0.1, 0.2, 3.0)
+    aluminium.brdf(0.5, 0.1, 0.2, 3.0, rms_roughness_um=0.1)
+    aluminium.sample(0.5, 0.1, rng=1)
+    for call in (
+        lambda: aluminium.brdf(np.nan, 0.1, 0.2, 3.0),
+        lambda: aluminium.brdf([0.5, np.nan], [0.1, 0.1], 0.2, 3.0),
+        lambda: aluminium.albedo(np.nan, 0.1),
+        lambda: aluminium.sample(np.nan, 0.1),
+        lambda: aluminium.hemispherical_emissivity([0.5, np.nan]),
+        lambda: aluminium.pdf(np.nan, 0.1, 0.2, 3.0),
+    ):
+        with pytest.raises(hts.Error, match="wavelength nan"):
+            call()
+    for name in ("n", "k", "rms_roughness_um", "correlation_length_um", "diffuse_albedo"):
+        with pytest.raises(hts.Error, match=r"nan.*\(element 1\)"):
+            aluminium.brdf(0.5, [0.1, 0.1], 0.2, 3.0, **{name: [0.3, np.nan]})
+
+
+def test_band_emissivity_is_of_one_direction():
+    surface = {"model": "he", "rms_roughness_um": 0.2, "correlation_length_um": [1.5, 3], "azimuth_deg": 0, "index": "Al"}
+    material, um, flat = hts.Material(surface), np.array([0.5, 0.55, 0.6]), np.ones(3)
+    with pytest.raises(hts.Error, match="theta: must be one number"):
+        material.band_emissivity(um, flat, [10, 20, 80], degrees=True)
+    along, across = (material.band_emissivity(um, flat, 60, phi_i=phi, degrees=True) for phi in (0, 90))
+    assert along != across
+    assert along == pytest.approx(float(np.trapezoid(material.emissivity(um, 60, phi_i=0, degrees=True), um) / 0.1), rel=1e-9)
 
 
 def test_models():
