@@ -4,6 +4,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -57,18 +59,42 @@ TEST_CASE("second order has the limits it must have") {
             CHECK(gentle[0] == Approx(g).epsilon(2e-3));
             CHECK(gentle[1] == Approx(g).epsilon(2e-3));
         }
-        // the closed form is within 17 % of x_s for tau = lambda
-        for (const double degrees : {0.0, 45.0, 75.0}) {
-            const Direction in = Direction::from_degrees(degrees, 0);
-            const hts::UnifiedWave wave{hts::Surface{0.1 / tau, 1}, hts::ReturnFactor{0.02},
-                                        hts::Wavelength::from_micrometres(1), index};
-            const double closed = -std::log(std::norm(unified_mirror(in, wave).s) /
-                                            std::norm(hts::fresnel(in.cos_theta(), index).s)) /
-                                  0.01;
-            CHECK(closed == Approx(exponents(degrees, index)[0]).epsilon(0.17));
-        }
     }
     CHECK(hts::second_order(0.5, tau, {1, 0}).s == 0.0);
+}
+
+TEST_CASE("the closed exponents of the mirror are near second order where that is said") {
+    WorstCase s{"closed x_s beside second order, to 88 deg", hts::accuracy::closed_exponent_s},
+        p{"closed x_p, metals to 75 deg, dielectrics to 45", hts::accuracy::closed_exponent_p},
+        noble{"closed x_p of Ag, Au, Cu and Al to 88 deg", 0.61};
+    const std::vector<RefractiveIndex> indices{{0.06, 4},  {0.25, 2.9}, {0.62, 2.6}, {0.77, 6.08},
+                                               {1.2, 6.5}, {1.98, 3.7}, {3.2, 3.3},  {1.33, 0},
+                                               {1.5, 0},   {2.5, 0},    {4, 0}};
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        for (const double wavelengths : {1.0, 2.0, 4.0, 8.0}) {
+            for (const double degrees : {0.0, 30.0, 45.0, 60.0, 70.0, 75.0, 80.0, 85.0, 88.0}) {
+                const Direction in = Direction::from_degrees(degrees, 0);
+                const hts::UnifiedWave wave{hts::Surface{0.1 / tau, wavelengths}, hts::ReturnFactor{0.02},
+                                            hts::Wavelength::from_micrometres(1), indices[i]};
+                const auto rough = unified_mirror(in, wave), flat = hts::fresnel(in.cos_theta(), indices[i]);
+                const auto exact = exponents(degrees, indices[i], wavelengths * tau);
+                const auto where = [&] {
+                    return std::to_string(indices[i].n()) + " + " + std::to_string(indices[i].k()) +
+                           "i, tau " + std::to_string(wavelengths) + ", " + std::to_string(degrees) + " deg";
+                };
+                const auto off = [](std::complex<double> a, std::complex<double> b, double x) {
+                    return std::fabs(std::log(std::norm(b) / std::norm(a)) / 0.01 / x - 1);
+                };
+                s.note(off(rough.s, flat.s, exact[0]), where);
+                const double of_p = off(rough.p, flat.p, exact[1]);
+                if (degrees <= (indices[i].k() > 0 ? 75 : 45)) p.note(of_p, where);
+                if (i < 5) noble.note(of_p, where);
+            }
+        }
+    }
+    s.check();
+    p.check();
+    noble.check();
 }
 
 TEST_CASE("the table of the second order follows the integral") {
