@@ -10,8 +10,8 @@
 /// goes with c to 0 at the horizon, where a rough surface becomes a mirror; only a perfect conductor's p dies
 /// there, with x ~ 1/c. Beside second order, for tau >= lambda: x_s is within accuracy::closed_exponent_s;
 /// x_p is within accuracy::closed_exponent_p on metals up to 75 degrees and on dielectrics up to 45. Beyond,
-/// x_p is off by up to 60 % on silver, gold, copper and aluminium, and by factors, in places in sign, on metals
-/// of small |N| and on dielectrics; "mirror": "second_order" serves there.
+/// x_p is off by up to 60 % on silver, gold, copper and aluminium, and by factors, in places in sign, on
+/// metals of small |N| and on dielectrics; "mirror": "second_order" serves there.
 #pragma once
 
 #include "hts/unified/unified_terms.hpp"
