@@ -23,19 +23,19 @@ HWY_INLINE Real real(double value) {
     return hn::Set(d, value);
 }
 
-/// A value to within 2^-65, relative, as the sum of two doubles.
+/// A value as the sum of two doubles, to within 2^-63 of the table and 2^-65 of the series, relative.
 struct Sum {
     Real high, rest;
 };
 
-/// The double nearest to a sum, and whether it is nearest to all values within 1.25 * 2^-62 of it: then the
-/// values in long double, which are within 2^-62 of the exact one, round to it too.
+/// The double nearest to a sum, and whether it is nearest to all values within 1.75 * 2^-62 of it: then the
+/// values in long double, of which Boost's is within 2^-62 of the exact one, round to it too.
 struct Rounded {
     Real value;
     Mask certain;
 };
 HWY_INLINE Rounded rounded(const Sum& sum) {
-    const Real error = hn::Mul(hn::Abs(sum.high), real(1.25 * 0x1p-62));
+    const Real error = hn::Mul(hn::Abs(sum.high), real(1.75 * 0x1p-62));
     const Real low = hn::Add(sum.high, hn::Sub(sum.rest, error));
     return {low, hn::Eq(low, hn::Add(sum.high, hn::Add(sum.rest, error)))};
 }
