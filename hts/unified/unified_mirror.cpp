@@ -22,9 +22,8 @@ FresnelAmplitudes unified_mirror(const Direction& in, const UnifiedWave& wave) n
     const std::complex<double> impedance = wave.index.normal_impedance();
     const double below = std::norm(c + impedance);
     const double grazing =
-        below > 0
-            ? unified_mirror_grazing * square(s_squared) / (wave.k_tau * std::sqrt(wave.k_tau)) / below
-            : 0;
+        below > 0 ? unified_mirror_grazing * square(s_squared) / (wave.k_tau * std::sqrt(wave.k_tau)) / below
+                  : 0;
     const double half = 2 * square(wave.k_sigma) * c;  // of 4 (k sigma_0)^2 c
     const FresnelAmplitudes flat = wave.index.amplitudes(c);
     return {flat.s * std::exp(-half * slanted), flat.p * std::exp(-half * (slanted + grazing))};

@@ -148,8 +148,7 @@ const Quantity brdf{"brdf",
                     false,
                     false,
                     [](const Reflectance& of, Pairs pairs, Values values) {
-                        of.evaluator().brdf_batch(pairs, values);
-                    },
+                        of.evaluator().brdf_batch(pairs, values); },
                     {}};
 const Quantity directional_diffuse = numbers(
     "directional_diffuse", true,

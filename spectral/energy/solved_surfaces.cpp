@@ -23,14 +23,13 @@ std::vector<SolvedSurface> read_cases() {
         const auto number = [&](std::string_view column) { return table.number(row, table.column(column)); };
         const bool along = number("azimuth_deg") == 0;  // 0 or 90
         const double x = number("tau_x_over_lambda"), y = number("tau_y_over_lambda");
-        cases.push_back(
-            {number("sigma0_over_lambda"),
-             along ? x : y,
-             along ? y : x,
-             number("theta_i_deg"),
-             {number("he_ss_db"), number("he_pp_db"), number("he_cross_db"), number("he_db")},
-             {number("he_unified_ss_db"), number("he_unified_pp_db"), number("he_unified_cross_db"),
-              number("he_unified_db")}});
+        cases.push_back({number("sigma0_over_lambda"),
+                         along ? x : y,
+                         along ? y : x,
+                         number("theta_i_deg"),
+                         {number("he_ss_db"), number("he_pp_db"), number("he_cross_db"), number("he_db")},
+                         {number("he_unified_ss_db"), number("he_unified_pp_db"),
+                          number("he_unified_cross_db"), number("he_unified_db")}});
     }
     return cases;
 }
@@ -39,10 +38,9 @@ std::vector<SolvedSurface> read_cases() {
 double difference(const SolvedSurface& a, const SolvedSurface& b) {
     constexpr double factor = 1.6, degrees = 12;
     const auto of_lengths = [](double x, double y) { return std::fabs(std::log(x / y)) / std::log(factor); };
-    return std::max({of_lengths(a.rms_roughness, b.rms_roughness),
-                     of_lengths(a.length_in_plane, b.length_in_plane),
-                     of_lengths(a.length_across, b.length_across),
-                     std::fabs(a.theta_i_deg - b.theta_i_deg) / degrees});
+    return std::max(
+        {of_lengths(a.rms_roughness, b.rms_roughness), of_lengths(a.length_in_plane, b.length_in_plane),
+         of_lengths(a.length_across, b.length_across), std::fabs(a.theta_i_deg - b.theta_i_deg) / degrees});
 }
 
 }  // namespace

@@ -231,14 +231,13 @@ TEST_CASE("normals: draws fall as their density says, which is near p") {
         NormalDensity density;
         double most;  // of p over the density of the draw
     };
-    for (const Case& each :
-         {Case{"a Gaussian", NormalDensity::gaussian(0.1, 1), 1.5},
-          Case{"cylinders", NormalDensity::gaussian(0.3, endless), 1.5},
-          Case{"grooves", NormalDensity::grooves(40 * degree, 0.2), 1.5},
-          Case{"velvet", NormalDensity::inverse_gaussian(0.5), 1.5},
-          Case{"slanted fibres", NormalDensity::slanted_fibres(0.5, 40 * degree), 1.5},
-          Case{"a table", NormalDensity::tabulated(lopsided()), 4},
-          Case{"a picture", NormalDensity::image(0.4, 0.5, picture(), 0.9), 4}}) {
+    for (const Case& each : {Case{"a Gaussian", NormalDensity::gaussian(0.1, 1), 1.5},
+                             Case{"cylinders", NormalDensity::gaussian(0.3, endless), 1.5},
+                             Case{"grooves", NormalDensity::grooves(40 * degree, 0.2), 1.5},
+                             Case{"velvet", NormalDensity::inverse_gaussian(0.5), 1.5},
+                             Case{"slanted fibres", NormalDensity::slanted_fibres(0.5, 40 * degree), 1.5},
+                             Case{"a table", NormalDensity::tabulated(lopsided()), 4},
+                             Case{"a picture", NormalDensity::image(0.4, 0.5, picture(), 0.9), 4}}) {
         const NormalDensity& density = each.density;
         Random random{19};
         double sum = 0, squares = 0, largest = 0, draws = 0;

@@ -51,8 +51,8 @@ TEST_CASE("what no solved surface stands for has none") {
     CHECK_FALSE(nearest_solved(known, sample(metal), Direction::from_degrees(75, 0)));
     CHECK_FALSE(nearest_solved(Surface{0.2 * lambda, 4 * lambda}, sample(metal), in));
     CHECK_FALSE(nearest_solved(Surface{2 * lambda, 1 * lambda}, sample(metal), in));
-    const Surface grooves = Surface::anisotropic(0.2 * lambda, {20 * lambda, 0.7 * lambda},
-                                                 Direction::from_degrees(90, 45));
+    const Surface grooves =
+        Surface::anisotropic(0.2 * lambda, {20 * lambda, 0.7 * lambda}, Direction::from_degrees(90, 45));
     CHECK_FALSE(nearest_solved(grooves, sample(metal), Direction::from_degrees(40, 0)));
     CHECK_FALSE(nearest_solved(Surface{0, lambda}, sample(metal), in));
     CHECK_FALSE(nearest_solved(known.correlated(hts::Correlation::exponential()), sample(metal), in));
