@@ -40,7 +40,8 @@ struct Step {
 
     ///   r   0 ... 1/4
     explicit Step(double r) {
-        const auto i = static_cast<std::size_t>(256 * r + 0.5);
+        const auto i =
+            static_cast<std::size_t>(256 * r + 0.5);  // NOLINT(bugprone-incorrect-roundings): r >= 0
         const Extended a = std::numbers::pi_v<Extended> * (r - static_cast<double>(i) / 256);  // exact
         const Extended s = a * a;
         sine = octant().sine[i];

@@ -76,12 +76,13 @@ class HeTorranceRendering : public HeTorranceSingle {
     /// horizon.
     [[nodiscard]] float pdf(const Vector3f& in, const Vector3f& out) const noexcept;
     /// Both at once.
-    float brdf_and_pdf(const Vector3f& in, const Vector3f& out, std::span<float> result) const;
+    [[nodiscard]] float brdf_and_pdf(const Vector3f& in, const Vector3f& out, std::span<float> result) const;
     /// Draws a direction and evaluates it.
     ///   u        four numbers in [0, 1); the last chooses one of the three wavelengths
     ///   result   size() values: the BRDF [1/sr] of a diffuse draw, whose weight is BRDF cos theta_out / pdf;
     ///            the reflectance [1] of a specular one, whose weight is reflectance / pdf; 0 of none
-    SpectralDraw sample(const Vector3f& in, const std::array<float, 4>& u, std::span<float> result) const;
+    [[nodiscard]] SpectralDraw sample(const Vector3f& in, const std::array<float, 4>& u,
+                                      std::span<float> result) const;
     /// Probability of the specular lobe [1].
     [[nodiscard]] float specular_probability(const Vector3f& in) const noexcept;
 

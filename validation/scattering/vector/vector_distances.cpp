@@ -58,6 +58,11 @@ output::Rows lobe_rows(const ComparedLobe& lobe, const LobeColumn& column) {
 
 }  // namespace
 
+std::vector<std::string> case_columns() {
+    return {"sigma0_over_lambda", "tau_x_over_lambda", "tau_y_over_lambda",
+            "azimuth_deg",        "theta_i_deg",       "length_over_lambda"};
+}
+
 std::vector<double> case_row(const VectorCase& of, const VectorSettings& settings) {
     const VectorSurface& surface = of.surface;
     return {surface.rms_roughness, surface.lengths.along, surface.lengths.across,
@@ -65,7 +70,7 @@ std::vector<double> case_row(const VectorCase& of, const VectorSettings& setting
 }
 
 FigureTable vector_lobe_table(const std::vector<VectorResult>& results, const VectorSettings& settings) {
-    FigureTable table{"vector-lobes", case_columns, {}};
+    FigureTable table{"vector-lobes", case_columns(), {}};
     table.columns.insert(table.columns.end(), {"theta_r_deg", "phi_deg"});
     for (const char* what : {"", "_error"}) {
         for (const Channel c : channels) table.columns.push_back(std::string{name(c)} + what);
@@ -84,7 +89,8 @@ FigureTable vector_lobe_table(const std::vector<VectorResult>& results, const Ve
 }
 
 FigureTable vector_distance_table(const std::vector<ComparedLobe>& lobes) {
-    FigureTable table{"vector-distances", {case_columns.begin(), case_columns.end() - 1}, {}};
+    FigureTable table{"vector-distances", case_columns(), {}};
+    table.columns.pop_back();
     for (const std::string model : {"he", "he_unified"})
         table.columns.insert(table.columns.end(),
                              {model + "_ss_db", model + "_pp_db", model + "_cross_db", model + "_db"});
@@ -108,7 +114,7 @@ std::vector<ComparedLobe> compared(const FigureTable& lobes) {
         const auto& head = lobes.rows[first];
         ComparedLobe lobe{{{head[0], {head[1], head[2]}}, head[3], head[4]}, bins, {}};
         VectorSettings settings;
-        settings.length = head[case_columns.size() - 1];
+        settings.length = head[case_columns().size() - 1];
         for (std::size_t bin = 0; bin < bins.size(); ++bin) {
             const auto& row = lobes.rows[first + bin];
             for (std::size_t c = 0; c < channels.size(); ++c) {

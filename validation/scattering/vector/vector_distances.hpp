@@ -22,9 +22,7 @@ struct ComparedLobe {
 };
 
 /// What begins each row of the tables that are kept: the case.
-inline const std::vector<std::string> case_columns{"sigma0_over_lambda", "tau_x_over_lambda",
-                                                   "tau_y_over_lambda",  "azimuth_deg",
-                                                   "theta_i_deg",        "length_over_lambda"};
+[[nodiscard]] std::vector<std::string> case_columns();
 [[nodiscard]] std::vector<double> case_row(const VectorCase& of, const VectorSettings& settings);
 
 /// The table of lobes that is kept, and what it holds.

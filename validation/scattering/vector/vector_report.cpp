@@ -47,7 +47,7 @@ std::vector<VectorRealisation> solved(const std::filesystem::path& parts, const 
 }
 
 FigureTable map_table(const std::vector<VectorResult>& results, const VectorSettings& settings) {
-    FigureTable table{"vector-map", case_columns, {}};
+    FigureTable table{"vector-map", case_columns(), {}};
     table.columns.insert(
         table.columns.end(),
         {"points_per_wavelength", "realisations", "iterations", "energy_s", "energy_p", "energy_error_s",

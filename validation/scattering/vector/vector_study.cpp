@@ -58,13 +58,11 @@ void add(Scatter& to, Incident state, const FarAmplitude& exact, const FarAmplit
 /// What a beam's far fields are on the grid.
 void add(ScatterGrid& grid, Incident state, const std::vector<FarAmplitude>& exact,
          const std::vector<FarAmplitude>& kirchhoff, Share share) {
-    for (int i = 0; i < polar_steps; ++i) {
-        for (int j = 0; j < 2 * azimuth_steps; ++j) {
-            const int folded = j < azimuth_steps ? j : 2 * azimuth_steps - 1 - j;
-            const auto at = static_cast<std::size_t>(2 * azimuth_steps * i + j);
-            add(grid[static_cast<std::size_t>(azimuth_steps * i + folded)], state, exact[at], kirchhoff[at],
-                share);
-        }
+    constexpr std::size_t half = azimuth_steps, round = 2 * half;
+    for (std::size_t at = 0; at < polar_steps * round; ++at) {
+        const std::size_t i = at / round, j = at % round;
+        const std::size_t folded = j < half ? j : round - 1 - j;
+        add(grid[half * i + folded], state, exact[at], kirchhoff[at], share);
     }
 }
 
