@@ -102,7 +102,7 @@ void write_spectra(const Reflectance& planned, const PlannedPair& pair, bool pol
                    CsvReader& points, Output& output, Format format) {
     auto columns = joined(points.columns(), {"wavelength_um", "brdf", "specular_reflectance"});
     if (mueller) columns = joined(std::move(columns), mueller_columns());
-    TableWriter table{output, format, std::move(columns)};
+    TableWriter table{output, format, columns};
     Transform<SpectralValue>{points, table, planned.size()}.run(
         [&](const CsvRow& row, std::span<SpectralValue> result) {
             evaluate_spectrum(planned, polarised, pair(row), result);

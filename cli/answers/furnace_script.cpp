@@ -40,6 +40,7 @@ const char* only_class(std::span<const double> totals) {
 std::vector<double> edges(const std::vector<double>& middles) {
     const double half = (middles[1] - middles[0]) / 2;
     std::vector<double> result;
+    result.reserve(middles.size() + 1);
     for (const double middle : middles) result.push_back(middle - half);
     result.push_back(middles.back() + half);
     return result;

@@ -12,6 +12,7 @@ namespace {
 /// Checks thicknesses and number, whatever the wavelength.
 void require_stack(const std::vector<FilmConstants>& films) {
     std::vector<Film> plain;
+    plain.reserve(films.size());
     for (const FilmConstants& film : films) plain.push_back({{1, 0}, film.thickness});
     static_cast<void>(CoatedIndex{{1, 0}, plain, Wavelength::from_micrometres(1)});
 }

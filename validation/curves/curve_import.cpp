@@ -38,7 +38,7 @@ struct Reason {
 /// Says which points stay.
 class Filter {
   public:
-    explicit Filter(Selection keep) : keep_{keep} {}
+    explicit Filter(Selection keep) : keep_{std::move(keep)} {}
 
     bool keeps(const CurvePoint& p) {
         const Selection& k = keep_;
@@ -151,7 +151,7 @@ std::string uncertainty_source(const CurveSet& set, const ImportRecipe& recipe, 
 void add_uncertainty(CurveSet& set, const ImportRecipe& recipe) {
     const Reciprocity pairs = recipe.uncertainty_from_reciprocity ? reciprocity(set) : Reciprocity{};
     if (recipe.uncertainty_from_reciprocity && pairs.pairs == 0)
-        set.notes.push_back("no uncertainties from reciprocity: no two points swap light and viewer");
+        set.notes.emplace_back("no uncertainties from reciprocity: no two points swap light and viewer");
     const double relative = std::max(recipe.relative_uncertainty, pairs.relative_uncertainty());
     const double rounding = recipe.resolution / std::sqrt(12.0);
     const std::string source = uncertainty_source(set, recipe, relative, pairs.pairs);
@@ -270,13 +270,13 @@ CurveSet imported_curves(const fs::path& path, const ImportRecipe& recipe, const
         set.uncertainty = "one standard deviation: the reading of a pixel along the axis of values";
         return checked(std::move(set), path.string());
     }
-    if (recipe.emissivity) set.notes.push_back("values are 1 less the emissivities of the file");
+    if (recipe.emissivity) set.notes.emplace_back("values are 1 less the emissivities of the file");
     if (!recipe.row_column.empty())
         set.notes.push_back("rows whose " + recipe.row_column + " is " + recipe.row_text);
     set.curves = grouped(selected(points_in(path, recipe), recipe, path, set), recipe.sweep);
     add_uncertainty(set, recipe);
     if (brighter_towards_light(set))
-        set.notes.push_back(
+        set.notes.emplace_back(
             "more than twice as bright on the light's side of the normal as on the mirror's: "
             "is mirror_sign, or mirror_azimuth_deg, right?");
     set = checked(std::move(set), path.string());

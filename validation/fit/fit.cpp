@@ -74,6 +74,7 @@ FitRequest with_a_lobe_less(FitRequest request) {
 
 /// For several lobes: the best fit with one less and another lobe of hardly any weight, from
 /// where it only gets better.
+// NOLINTNEXTLINE(misc-no-recursion): a lobe less each time
 std::vector<std::vector<double>> nested_starts(const FitProblem& problem, const FitRequest& request,
                                                const FitData& data, const Fit* made) {
     if (request.lobes < 2) return {};
@@ -104,6 +105,7 @@ constexpr double worth_finishing = 1.05;
 
 /// Follows all starts a little and the best to their end.
 ///   made   the fit with a lobe less, where there is one
+// NOLINTNEXTLINE(misc-no-recursion): a lobe less each time
 std::vector<Minimum> minima(const FitProblem& problem, const FitRequest& request, const FitData& data,
                             const Fit* made) {
     auto starts = promising_starts(problem, std::max<std::size_t>(request.followed_starts, 1));

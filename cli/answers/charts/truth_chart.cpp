@@ -58,6 +58,7 @@ template <class Statistic>
 Distances over(const std::vector<Distances>& all, double tolerance, const Statistic& statistic) {
     const auto of = [&](double Distances::*part) {
         std::vector<double> values;
+        values.reserve(all.size());
         for (const Distances& each : all) values.push_back(each.*part);
         return with_arithmetic(statistic(values), tolerance);
     };

@@ -211,7 +211,7 @@ PointsBrdf brdf_from(const std::string& name, const ScatterPoints& given) {
     const ScatterPoints points = without_repetitions(name, given);
     std::vector<std::string> notes = points.notes;
     if (brighter_towards_light(points))
-        notes.push_back(
+        notes.emplace_back(
             "more than twice as bright towards the light as about the mirror direction, which is "
             "taken to be at phi_i + 180 deg: are azimuths counted from the mirror direction?");
     const std::string count = std::to_string(points.angles.size()) + " points ";

@@ -43,7 +43,7 @@ struct PointsBrdf {
 
 /// hts::Error if there is no point, a polar angle is out of range, a value not finite or above 1e100, or if
 /// two points of the same directions contradict each other.
-[[nodiscard]] PointsBrdf brdf_from(const std::string& name, const ScatterPoints& points);
+[[nodiscard]] PointsBrdf brdf_from(const std::string& name, const ScatterPoints& given);
 
 /// The grid that a CSV file gets: polar angles every 2.5 degrees, the last 89.9, azimuths every 5; where the
 /// surface is not isotropic polar angles every 5, azimuths every 10 and the light's every 15.

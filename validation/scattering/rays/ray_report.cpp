@@ -132,6 +132,7 @@ std::vector<Row> rows_with(const FigureTable& table, const Row& first) {
 Figure shadowing_figure(const FigureTable& table) {
     const auto slopes = different(table, 0);
     std::vector<output::Rows> shares;
+    shares.reserve(slopes.size());
     for (const double slope : slopes) shares.push_back(rows_with(table, {slope}));
     return {"ray-shadowing",
             {},

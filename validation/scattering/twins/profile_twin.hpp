@@ -46,7 +46,7 @@ class ProfileTwin {
     [[nodiscard]] ProfileLobe lobe(double theta_i, double theta_r) const;
 
   private:
-    [[nodiscard]] ProfileLobe facets(double theta_i, double theta_r, double unpolarised) const;
+    [[nodiscard]] ProfileLobe facets(double theta_i, double theta_r, double of_mirrors) const;
     [[nodiscard]] ProfileLobe unified(double theta_i, double theta_r) const;
     [[nodiscard]] double he_limit(double theta_i, double theta_r) const;
     [[nodiscard]] double microfacets(double theta_i, double theta_r) const;

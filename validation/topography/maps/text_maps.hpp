@@ -32,6 +32,6 @@ class StatedUnits {
 /// A text that is an ESRI grid, Gwyddion's matrix, a matrix or points.
 ///   text   the whole file      name   of the map
 /// hts::Error that begins with "line 3: " where a line is wrong.
-[[nodiscard]] HeightMap map_from_text(std::string_view text, const std::string& name, const MapUnits& units);
+[[nodiscard]] HeightMap map_from_text(std::string_view text, const std::string& name, const MapUnits& given);
 
 }  // namespace hts::validation
