@@ -19,10 +19,6 @@ constexpr double least_ratio = 1e-30;
 /// A weight of exactly 0 would hide what its lobe could do.
 constexpr double least_linear_start = 1e-4;
 
-ParameterRange scale_range() {
-    return {"scale", "scale", "1", Motion::factors, 1e-3, 1e3, {1}, StartUnit::own, "", true};
-}
-
 double coordinate(const ParameterRange& range, double value) {
     return range.motion == Motion::factors ? std::log(value) : value;
 }
@@ -73,7 +69,9 @@ FitProblem::FitProblem(const FitRequest& request, const FitData& data)
     if (!(request.loss_scale > 0))
         throw RequestError{"loss scale " + shortest(request.loss_scale) + ": must be > 0"};
     for (const FitParameter& parameter : model_.parameters()) places_.push_back({parameter});
-    places_.push_back({{scale_range(), "", "scale"}});
+    const ParameterRange scale{"scale",        "scale", "1", Motion::factors, 1e-3, 1e3, {1},
+                               StartUnit::own, "",      true};
+    places_.push_back({{scale, "", "scale"}});
     assign_roles();
     for (const Role role : {Role::searched, Role::separated}) {
         for (std::size_t i = 0; i < places_.size(); ++i)
