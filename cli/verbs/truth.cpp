@@ -143,7 +143,7 @@ void report(const std::vector<validation::Check>& checks) {
 /// What of the vector study is solved here.
 tables::TableShard shard_of(const TruthOptions& options) {
     const TruthOptions unasked;
-    const bool of_vector = options.collect || !options.shard.empty() || options.side != unasked.side ||
+    const bool of_vector = options.collect || !options.shard.empty() || !options.is_recorded() ||
                            options.realisations != unasked.realisations;
     if (of_vector && !options.long_vector()) {
         throw UsageError{

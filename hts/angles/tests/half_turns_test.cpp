@@ -43,6 +43,10 @@ double relative(double value, const Exact& exact) {
     return exact == 0 ? std::fabs(value) : std::fabs(Exact{value / exact - 1}.convert_to<double>());
 }
 
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 }  // namespace
 
 TEST_CASE("sines and cosines of half turns are within the bound") {
@@ -96,9 +100,6 @@ TEST_CASE("degrees become sines and cosines within the bound") {
 TEST_CASE("degrees become the doubles that Boost's long doubles round to, zeros with their signs") {
     using boost::math::cos_pi;
     using boost::math::sin_pi;
-    const auto same = [](double a, double b) {
-        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-    };
     int different = 0;
     for (const double size : degrees(100'000, 180)) {
         for (const double phi : {size, -size}) {
@@ -158,9 +159,6 @@ TEST_CASE("many directions from degrees have the bits of each") {
     }
     std::vector<Direction> one, all(theta.size(), Direction::from_degrees(0, 0));
     for (std::size_t i = 0; i < theta.size(); ++i) one.push_back(Direction::from_degrees(theta[i], phi[i]));
-    const auto same = [](double a, double b) {
-        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-    };
     hts::testing::on_every_target([&](const std::string& target) {
         Direction::from_degrees(theta, phi, all);
         std::size_t different = 0;
