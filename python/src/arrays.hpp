@@ -26,7 +26,7 @@ using Shape = std::vector<std::ptrdiff_t>;
 [[nodiscard]] std::size_t size_of(const Shape& shape) noexcept;
 /// "(3, 4)", as Python writes it.
 [[nodiscard]] std::string text_of(const Shape& shape);
-/// Of the i-th element.
+/// "(3, 2)", or "3" along one axis: where the i-th element is.
 [[nodiscard]] std::string index_text(std::size_t i, const Shape& shape);
 
 /// What f returns; its error says of which element it is, where there are several.

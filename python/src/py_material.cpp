@@ -1,9 +1,5 @@
 #include "py_material.hpp"
 
-#include <cmath>
-#include <optional>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include "arrays.hpp"
@@ -16,19 +12,6 @@ using spectral::Reflectance;
 using spectral::WavelengthGrid;
 
 constexpr std::size_t most_kept = 256;
-
-/// Whether a number of a key is not one: as a key it would be equal to every other.
-template <class Key>
-bool has_nan(const Key& key) {
-    const auto is_nan = [](const auto& part) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(part)>, std::optional<double>>)
-            return part && std::isnan(*part);
-        else
-            return false;
-    };
-    return std::isnan(std::get<0>(key)) ||
-           std::apply([&](const auto&... parts) { return (is_nan(parts) || ...); }, key);
-}
 
 }  // namespace
 
@@ -70,33 +53,28 @@ PyMaterial::Key PyMaterial::key(double wavelength, const How& how, const spectra
     return {wavelength, how, own.n, own.k, own.rms_roughness, own.correlation_length, own.diffuse_albedo};
 }
 
-Reflectance PyMaterial::at(double wavelength, const How& how, const spectral::RoughSurfaceValues& own) const {
-    const Key which = key(wavelength, how, own);
-    const bool whole = !has_nan(which);
-    if (whole) {
+template <class Made, class Make>
+Made PyMaterial::kept(std::map<Key, Made> Kept::*of, const Key& which, const Make& make) const {
+    // with a NaN, which as a key would be any other, and which make refuses
+    if (!(which == which)) return make();
+    std::map<Key, Made>& all = (*kept_).*of;
+    {
         const std::lock_guard lock{kept_->mutex};
-        if (const auto found = kept_->reflectances.find(which); found != kept_->reflectances.end())
-            return found->second;
+        if (const auto found = all.find(which); found != all.end()) return found->second;
     }
-    const Reflectance made = at(WavelengthGrid::from_micrometres({wavelength}), how, own);
-    if (!whole) return made;
+    const Made made = make();
     const std::lock_guard lock{kept_->mutex};
-    if (kept_->reflectances.size() >= most_kept) kept_->reflectances.clear();
-    return kept_->reflectances.emplace(which, made).first->second;
+    if (all.size() >= most_kept) all.clear();
+    return all.emplace(which, made).first->second;
+}
+
+Reflectance PyMaterial::at(double wavelength, const How& how, const spectral::RoughSurfaceValues& own) const {
+    return kept(&Kept::reflectances, key(wavelength, how, own),
+                [&] { return at(WavelengthGrid::from_micrometres({wavelength}), how, own); });
 }
 
 spectral::Sampler PyMaterial::sampler(double wavelength, const How& how) const {
-    const auto checked = Wavelength::from_micrometres(wavelength);
-    const Key which = key(checked.micrometres(), how, {});
-    {
-        const std::lock_guard lock{kept_->mutex};
-        if (const auto found = kept_->samplers.find(which); found != kept_->samplers.end())
-            return found->second;
-    }
-    const spectral::Sampler made = at(wavelength, how).sampler(0);
-    const std::lock_guard lock{kept_->mutex};
-    if (kept_->samplers.size() >= most_kept) kept_->samplers.clear();
-    return kept_->samplers.emplace(which, made).first->second;
+    return kept(&Kept::samplers, key(wavelength, how, {}), [&] { return at(wavelength, how).sampler(0); });
 }
 
 }  // namespace hts::python

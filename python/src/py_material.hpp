@@ -65,6 +65,9 @@ class PyMaterial {
         std::map<Key, spectral::Reflectance> reflectances;
         std::map<Key, spectral::Sampler> samplers;
     };
+    /// The value of a key, made if it is not kept.
+    template <class Made, class Make>
+    Made kept(std::map<Key, Made> Kept::*of, const Key& which, const Make& make) const;
 
     spectral::Material material_;
     std::string description_;
