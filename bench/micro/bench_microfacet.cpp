@@ -82,6 +82,7 @@ template <class Make>
 MakeReflectance by_reflectivity(const Make& make) {
     return [make](int wavelengths) {
         std::vector<decltype(make(0.0))> models;
+        models.reserve(static_cast<std::size_t>(wavelengths));
         for (int i = 0; i < wavelengths; ++i) models.push_back(make(0.2 + 0.5 * i / wavelengths));
         return reflectance_of(std::move(models));
     };

@@ -16,8 +16,9 @@ struct NamedTolerance {
     const char* name;
     Tolerance tolerance;
 };
-const std::array tolerances{NamedTolerance{"1e-3", Tolerance{1e-3}}, NamedTolerance{"1e-6", Tolerance{1e-6}},
-                            NamedTolerance{"1e-12", Tolerance{1e-12}}};
+constexpr std::array tolerances{NamedTolerance{"1e-3", Tolerance{1e-3}},
+                                NamedTolerance{"1e-6", Tolerance{1e-6}},
+                                NamedTolerance{"1e-12", Tolerance{1e-12}}};
 
 constexpr std::array decades{"1e-3", "1e-2", "1e-1", "1e0", "1e1", "1e2",
                              "1e3",  "1e4",  "1e5",  "1e6", "1e7", "1e8"};

@@ -2,6 +2,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/bernoulli.hpp>
+#include <boost/math/tools/rational.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-const Real negligible{"1e-40"};  // of the sum, dropped term by term
+/// Of the sum, dropped term by term.
+const Real negligible{"1e-40"};  // NOLINT(cert-err58-cpp): a number, well written
 
 /// w exp(2w) = u, u >= 0, by Newton's method on w + ln(w)/2, which is concave.
 Real half_lambert(const Real& u) {
@@ -36,9 +38,8 @@ Real stirling_remainder(const Real& m) {
     }();
     const Real inverse = 1 / m;
     const Real square = inverse * inverse;
-    Real series = 0;
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) series = series * square + *c;
-    return series * inverse;
+    return boost::math::tools::evaluate_polynomial(coefficients.data(), square, coefficients.size()) *
+           inverse;
 }
 
 /// ln m! for any m, remembered.

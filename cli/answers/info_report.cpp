@@ -163,18 +163,16 @@ std::vector<double> wavelengths_of(const MaterialInfo& info) {
 }
 
 std::string length_note(const Surface& surface) {
-    const std::string shape =
+    std::string shape =
         surface.correlation()
             ? "tau of the findings is sqrt(2) sigma0 over the rms slope of frequencies up to 1/lambda. "
-              "Limits and "
-              "errors are those\nof Gaussian correlations.\n"
+              "Limits and errors are those\nof Gaussian correlations.\n"
             : "";
     if (surface.isotropic()) return shape;
     return shape +
            "Angles are in the plane of the steepest slopes, along the shorter correlation length, which is "
-           "the tau of the\n"
-           "findings. Limits and errors are those of isotropic surfaces: of others they are not measured "
-           "yet.\n";
+           "the tau of the\nfindings. Limits and errors are those of isotropic surfaces: of others they are "
+           "not measured yet.\n";
 }
 
 Json length_json(const Surface& surface) {
@@ -245,7 +243,7 @@ Json error_json(const std::optional<spectral::Decibels>& known) {
 
 }  // namespace
 
-MaterialInfo::MaterialInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
+MaterialInfo::MaterialInfo(const spectral::Material& of, const spectral::WavelengthGrid& wavelengths,
                            std::vector<double> theta_deg, spectral::OutsideRange policy)
     : MaterialInfo{of, std::move(theta_deg),
                    of.at(wavelengths, {.tolerance = prepared_tolerance, .outside = policy})} {}

@@ -15,7 +15,7 @@ struct MaterialInfo {
     /// Throws hts::Error if an angle is out of range, or a wavelength out of the material's and `policy` is
     /// error.
     ///   of   a rough surface
-    MaterialInfo(spectral::Material of, const spectral::WavelengthGrid& wavelengths,
+    MaterialInfo(const spectral::Material& of, const spectral::WavelengthGrid& wavelengths,
                  std::vector<double> theta_deg, spectral::OutsideRange policy);
 
     spectral::Material material;

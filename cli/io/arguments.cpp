@@ -101,6 +101,7 @@ std::vector<std::string> command_words(const CLI::App& program, int argc, char**
     return words;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): verbs nest
 void require_values(CLI::App& program) {
     for (CLI::Option* option : program.get_options()) require_value(*option);
     for (CLI::App* verb : program.get_subcommands([](CLI::App*) { return true; })) require_values(*verb);
@@ -110,21 +111,21 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
     const bool of_values = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr ||
                            dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
     const auto [verb, command] = verb_called(program);
+    const std::string see = " (see " + command + " --help)";
     for (const std::string& word : verb->remaining()) {
         if (of_values || !word.starts_with('-') || word.size() < 2 || is_number(word)) continue;
         const std::string name = word.substr(0, word.find('='));
-        const std::string problem = "unknown option " + spectral::in_quotes(name);
-        if (verb == &program) return problem + ": a subcommand must come first (see hts --help)";
-        return problem + spectral::did_you_mean(name, option_names(*verb)) + " (see " + command + " --help)";
+        return "unknown option " + spectral::in_quotes(name) +
+               (verb == &program ? ": a subcommand must come first (see hts --help)"
+                                 : spectral::did_you_mean(name, option_names(*verb)) + see);
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !verb->remaining().empty())
-        return spectral::in_quotes(verb->remaining().front()) + ": not expected (see " + command + " --help)";
-    const std::string said = error.what();
+        return spectral::in_quotes(verb->remaining().front()) + ": not expected" + see;
+    std::string said = error.what();
     if (const auto most = said.find(": At Most 1 required"); most != std::string::npos)
-        return said.substr(0, most) + ": given more than once: must be given once (see " + command +
-               " --help)";
+        return said.substr(0, most) + ": given more than once: must be given once" + see;
     if (const auto needed = said.find(": 1 required"); needed != std::string::npos)
-        return said.substr(0, needed) + ": must have a value (see " + command + " --help)";
+        return said.substr(0, needed) + ": must have a value" + see;
     return said;
 }
 

@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+// NOLINTNEXTLINE(misc-no-recursion): models nest
 bool move_references(Json& value, const std::string& output) {
     bool moved = false;
     for (auto& [key, part] : value.items()) {

@@ -10,11 +10,12 @@
 ///     const AshikhminFacets facets{NormalDensity::gaussian(0.1, 1)};                       // once, 0.1 s
 ///     const AshikhminBrdf plastic{facets, FacetFresnel::schlick(0.05), 0.5};               // per wavelength
 ///     const double f = plastic.brdf(Direction::from_degrees(30, 0),
-///     Direction::from_degrees(40, 180)); // 1/sr
+///                                  Direction::from_degrees(40, 180));                  // 1/sr
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hts/films/coated_index.hpp"
@@ -45,7 +46,7 @@ class FacetFresnel {
     [[nodiscard]] bool is_schlick() const noexcept { return !index_; }
 
   private:
-    FacetFresnel(double f0, std::optional<CoatedIndex> index) : f0_{f0}, index_{index} {}
+    FacetFresnel(double f0, std::optional<CoatedIndex> index) : f0_{f0}, index_{std::move(index)} {}
 
     double f0_;
     std::optional<CoatedIndex> index_;

@@ -23,6 +23,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "hts/films/coated_index.hpp"
 #include "hts/microfacet/distribution.hpp"
@@ -67,14 +68,14 @@ struct FacetLobe {
 ///
 ///     const hts::WalterBrdf gold{hts::FacetDistribution::ggx(0.2), {0.18, 3.4}};
 ///     const double f = gold.brdf(hts::Direction::from_degrees(30, 0),
-///     hts::Direction::from_degrees(40, 170));
+///                                hts::Direction::from_degrees(40, 170));
 class WalterBrdf {
   public:
     ///   index   of the surface, relative to the medium in front: complex of a metal, k = 0
     ///           of glass; with its films
-    WalterBrdf(const FacetDistribution& facets, const CoatedIndex& index,
+    WalterBrdf(const FacetDistribution& facets, CoatedIndex index,
                NormalDraw normals = NormalDraw::visible) noexcept
-        : facets_{facets}, index_{index}, normals_{normals} {}
+        : facets_{facets}, index_{std::move(index)}, normals_{normals} {}
 
     /// f_r [1/sr]; reciprocal.    error   accuracy::microfacet
     [[nodiscard]] double brdf(const Direction& in, const Direction& out) const noexcept {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
@@ -84,14 +85,14 @@ double bragg_lift(double k_sigma, double k_tau) noexcept {
     return 0.25 * k_sigma * std::min(k_sigma, roughest) / (held * std::sqrt(held)) * fade;
 }
 
-UnifiedWave::UnifiedWave(const Surface& rough, const ReturnFactor& m, const Wavelength& wavelength,
+UnifiedWave::UnifiedWave(Surface rough, const ReturnFactor& m, const Wavelength& wavelength,
                          const CoatedIndex& of)
-    : surface{rough},
-      seen{rough.seen_by(wavelength)},
+    : surface{std::move(rough)},
+      seen{surface.seen_by(wavelength)},
       index{of},
-      k_sigma{wavelength.wave_number() * rough.rms_roughness()},
+      k_sigma{wavelength.wave_number() * surface.rms_roughness()},
       k_tau{wavelength.wave_number() * seen.correlation_length()},
-      k_length{wavelength.wave_number() * rough.correlation_length()},
+      k_length{wavelength.wave_number() * surface.correlation_length()},
       lift{bragg_lift(k_sigma, k_tau)},
       returned{m.returned(flat_reflectance(index))} {}
 

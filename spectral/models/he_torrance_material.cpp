@@ -88,10 +88,10 @@ using Spectra = std::function<Spectrum(std::vector<SpectralSample> samples)>;
 template <class Spectrum>
 class RoughSurfaceEvaluator final : public Evaluator {
   public:
-    RoughSurfaceEvaluator(const std::string& name, const RoughSurface& surface,
-                          std::vector<SpectralSample> samples, Spectra<Spectrum> spectrum_of)
+    RoughSurfaceEvaluator(const std::string& name, RoughSurface surface, std::vector<SpectralSample> samples,
+                          Spectra<Spectrum> spectrum_of)
         : Evaluator{name, grid_of(samples)},
-          surface_{surface},
+          surface_{std::move(surface)},
           samples_{samples},
           uniform_diffuse_{taken_from(samples)},
           has_uniform_{std::ranges::any_of(uniform_diffuse_, [](double value) { return value != 0; })},

@@ -10,6 +10,7 @@
 
 #include "hts/error.hpp"
 #include "spectral/text/text.hpp"
+#include "tables/formats/points/two_sides.hpp"
 #include "validation/curves/digitised.hpp"
 #include "validation/curves/import_formats.hpp"
 #include "validation/curves/reciprocity.hpp"
@@ -238,25 +239,15 @@ std::vector<ImportedPoint> selected(const std::vector<ImportedPoint>& points, co
     return kept;
 }
 
-/// Whether the mean on the light's side is more than twice that on the mirror's, at oblique angles in the
-/// plane of incidence and where both were measured.
 bool brighter_towards_light(const CurveSet& set) {
-    constexpr double oblique = 5;  // [deg]
-    constexpr std::size_t enough = 3;
     if (set.quantity == Quantity::hemispherical_reflectance) return false;
-    std::array<double, 2> sums{};  // the mirror's side, the light's
-    std::array<std::size_t, 2> counts{};
+    tables::TwoSides sides;
     for (const Curve& curve : set.curves) {
         if (curve.sweep == Sweep::scattered) continue;
-        for (const CurvePoint& point : curve.points) {
-            if (std::min(point.theta_i, point.theta_r) < oblique) continue;
-            const std::size_t side = point.side() < 0 ? 1 : 0;
-            sums[side] += point.value;
-            ++counts[side];
-        }
+        for (const CurvePoint& point : curve.points)
+            sides.add(point.theta_i, point.theta_r, point.side() < 0, point.value);
     }
-    return counts[0] >= enough && counts[1] >= enough &&
-           sums[1] / static_cast<double>(counts[1]) > 2 * sums[0] / static_cast<double>(counts[0]);
+    return sides.brighter_towards_light();
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ class Truth {
                 samples.push_back({pairs_[i], k, values_[i][k], floor_of(i, k)});
             }
         }
-        return validation::fit_data(surface_.title, chart_wavelengths(), std::move(samples));
+        return validation::fit_data(surface_.title, chart_wavelengths(), samples);
     }
 
   private:

@@ -20,7 +20,7 @@ namespace reference {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
 
-inline const Real pi = boost::math::constants::pi<Real>();
+inline const Real pi = boost::math::constants::pi<Real>();  // NOLINT(cert-err58-cpp): as above
 
 /// The angle in radians of a decimal number of degrees that was read as a double.
 inline Real radians(double degrees) {
@@ -129,7 +129,7 @@ class Draw {
 /// An input: 17 significant digits, which give the double back exactly.
 inline std::string text(double input) {
     std::array<char, 40> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.17g", input);
+    static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.17g", input));
     return buffer.data();
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/math/special_functions/bernoulli.hpp>
 #include <boost/math/special_functions/erf.hpp>
+#include <boost/math/tools/rational.hpp>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -39,8 +40,8 @@ inline Real log_factorial(std::int64_t m) {
         return c;
     }();
     const Real x = m;
-    Real series = 0;
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) series = series / (x * x) + *c;
+    const Real series =
+        boost::math::tools::evaluate_polynomial(coefficients.data(), Real{1 / (x * x)}, coefficients.size());
     return (x + Real(1) / 2) * log(x) - x + log(2 * pi) / 2 + series / x;
 }
 
@@ -61,7 +62,7 @@ inline Real log_summand(const Real& g, const Real& t, std::int64_t m) {
 
 /// Terms below this fraction of the largest are dropped; at most 1e6 of them matter, so the sum keeps 60
 /// digits.
-inline const Real negligible{"1e-75"};
+inline const Real negligible{"1e-75"};  // NOLINT(cert-err58-cpp): a number, well written
 
 inline PhiSums finished(const Real& log_scale, const Real& phi_sum, const Real& psi_sum) {
     const Real log_phi = log_scale + log(phi_sum);
@@ -151,7 +152,7 @@ inline Real effective_roughness_ratio(const Real& K) {
 
 struct Fresnel {
     Complex s, p;
-    Real unpolarised() const { return (norm(s) + norm(p)) / 2; }
+    [[nodiscard]] Real unpolarised() const { return (norm(s) + norm(p)) / 2; }
 };
 
 /// F_s = (c - r)/(c + r), F_p = (n^2 c - r)/(n^2 c + r), r = sqrt(n^2 - sin^2), time factor exp(-i omega t).
@@ -177,7 +178,7 @@ inline Frame frame(const Vector& k) {
 
 struct Jones {
     Complex ss, sp, ps, pp;
-    Real half_sum_of_squares() const { return (norm(ss) + norm(sp) + norm(ps) + norm(pp)) / 2; }
+    [[nodiscard]] Real half_sum_of_squares() const { return (norm(ss) + norm(sp) + norm(ps) + norm(pp)) / 2; }
 };
 
 /// (61)-(64), divided by |k_r x k_i|^2.

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "hts/error.hpp"
@@ -13,6 +14,7 @@
 #include "tables/formats/points/in_plane.hpp"
 #include "tables/formats/points/nearest_points.hpp"
 #include "tables/formats/points/tokens.hpp"
+#include "tables/formats/points/two_sides.hpp"
 
 namespace hts::tables {
 namespace {
@@ -183,25 +185,20 @@ ScatterPoints without_repetitions(const std::string& name, const ScatterPoints& 
     return result;
 }
 
-/// Whether the mean of what goes to the light's side of the plane of incidence is more than twice that of the
-/// mirror's side, at oblique angles and where both were measured.
 bool brighter_towards_light(const ScatterPoints& points) {
-    constexpr double oblique = 5, beside = 1;  // [deg]
-    constexpr std::size_t enough = 3;
-    std::array<double, 2> sums{};  // the mirror's side, the light's
-    std::array<std::size_t, 2> counts{};
+    constexpr double beside = 1;  // [deg]
+    TwoSides sides;
     const std::size_t each = points.wavelengths.size();
     for (std::size_t i = 0; i < points.angles.size(); ++i) {
         const ScatterAngles& at = points.angles[i];
         const double turn = std::abs(std::remainder(at.phi_r - at.phi_i, 360));
         const bool in_plane = turn < beside || turn > 180 - beside;
-        if (at.theta_i < oblique || at.theta_r < oblique || !in_plane) continue;
-        const std::size_t side = turn < beside ? 1 : 0;
-        for (std::size_t w = 0; w < each; ++w) sums[side] += points.values[i * each + w];
-        ++counts[side];
+        const std::span values = std::span{points.values}.subspan(i * each, each);
+        if (in_plane)
+            sides.add(at.theta_i, at.theta_r, turn < beside,
+                      std::accumulate(values.begin(), values.end(), 0.0));
     }
-    return counts[0] >= enough && counts[1] >= enough &&
-           sums[1] / static_cast<double>(counts[1]) > 2 * sums[0] / static_cast<double>(counts[0]);
+    return sides.brighter_towards_light();
 }
 
 }  // namespace
