@@ -67,6 +67,7 @@ void add_figures(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("figures", "figures of the papers computed anew, SVG by gnuplot");
     auto options = std::make_shared<FiguresOptions>();
     std::vector<std::string> names;
+    names.reserve(papers.size());
     for (const PaperFigures& each : papers) names.emplace_back(each.paper);
     one_of(verb->add_option("paper", options->paper, "whose figures"), names)->required();
     fills(verb->add_option("-o,--output", options->folder, "folder for pictures and numbers"))->required();

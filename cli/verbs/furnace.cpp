@@ -129,6 +129,7 @@ template <class Total>
 void draw_map(const fs::path& path, const FurnaceGrid& grid, const std::vector<FurnacePoint>& points,
               const std::string& title, Total&& total) {
     std::vector<double> totals;
+    totals.reserve(points.size());
     for (const FurnacePoint& point : points) totals.push_back(total(point));
     output::draw(
         path.string(),

@@ -1,9 +1,9 @@
 // A row of spheres in a studio, one for each material file:  hts_example_spheres PICTURE.png MATERIAL.json …
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <numbers>
 #include <span>
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
         if (argc < 3) throw hts::Error{"usage: hts_example_spheres PICTURE.png MATERIAL.json ..."};
         draw(argv[1], {argv + 2, argv + argc});
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        std::cerr << error.what() << '\n';
         return 1;
     }
 }

@@ -329,8 +329,8 @@ std::string with_short_colours(std::string_view svg) {
         std::array<char, 8> colour{};
         if (std::sscanf(text.c_str(), "rgb(%u,%u,%u)", &parts[0], &parts[1], &parts[2]) == 3 &&
             text.find(')') != std::string::npos) {
-            std::snprintf(colour.data(), colour.size(), "#%02x%02x%02x", parts[0] & 255U, parts[1] & 255U,
-                          parts[2] & 255U);
+            static_cast<void>(std::snprintf(colour.data(), colour.size(), "#%02x%02x%02x", parts[0] & 255U,
+                                            parts[1] & 255U, parts[2] & 255U));
             result += colour.data();
             at += text.find(')') + 1;
         } else {

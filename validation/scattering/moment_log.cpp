@@ -1,21 +1,20 @@
 #include "validation/scattering/moment_log.hpp"
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "hts/error.hpp"
+#include "spectral/text/decimal.hpp"
 
 namespace hts::validation {
 namespace {
 
 std::string number(double value) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.17g", value);
-    return text.data();
+    std::string text;
+    spectral::append_17_digits(text, value);
+    return text;
 }
 
 std::string key(const RoughnessStatistics& surface, double theta_i_deg) {
