@@ -63,8 +63,8 @@ struct HeTorranceSpectrum::Lanes {
     }
     /// The lanes' lobes of mirrors with the Jones matrices of the films; false where the lanes do not take
     /// the pair.
-    bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
-                          std::span<Mueller> result) const noexcept {
+    [[nodiscard]] bool mueller_of_films(const DirectionPair& pair, const std::vector<SpectralSample>& samples,
+                                        std::span<Mueller> result) const noexcept {
         // the lobes stand in front in the room of the matrices, which are filled from the last on
         const auto* const lobes = reinterpret_cast<const double*>(result.data());
         if (!forms.brdf_one(prepared, pair, reinterpret_cast<double*>(result.data()))) return false;

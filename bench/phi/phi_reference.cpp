@@ -13,7 +13,7 @@ using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 /// Of the sum, dropped term by term.
-const Real negligible{"1e-40"};  // NOLINT(cert-err58-cpp): a number, well written
+const Real negligible{"1e-40"};
 
 /// w exp(2w) = u, u >= 0, by Newton's method on w + ln(w)/2, which is concave.
 Real half_lambert(const Real& u) {

@@ -15,8 +15,7 @@
 namespace hts::cli {
 namespace {
 
-const std::vector<std::string> known_columns{// NOLINT(cert-err58-cpp): short words
-                                             "wavelength_um",
+const std::vector<std::string> known_columns{"wavelength_um",
                                              "wavelength_nm",
                                              "theta_i_deg",
                                              "phi_i_deg",

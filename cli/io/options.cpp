@@ -236,8 +236,7 @@ void OutsideOption::add_to(CLI::App& verb) {
             policy = from_option("--outside", [&] { return spectral::outside_range_named(text); });
         },
         "beyond what is known of wavelengths and, of measured data,\ndirections: error (default), hold the "
-        "end "
-        "value, or zero");
+        "end value, or zero");
     one_of(outside, {"error", "hold", "zero"});
     verb.add_flag_callback(
             "--clamp", [this] { policy = spectral::OutsideRange::hold; }, "the same as --outside hold")

@@ -21,8 +21,8 @@ using namespace hts::cli::testing;
 #ifndef __has_feature
 #define __has_feature(x) false
 #endif
-/// 4 GB for a command, and some time. The address sanitizer reserves terabytes of addresses, and limits what is
-/// used of them.
+/// 4 GB for a command, and some time. The address sanitizer reserves terabytes of addresses; it limits what
+/// is used of them.
 constexpr const char* little_memory = __has_feature(address_sanitizer)
                                           ? "ASAN_OPTIONS=hard_rss_limit_mb=4000 timeout 60"
                                           : "ulimit -v 4000000; timeout 20";

@@ -245,8 +245,7 @@ void run(const EvalOptions& options) {
          !options.polarisation.empty() || !options.plan.empty() || options.random_pairs)) {
         throw UsageError{
             "--transmission: must not come with --mueller, --detail, --columns, --compensate-energy, "
-            "--polarisation, "
-            "--plan, --random-pairs"};
+            "--polarisation, --plan, --random-pairs"};
     }
     if (options.uncertainty &&
         (options.transmission || options.compensate || !options.plan.empty() || options.random_pairs)) {

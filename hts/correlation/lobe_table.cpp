@@ -73,7 +73,7 @@ double logarithm(double value) {
 
 constexpr double row_step = LobeTable::row_step;
 
-double row_coordinate(double g) {
+double row_coordinate(double g) noexcept {
     return std::log(g) + LobeTable::crowding * g / (g + LobeTable::crowded);
 }
 const double first_row = row_coordinate(LobeTable::least_g);
@@ -193,12 +193,12 @@ LobeIntegral::LobeIntegral(ShapePointer shape, std::size_t points)
       heights_{shape_->heights(grid_)} {}
 
 LobeRow LobeIntegral::row(double g) const {
-    const std::size_t points = transform_.points();
+    const std::size_t points = transform_.points(), middle = points / 2;
     // about the length over which the phase keeps its correlation
     const auto decorrelated = std::ranges::lower_bound(heights_.complement, 1 / std::max(g, 2.0));
     const auto centre = static_cast<std::size_t>(decorrelated - heights_.complement.begin());
-    const std::size_t first = std::clamp(centre, points / 2, grid_.count - points / 2 - 1) - points / 2;
-    const double log_centre = grid_[first + points / 2];
+    const std::size_t first = std::clamp(centre, middle, grid_.count - middle - 1) - middle;
+    const double log_centre = grid_[first + middle];
     std::vector<std::complex<double>> values(points);
     double lobe = 0, second = 0, reach = 0;
     const double whole = kernel(g, 1, 0), whole_second = scaled_sum(g, g, 0);
@@ -216,7 +216,7 @@ LobeRow LobeIntegral::row(double g) const {
     transform_.hankel(values);
     LobeRow row;
     row.step_ = transform_.step();
-    row.first_log_q_ = -log_centre - static_cast<double>(points / 2) * row.step_;
+    row.first_log_q_ = -log_centre - static_cast<double>(middle) * row.step_;
     row.at_zero_ = lobe * row.step_;
     row.second_at_zero_ = second * row.step_;
     std::size_t greatest = 0;

@@ -39,7 +39,7 @@ LogTransform::LogTransform(std::size_t points, double step)
 }
 
 double LogTransform::frequency(std::size_t m) const noexcept {
-    const double count = static_cast<double>(points_);
+    const auto count = static_cast<double>(points_);
     const double signed_m = static_cast<double>(m) - (2 * m > points_ ? count : 0);
     return 2 * std::numbers::pi * signed_m / (count * step_);
 }

@@ -14,7 +14,7 @@
 namespace hts::correlation_detail {
 namespace {
 
-constexpr std::size_t points = 8192;
+constexpr std::size_t points = 8192, middle = points / 2;
 constexpr double step = 80.0 / points;
 constexpr std::ptrdiff_t margin = 600;  // of its points a transform feels its own ends
 constexpr double edge = 0.05;           // ln f over which a spectrum falls to 0
@@ -41,7 +41,7 @@ class TabulatedSpectrum final : public HeightShape {
         // the transform's own grid, about the middle of the table
         const double centre = (curve_.first_log_x() + curve_.last_log_x()) / 2 + log_scale_;
         const auto log_q = [&](std::size_t i) {
-            return centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
+            return centre + (static_cast<double>(i) - static_cast<double>(middle)) * step;
         };
         const LogTransform transform{points, step};
         const double bias = continued_ ? std::min(1.0, (-curve_.last_power() - 2) / 2) : 1;
@@ -58,7 +58,7 @@ class TabulatedSpectrum final : public HeightShape {
         for (std::size_t i = 0; i < points; ++i)
             total += step * std::exp(log_norm_ + log_density(log_q(i) - log_scale_) + 2 * log_q(i));
         for (std::size_t i = 0; i < points; ++i) {
-            const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
+            const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(middle)) * step;
             correlation[i] = whole[i].real() * std::exp(-log_x) / total;
             log_complement[i] = std::log(std::max(rest[i].real() / total, 1e-300)) + bias * log_x;
         }
@@ -66,7 +66,7 @@ class TabulatedSpectrum final : public HeightShape {
         // the spectrum over a thirtieth of the first frequency.
         const double least_q = std::exp(curve_.first_log_x() + log_scale_);
         for (std::size_t i = 0; i < points; ++i) {
-            const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
+            const double log_x = -centre + (static_cast<double>(i) - static_cast<double>(middle)) * step;
             const double far = least_q * std::exp(log_x) / 60;
             correlation[i] *= std::exp(-far * far);
         }
@@ -278,7 +278,7 @@ ScaledShape autocorrelation_shape(std::span<const double> distance, std::span<co
     const LogTransform transform{points, step};
     const double centre = (first + last) / 2;
     const auto log_of = [&](std::size_t i, double sign) {
-        return sign * centre + (static_cast<double>(i) - static_cast<double>(points / 2)) * step;
+        return sign * centre + (static_cast<double>(i) - static_cast<double>(middle)) * step;
     };
     Complexes values(points);
     for (std::size_t i = 0; i < points; ++i) {

@@ -23,7 +23,7 @@ inline constexpr double erfcx_far = 6.5;
 inline constexpr int lambert_octaves = 32;
 inline constexpr int lambert_log2_pieces = 2;  // per octave
 inline constexpr std::size_t lambert_coefficients_per_piece = 8;
-extern const std::array<double, lambert_octaves * 4 * 8> lambert_coefficients;
+extern const std::array<double, std::size_t{lambert_octaves} * 4 * 8> lambert_coefficients;
 
 // The same for lanes of single precision.
 
@@ -33,6 +33,6 @@ extern const std::array<float, 8> single_erfcx_coefficients;
 ///   error   relative, at most 5e-7
 inline constexpr int single_lambert_log2_pieces = 3;
 inline constexpr std::size_t single_lambert_row = 8;  // four powers of each
-extern const std::array<float, lambert_octaves * 8 * 8> single_lambert_coefficients;
+extern const std::array<float, std::size_t{lambert_octaves} * 8 * 8> single_lambert_coefficients;
 
 }  // namespace hts::evaluation_detail

@@ -221,7 +221,7 @@ double AshikhminFacets::reflectance(const Direction& k, double f0) const noexcep
 
 AshikhminBrdf::AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, double diffuse_albedo, double top)
     : facets_{std::move(facets)},
-      fresnel_{fresnel},
+      fresnel_{std::move(fresnel)},
       diffuse_albedo_{checked_reflectance("diffuse albedo", diffuse_albedo)},
       top_{top} {
     if (diffuse_albedo_ == 0) return;
@@ -234,7 +234,7 @@ AshikhminBrdf::AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, doubl
 }
 
 AshikhminBrdf::AshikhminBrdf(AshikhminFacets facets, FacetFresnel fresnel, double diffuse_albedo)
-    : AshikhminBrdf{std::move(facets), fresnel, diffuse_albedo, 1} {}
+    : AshikhminBrdf{std::move(facets), std::move(fresnel), diffuse_albedo, 1} {}
 
 AshikhminBrdf AshikhminBrdf::metal(AshikhminFacets facets, double f0) {
     return {std::move(facets), FacetFresnel::schlick(f0), f0, f0};

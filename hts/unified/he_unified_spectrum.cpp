@@ -83,7 +83,7 @@ Prepared prepare(const Surface& surface, const ReturnFactor& m, double mixed,
         for (std::size_t j = 0; j < unified_detail::root_terms; ++j) {
             set(static_cast<Prepared::Column>(Prepared::root_real + j), term.real());
             set(static_cast<Prepared::Column>(Prepared::root_imaginary + j), term.imag());
-            const double j_real = static_cast<double>(j);
+            const auto j_real = static_cast<double>(j);
             term *= (j_real - 0.5) / (j_real + 1) / (std::complex<double>{n, k} * std::complex<double>{n, k});
         }
     }
@@ -169,8 +169,8 @@ struct HeUnifiedSpectrum::Lanes {
         return true;
     }
     /// BRDFs of a pair; false where the lanes do not take it.
-    bool brdf(const DirectionPair& pair, std::span<const SpectralSample> samples,
-              std::span<double> result) const noexcept {
+    [[nodiscard]] bool brdf(const DirectionPair& pair, std::span<const SpectralSample> samples,
+                            std::span<double> result) const noexcept {
         if (films.empty()) return forms.brdf_one(prepared, pair, result.data());
         return each_of_films(pair, [&](std::size_t i, const JonesMatrix& j) {
             result[i] = samples[i].uniform_diffuse +

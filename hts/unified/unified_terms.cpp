@@ -85,11 +85,10 @@ double bragg_lift(double k_sigma, double k_tau) noexcept {
     return 0.25 * k_sigma * std::min(k_sigma, roughest) / (held * std::sqrt(held)) * fade;
 }
 
-UnifiedWave::UnifiedWave(Surface rough, const ReturnFactor& m, const Wavelength& wavelength,
-                         const CoatedIndex& of)
+UnifiedWave::UnifiedWave(Surface rough, const ReturnFactor& m, const Wavelength& wavelength, CoatedIndex of)
     : surface{std::move(rough)},
       seen{surface.seen_by(wavelength)},
-      index{of},
+      index{std::move(of)},
       k_sigma{wavelength.wave_number() * surface.rms_roughness()},
       k_tau{wavelength.wave_number() * seen.correlation_length()},
       k_length{wavelength.wave_number() * surface.correlation_length()},

@@ -60,7 +60,7 @@ struct UnifiedView {
 /// What a surface is at one wavelength, whatever the directions.
 struct UnifiedWave {
     ///   m   of what the wavelength sees of the surface
-    UnifiedWave(Surface rough, const ReturnFactor& m, const Wavelength& wavelength, const CoatedIndex& of);
+    UnifiedWave(Surface rough, const ReturnFactor& m, const Wavelength& wavelength, CoatedIndex of);
 
     Surface surface, seen;  ///< and what the wavelength sees of it: `Surface::seen_by`
     CoatedIndex index;

@@ -280,12 +280,11 @@ void bind_material(nb::module_& module) {
               "Its part that depends on direction, the lobe [1/sr].");
     pair_call("pdf", &of_pair<quantity::pdf>, nb::sig(HTS_PAIR("pdf", "")),
               "Density with which `sample` draws the view [1/sr]; error 5e-12, relative.");
-    pair_call("mueller", &mueller_of_pair,
-              nb::sig(HTS_PAIR("mueller", ", terms: str = 'directional_diffuse'")),
-              "Mueller matrix (..., 4, 4) of the directional-diffuse term [1/sr], as `hts eval --mueller` "
-              "prints it; of "
-              "all diffuse terms with terms=\"diffuse\". Frames and Stokes vectors: hts/polarisation.hpp.",
-              nb::arg("terms") = "directional_diffuse");
+    pair_call(
+        "mueller", &mueller_of_pair, nb::sig(HTS_PAIR("mueller", ", terms: str = 'directional_diffuse'")),
+        "Mueller matrix (..., 4, 4) of the directional-diffuse term [1/sr], as `hts eval --mueller` prints "
+        "it; of all diffuse terms with terms=\"diffuse\". Frames and Stokes vectors: hts/polarisation.hpp.",
+        nb::arg("terms") = "directional_diffuse");
     const auto light_call = [&](const char* name, auto function, auto signature, const char* what) {
         material.def(name, function, signature, (std::string{what} + arguments_doc).c_str(),
                      nb::arg("wavelength").none(), nb::arg("theta_i") = nb::none(),

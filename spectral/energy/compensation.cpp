@@ -30,8 +30,7 @@ class ScalingEquation {
         if (!surface.isotropic()) {
             throw Error{
                 "energy compensation of a surface of two correlation lengths: must be one length (its "
-                "factors "
-                "are those of isotropic surfaces)"};
+                "factors are those of isotropic surfaces)"};
         }
         const ReflectedLight reflected = reflected_light(surface, PerfectMirror{}, wavelength);
         for (std::size_t i = 0; i < node_count; ++i) {

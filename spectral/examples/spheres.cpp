@@ -99,6 +99,7 @@ std::vector<DisplayRgb> sphere(const Reflectance& reflectance) {
 
 void draw(const char* picture, const std::vector<const char*>& materials) {
     std::vector<std::vector<DisplayRgb>> spheres;
+    spheres.reserve(materials.size());
     for (const char* path : materials)
         spheres.push_back(sphere(read_material(path).at(WavelengthGrid::linear(0.4, 0.7, 7))));
     std::vector<std::uint8_t> rgb;

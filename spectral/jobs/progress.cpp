@@ -64,6 +64,7 @@ std::optional<JobState> job_state() {
     const auto& all = jobs().all;
     if (all.empty()) return std::nullopt;
     JobState state{"", 0, all.back()->begun_, all.front()->begun_};
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not take the library's views
     for (auto each = all.rbegin(); each != all.rend(); ++each) {
         const Job& job = **each;
         if (state.step.empty()) state.step = job.step_;

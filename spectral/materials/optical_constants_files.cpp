@@ -74,11 +74,10 @@ void add_website_rows(IndexRows& rows, std::string_view text, const std::string&
 }
 
 bool has_line(std::string_view text, std::string_view start, char quantity) {
-    for (const std::string_view line : split(text, '\n')) {
+    return std::ranges::any_of(split(text, '\n'), [&](std::string_view line) {
         const auto bare = trimmed(line);
-        if (bare.size() == 4 && bare.starts_with(start) && bare[3] == quantity) return true;
-    }
-    return false;
+        return bare.size() == 4 && bare.starts_with(start) && bare[3] == quantity;
+    });
 }
 
 // The database's website: "wl,n" and rows, then perhaps "wl,k" and rows; its .txt has tabs.

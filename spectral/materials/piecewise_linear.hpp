@@ -21,7 +21,7 @@ enum class OutsideRange {
 /// "error", "hold", "zero".
 [[nodiscard]] const char* name(OutsideRange policy) noexcept;
 /// The one of that name, and `hold` for "clamp"; hts::Error that lists them otherwise.
-[[nodiscard]] OutsideRange outside_range_named(std::string_view name);
+[[nodiscard]] OutsideRange outside_range_named(std::string_view text);
 
 /// Vacuum wavelengths from `shortest` to `longest` [um], both included.
 struct WavelengthRange {

@@ -8,12 +8,6 @@
 #include "spectral/text/text.hpp"
 
 namespace hts::spectral {
-namespace {
-
-/// What may stand beside a material and is no part of it: what a fit notes, and standard deviations.
-const std::vector<std::string> notes{"fitted", "uncertainty"};
-
-}  // namespace
 
 Material::Material(Prepare prepare, Properties properties, std::vector<std::string> warnings,
                    std::string substance)
@@ -68,7 +62,8 @@ Material material_from_json(const MaterialFile& file, const std::vector<ModelEnt
         for (const ModelEntry& one : models) known.push_back(one.name);
         throw model.error(in_quotes(model.text()) + " is not known; " + must_be_one_of(model.text(), known));
     }
-    const MaterialFile own{file.json.without(notes), file.folder, file.default_name};
+    // what may stand beside a material and is no part of it: what a fit notes, and standard deviations
+    const MaterialFile own{file.json.without({"fitted", "uncertainty"}), file.folder, file.default_name};
     return entry->read(own).named(name ? name->text() : file.default_name, entry->name, entry->source);
 }
 

@@ -285,10 +285,10 @@ std::string without_plain_groups(std::string_view svg) {
 }
 
 bool refers_to(std::string_view svg, std::string_view name) {
-    for (const std::string_view end : {"'", "\"", ")"}) {
-        if (svg.find(std::string{"#"}.append(name).append(end)) != std::string_view::npos) return true;
-    }
-    return false;
+    constexpr std::array<std::string_view, 3> ends{"'", "\"", ")"};
+    return std::ranges::any_of(ends, [&](std::string_view end) {
+        return svg.find(std::string{"#"}.append(name).append(end)) != std::string_view::npos;
+    });
 }
 
 /// The shapes among the definitions to which the picture refers. A shape refers to earlier ones alone.
@@ -327,7 +327,8 @@ std::string with_short_colours(std::string_view svg) {
         std::array<unsigned, 3> parts{};
         const std::string text{svg.substr(at, std::string_view{"rgb(255, 255, 255)"}.size())};
         std::array<char, 8> colour{};
-        if (std::sscanf(text.c_str(), "rgb(%u,%u,%u)", &parts[0], &parts[1], &parts[2]) == 3 &&
+        // NOLINTNEXTLINE(cert-err34-c): a number too large is no colour of gnuplot's
+        if (std::sscanf(text.c_str(), "rgb(%u,%u,%u)", parts.data(), &parts[1], &parts[2]) == 3 &&
             text.find(')') != std::string::npos) {
             static_cast<void>(std::snprintf(colour.data(), colour.size(), "#%02x%02x%02x", parts[0] & 255U,
                                             parts[1] & 255U, parts[2] & 255U));

@@ -159,7 +159,7 @@ PlannedForm MaterialForms::at(const Rung& rung) const {
 }
 
 Reflectance MaterialForms::at_nodes(const Rung& rung) const {
-    const Reflectance model =
+    Reflectance model =
         material_.at(rung.wavelengths,
                      {.tolerance = rung.lobe_tolerance, .outside = scene_.outside_range, .lobe = rung.lobe});
     if (!scene_.compensate_energy) return model;

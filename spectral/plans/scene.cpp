@@ -96,7 +96,8 @@ JsonValue tolerance_key(const JsonValue& tolerance) {
         const auto value = tolerance.find(key);
         if (!value) continue;
         if (found)
-            throw tolerance.error(first + " and " + key + " contradict each other: must be one of them");
+            throw tolerance.error(
+                first.append(" and " + key + " contradict each other: must be one of them"));
         found = value;
         first = key;
     }

@@ -14,7 +14,7 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name) {
     return CsvTable{CsvReader::from_text(text, name)};
 }
 
-CsvTable::CsvTable(CsvReader rows) : CsvHeader{rows} {
+CsvTable::CsvTable(CsvReader rows) : CsvHeader{static_cast<const CsvHeader&>(rows)} {
     for (std::size_t i = 0; i < columns().size(); ++i) {
         if (columns()[i].empty()) {
             throw Error{where_header() + "column " + std::to_string(i + 1) + " has no name"};

@@ -9,7 +9,7 @@
 namespace hts::spectral {
 namespace {
 
-__extension__ typedef unsigned __int128 Wide;
+__extension__ using Wide = unsigned __int128;
 
 constexpr int significant = 17, least_power = -292, most_power = 325;
 constexpr std::uint64_t ten_to_8 = 100'000'000, ten_to_16 = ten_to_8 * ten_to_8, ten_to_17 = 10 * ten_to_16;
@@ -115,7 +115,7 @@ void append_general(std::string& text, bool negative, std::uint64_t number, int 
     if (exponent < -4 || exponent >= significant) {
         *to++ = digit[0];
         if (count > 1) *to++ = '.';
-        put(&digit[0] + 1, count - 1);
+        put(digit.data() + 1, count - 1);
         *to++ = 'e';
         *to++ = exponent < 0 ? '-' : '+';
         const int size = exponent < 0 ? -exponent : exponent;
@@ -150,7 +150,7 @@ void append_17_digits(std::string& text, double value) {
     if (number.whole >= ten_to_17) number = scaled(mantissa, exponent, powers[significant - 1 - ++decimal]);
     const Wide off =
         number.fraction > number.half ? number.fraction - number.half : number.half - number.fraction;
-    if (off <= Wide{2 * most_missing})
+    if (off <= 2 * Wide{most_missing})
         return append_by_library(text, value);  // too near a half to tell which way
     std::uint64_t rounded = number.whole + (number.fraction > number.half ? 1 : 0);
     if (rounded == ten_to_17) {

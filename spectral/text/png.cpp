@@ -92,6 +92,7 @@ class GreyReader {
         std::memcpy(to, rest.data(), count);
         rest.remove_prefix(count);
     }
+    // NOLINTBEGIN(cert-err52-cpp): as libpng would have it
     bool read_head() noexcept {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_read_fn(png_, this, next_bytes);
@@ -107,6 +108,7 @@ class GreyReader {
         png_read_end(png_, nullptr);
         return true;
     }
+    // NOLINTEND(cert-err52-cpp)
 
     std::string_view rest_;
     std::array<char, 128> message_{};

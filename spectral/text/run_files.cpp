@@ -218,7 +218,7 @@ const std::string& RunFiles::stage(const std::string& folder, const std::string&
 }
 
 void RunFiles::make_folder(const std::string& folder) {
-    const auto impossible = [&] [[noreturn]] {
+    const auto impossible = [&] {
         throw Error{folder + ": cannot be made: must be a folder that can be written"};
     };
     fs::path made;
@@ -326,7 +326,7 @@ void RunFiles::restore(Target& output) noexcept {
         ::renameat2(AT_FDCWD, output.staged.c_str(), AT_FDCWD, output.target.c_str(), RENAME_EXCHANGE);
         output.replaced = false;
     } else if (output.created) {
-        ::rename(output.target.c_str(), output.staged.c_str());
+        static_cast<void>(::rename(output.target.c_str(), output.staged.c_str()));
     }
 }
 
@@ -362,6 +362,7 @@ void RunFiles::clear() noexcept {
     outputs_.clear();
     for (const auto& [folder, stage] : stages_) ::rmdir(stage.folder.c_str());
     stages_.clear();
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not take the library's views
     for (auto made = made_.rbegin(); made != made_.rend(); ++made) ::rmdir(made->first.c_str());
     made_.clear();
 }

@@ -87,11 +87,11 @@ std::string read_text_file(const std::filesystem::path& path) {
     return checked_text(contents(path), path);
 }
 
-std::string checked_text(std::string text, const std::filesystem::path& path) {
-    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-    if (trimmed(text).empty()) throw Error{path.string() + ": file is empty"};
-    require_utf8(text, path);
-    return text;
+std::string checked_text(std::string bytes, const std::filesystem::path& path) {
+    if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
+    if (trimmed(bytes).empty()) throw Error{path.string() + ": file is empty"};
+    require_utf8(bytes, path);
+    return bytes;
 }
 
 std::string_view trimmed(std::string_view text) noexcept {

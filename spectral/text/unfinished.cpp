@@ -20,7 +20,8 @@ struct Slot {
     std::atomic<int> state;
     std::array<char, 4096> path;
 };
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 constexpr std::size_t slot_count = 1024;  // as many files as a process commonly may have open
 std::array<Slot, slot_count> slots{};

@@ -56,6 +56,7 @@ bool is_text_file(std::string_view bytes) {
     return spectral::is_text(bytes.substr(0, bytes.find_last_of('\n') + 1));
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as all readers
 BrdfFile read_merl(std::string bytes, const Path& path, const BrdfReading& how) {
     BrdfFile file{merl_brdf(bytes, path.string(), how.wavelengths.value_or(rgb_wavelengths())), "merl", {}};
     if (!how.wavelengths) file.channels = rgb_channels();

@@ -190,9 +190,11 @@ class MeasuredModel {
 class MeasuredEvaluator final : public spectral::Evaluator {
   public:
     MeasuredEvaluator(const std::string& name, const spectral::WavelengthGrid& wavelengths,
-                      const spectral::Reflectance& brdf, std::vector<OneWavelength> each,
-                      OutsideRange outside)
-        : spectral::Evaluator{name, wavelengths}, brdf_{brdf}, each_{std::move(each)}, outside_{outside} {}
+                      spectral::Reflectance brdf, std::vector<OneWavelength> each, OutsideRange outside)
+        : spectral::Evaluator{name, wavelengths},
+          brdf_{std::move(brdf)},
+          each_{std::move(each)},
+          outside_{outside} {}
 
     [[nodiscard]] spectral::Properties properties() const override {
         return {.polarised = brdf_.properties().polarised,

@@ -29,6 +29,7 @@ class Replacement {
     }
 
     /// Whether there was one.
+    // NOLINTNEXTLINE(misc-no-recursion): models nest
     bool in(Json& value) const {
         bool any = false;
         for (auto& [key, part] : value.items()) {

@@ -313,8 +313,7 @@ void require_tabulable(const spectral::Reflectance& exact, const TableRequest& r
         throw Error{exact.name() + ": turned about the normal it changes by a factor of up to 1 + " +
                     shortest(change) +
                     ": a table must be of an isotropic surface (with azimuths of the light it would have "
-                    "four axes and "
-                    "gigabytes, and a lookup would take longer than the exact value)"};
+                    "four axes and gigabytes, and a lookup would take longer than the exact value)"};
     }
     if (const double change = spectral::irreciprocity(exact.evaluator()); change > 1e-6) {
         throw Error{exact.name() + ": with light and view exchanged it changes by a factor of up to 1 + " +

@@ -244,7 +244,7 @@ class Prediction::Builder {
         return at->second;
     }
 
-    Row begun(std::size_t at, double factor) const {
+    [[nodiscard]] Row begun(std::size_t at, double factor) const {
         const Job& job = result_.jobs_[at];
         return {at,     job.pairs.size(),    0, 0, job.wavelengths.size(), job.incidences.size(), 0,
                 factor, result_.rows_.size()};

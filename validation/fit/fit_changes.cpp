@@ -52,6 +52,7 @@ double size_of(const FitData& data, const std::vector<double>& weights) {
 Columns averages(const FitModel& model, const Prediction& instrument,
                  const std::vector<std::vector<double>>& values) {
     std::vector<FitTrial> trials;
+    trials.reserve(values.size());
     for (const auto& each : values) trials.push_back({each});
     std::vector<Answers> answers(trials.size());
     for (const Prediction::Job& job : instrument.jobs()) {

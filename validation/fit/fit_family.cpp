@@ -94,6 +94,7 @@ Prediction::Answer answer_of(const std::vector<Model>& models, const Prediction:
     const std::size_t count = models.size();
     const auto order = in_groups(models);
     std::vector<Model> grouped;
+    grouped.reserve(count);
     for (const std::size_t i : order) grouped.push_back(models[i]);
     Prediction::Answer answer{std::vector<double>(job.pairs.size() * count),
                               std::vector<double>(job.incidences.size() * count)};

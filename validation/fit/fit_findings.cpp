@@ -76,8 +76,7 @@ Statements of_mirror_term(Fit& fit, const CurveSet& chosen, const FitSelection& 
     if (!has_term || chosen.source_solid_angle || chosen.detector_solid_angle) return {};
     Statements result{
         "the specular term was not compared: no solid angle of source or detector is stated, so that sigma0 "
-        "and "
-        "tau are not separable but by the shape of the lobe"};
+        "and tau are not separable but by the shape of the lobe"};
     constexpr double small_detector = 1e-3;  // [sr]; goniometers have smaller ones
     const auto peak = most_visible_peak(fit, chosen, selection.outside);
     if (!peak || peak->solid_angle < small_detector || chosen.scale != Scale::absolute) return result;

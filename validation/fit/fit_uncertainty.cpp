@@ -163,7 +163,7 @@ double student_variance(double freedom) noexcept {
 }
 
 Noise noise(const Columns& jacobian, const Scatter& scatter) {
-    const Index count = static_cast<Index>(scatter.residuals.size());
+    const auto count = static_cast<Index>(scatter.residuals.size());
     const Eigen::Map<const Eigen::VectorXd> residuals{scatter.residuals.data(), count};
     const Beside fitted_space{jacobian, count};
     Noise result;
@@ -200,8 +200,9 @@ Noise noise(const Columns& jacobian, const Scatter& scatter) {
 Uncertainty uncertainty(const std::vector<FreeParameter>& parameters, const Columns& jacobian,
                         const Scatter& scatter, const Noise& noise) {
     if (parameters.empty()) return {};
-    const Index count = static_cast<Index>(parameters.size());
+    const auto count = static_cast<Index>(parameters.size());
     std::vector<double> units;
+    units.reserve(parameters.size());
     for (const FreeParameter& parameter : parameters) units.push_back(unit(parameter));
     const Covariance found{matrix_of(jacobian, units), scatter, noise};
     const Eigen::MatrixXd matrix = found.matrix();

@@ -59,8 +59,7 @@ Check both_components() {
     const double share = specular_share(he_figure(7).material, 2, 10);
     return {
         "Fig. 7, 10 deg: specular and directional diffuse components both show: the peak is mostly specular, "
-        "and the lobe beside "
-        "it reaches 5 % of its radius",
+        "and the lobe beside it reaches 5 % of its radius",
         "specular " + brief(peak.specular) + ", directional diffuse " + brief(peak.directional_diffuse) +
             " 1/sr at the peak, lobe " + brief(100 * lobe.radius, 3) + " % of the radius; " +
             brief(100 * share, 3) + " % of the reflected light is specular",
@@ -154,8 +153,8 @@ Check peak_is_specular() {
             " 1/sr; maximum at " + brief(maximal) + " deg",
         point.specular > point.directional_diffuse && std::abs(maximal - 75) <= 5,
         "With the paper's best fit the surface is too rough for its delta, sigma_0 = 2.9 wavelengths: the "
-        "peak is directional "
-        "diffuse and stands beyond the specular direction, as in Fig. 8. The paper's word for it may mean no "
+        "peak is directional diffuse and stands beyond the specular direction, as in Fig. 8. The paper's "
+        "word for it may mean no "
         "more."};
 }
 
@@ -165,8 +164,7 @@ Check grazing_rise() {
     for (const double angle : {45.0, 60.0, 75.0, 85.0}) radii.push_back(at(curve, angle).radius);
     return {
         "Fig. 10: large reflected intensities at grazing angles: the radius grows at 45, 60, 75, 85 deg, "
-        "beyond that of the "
-        "specular direction",
+        "beyond that of the specular direction",
         brief(radii) + "; largest at " + brief(std::abs(maximum(curve, brdf).view_angle)) + " deg",
         rises(radii) && radii.back() > 1,
         "From the normal it falls first, to " + brief(at(curve, 15).radius, 3) + " at 15 and " +

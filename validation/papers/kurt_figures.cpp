@@ -51,7 +51,9 @@ FigureTable albedo_table(const std::string& stem, const std::vector<std::string>
 std::vector<std::string> texts(const std::string& before, const std::vector<double>& values,
                                const std::string& after = {}) {
     std::vector<std::string> result;
-    for (const double value : values) result.push_back(before + shortest(value) + after);
+    result.reserve(values.size());
+    for (const double value : values)
+        result.push_back(std::string{before}.append(shortest(value)).append(after));
     return result;
 }
 

@@ -81,7 +81,7 @@ std::vector<Scene> still_life() {
     scene.objects.push_back({Box{{1.35, 0.2, 0}, {1.3, 1.3, 1.3}, 0.95}, {plastic(0)}});
     scene.objects.push_back({Rectangle{{-5, -7, 0}, {10, 0, 0}, {0, 11, 0}}, {plastic(0.20)}});
     scene.objects.push_back({Rectangle{{-12, 4, -3}, {24, 0, 0}, {0, 0, 12}}, {matt({0.20, 0.24, 0.32})}});
-    scene.lights.push_back({softbox({-5, -4.5, 2.6}, {0, 0, 0.8}, 1.5, 1.5), Spectrum::grey(45)});
+    scene.lights.emplace_back(softbox({-5, -4.5, 2.6}, {0, 0, 0.8}, 1.5, 1.5), Spectrum::grey(45));
     scene.lights.push_back({Sphere{{4.2, -4.6, 5.5}, 0.6}, Spectrum::grey(60)});
     return {scene};
 }
@@ -96,13 +96,11 @@ std::vector<Gallery> he_galleries() {
              3, 1, six_cylinders},
             {"fig13",
              "The three terms alone, after Fig. 13 of He et al. 1991: (a) directional diffuse, aluminium of "
-             "2.5 um at 16 um; (b) "
-             "ideal specular, smooth aluminium; (c) uniform diffuse.",
+             "2.5 um at 16 um; (b) ideal specular, smooth aluminium; (c) uniform diffuse.",
              3, 1, limiting_cylinders},
             {"fig14",
              "After Fig. 14 of He et al. 1991: aluminium cylinder (0.18 um, 3 um), copper sphere (0.13 um, "
-             "1.2 um), smooth plastic "
-             "cube and rough plastic table (0.20 um, 2 um, albedo 0.28).",
+             "1.2 um), smooth plastic cube and rough plastic table (0.20 um, 2 um, albedo 0.28).",
              1, 1, still_life}};
 }
 

@@ -60,6 +60,7 @@ Appearance kurt(const Rgb& kd, const Rgb& ks, const KurtLobe& lobe) {
 
 std::vector<Scene> spheres(const std::vector<Appearance>& materials) {
     std::vector<Scene> scenes;
+    scenes.reserve(materials.size());
     for (const Appearance& material : materials) scenes.push_back(sphere_scene(material));
     return scenes;
 }
@@ -207,8 +208,7 @@ std::vector<Gallery> microfacet_galleries() {
              4, 1, kurt_materials},
             {"kurt13",
              "kd 0.15, ks 0.85, f0 0.75, alpha 0.2, after Fig. 13 of Kurt et al. 2010, which does not give "
-             "the widths: here 0.1 "
-             "and 0.5.",
+             "the widths: here 0.1 and 0.5.",
              2, 1, kurt_anisotropic}};
 }
 

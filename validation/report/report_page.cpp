@@ -201,9 +201,9 @@ std::string misses(const std::vector<Section>& sections) {
 std::string regressions(const std::vector<std::string>& contradictions) {
     if (contradictions.empty())
         return "<p>Every result is the one recorded: the program does what it is known to do. A criterion "
-               "that "
-               "is missed is a finding on the model.</p>\n";
+               "that is missed is a finding on the model.</p>\n";
     std::vector<std::string> lines;
+    lines.reserve(contradictions.size());
     for (const std::string& line : contradictions) lines.push_back(html_escaped(line));
     return "<h2 class=\"bad\">" + counted(contradictions.size(), "result contradicts", "results contradict") +
            " what is recorded</h2>\n" + list(lines);

@@ -134,8 +134,7 @@ Check steep_check(const FigureTable& map) {
     const Extremes model = extremes(map, "he_torrance_db", steep), smith = extremes(map, "smith_db", steep);
     return {
         "at 60 deg and sigma0/tau >= 1/4, tau > lambda/2, Smith with correlated heights and sigma0 is nearer "
-        "to exact than this "
-        "model",
+        "to exact than this model",
         "model " + decibel_text(model.least) + " to " + decibel_text(model.most) + ", Smith " +
             decibel_text(smith.least) + " to " + decibel_text(smith.most),
         smith.most < model.least};

@@ -73,8 +73,7 @@ Figure moment_map_figure(const FigureTable& map) {
     figure.title = "Distance of models from exact scattering, dB";
     figure.subtitle =
         "Random profiles, perfectly conducting, unpolarised light; rms over the scattering angles, weighted "
-        "with "
-        "the exact energy. Blank: σ₀/τ above 1/2.";
+        "with the exact energy. Blank: σ₀/τ above 1/2.";
     figure.x_label = "τ/λ";
     figure.y_label = "σ_0/λ";
     for (const double angle : angles) figure.columns.push_back("θ_i = " + shortest(angle) + "°");

@@ -26,6 +26,7 @@ Ellipse ellipse_of(std::span<const double> x) {
 std::vector<double> relative_powers(const std::vector<PolarBin>& bins, const Ellipse& ellipse) {
     constexpr double width = 0.07;  // of ln f, half a ring
     std::vector<double> at;
+    at.reserve(bins.size());
     for (const PolarBin& bin : bins) {
         at.push_back(std::log(
             ellipse.frequency(bin.frequency * std::cos(bin.azimuth), bin.frequency * std::sin(bin.azimuth))));
@@ -69,7 +70,7 @@ Anisotropy anisotropy_of(const std::vector<MapSpectrum>& spectra, double inflati
             if (bin.frequency >= lowest && bin.cells >= 2) bins.push_back(bin);
         }
     }
-    if (bins.size() < 4 * sector_count)
+    if (bins.size() < std::size_t{4} * sector_count)
         throw Error{std::to_string(bins.size()) + " rings in sectors of the spectrum: must be " +
                     std::to_string(4 * sector_count) + " at least; the map is too small"};
     const auto residuals = [&](const std::vector<double>& at) {

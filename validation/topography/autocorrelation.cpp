@@ -144,7 +144,7 @@ Autocorrelation autocorrelation_of(const HeightMap& map) {
             result.fourths += share * c * c * c * c;
             const double r =
                 std::hypot(static_cast<double>(x) * map.step_x(), static_cast<double>(y) * map.step_y());
-            const auto bin = static_cast<std::size_t>(r / step + 0.5);
+            const auto bin = static_cast<std::size_t>(std::lround(r / step));
             if (bin > count) continue;
             products[bin] += sum.real();
             pairs[bin] += sum.imag();

@@ -69,8 +69,7 @@ MapWindow::MapWindow(const HeightMap& map, Window kind)
     : across{window_line(map.columns(), kind)},
       down{window_line(map.rows(), kind)},
       weights(map.heights().size()),
-      whole{map.value_count() == map.heights().size()},
-      squares{0} {
+      whole{map.value_count() == map.heights().size()} {
     double fourths = 0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
         weights[k] = std::isnan(map.heights()[k]) ? 0 : across[k % map.columns()] * down[k / map.columns()];

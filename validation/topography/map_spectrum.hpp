@@ -25,7 +25,7 @@ struct MapWindow {
     std::vector<double> across, down;  ///< the window is their product
     std::vector<double> weights;       ///< of all points
     bool whole;                        ///< no gaps: the weights are that product
-    double squares;                    ///< sum of their squares
+    double squares = 0;                ///< sum of their squares
     /// How many times fewer independent frequencies there are than without a window, count * sum w^4 /
     /// (sum w^2)^2: 3.78 for Hann.
     double inflation;

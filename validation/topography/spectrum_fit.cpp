@@ -378,6 +378,7 @@ std::vector<SpectrumFit> fits_of_spectra(const std::vector<SeenSpectrum>& maps, 
         fits[i] = SpectrumFitter{maps, models[i]}.fit(length);
     });
     std::vector<SpectrumFit> result;
+    result.reserve(fits.size());
     for (auto& fit : fits) result.push_back(std::move(*fit));
     return result;
 }

@@ -61,7 +61,7 @@ void run(const InfoOptions& options) {
     } else {
         constexpr std::size_t width = 22;
         for (const auto& [key, value] : all) {
-            text += key + std::string(width - std::min(width - 1, key.size()), ' ') + value + '\n';
+            text.append(key).append(width - std::min(width - 1, key.size()), ' ').append(value) += '\n';
         }
     }
     write_file(options.output.path, text);

@@ -8,6 +8,7 @@ namespace hts::cli {
 
 /// The ranks of this run. The first builds the table and hands slices to the others, which compute them in
 /// their constructors and are done.
+// NOLINTBEGIN(performance-trivially-destructible, clang-diagnostic-unused-private-field): of MPI's ranks
 class Ranks {
   public:
     Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);
@@ -24,5 +25,6 @@ class Ranks {
     const tables::TableJob& job_;
     bool first_ = true;
 };
+// NOLINTEND(performance-trivially-destructible, clang-diagnostic-unused-private-field)
 
 }  // namespace hts::cli

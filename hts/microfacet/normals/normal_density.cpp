@@ -66,8 +66,7 @@ NormalDensity::NormalDensity(std::vector<Part> parts, NormalSymmetry symmetry, d
       symmetry_{symmetry},
       width_x_{std::fmin(width_x, 1)},
       width_y_{std::fmin(width_y, 1)},
-      mean_{},
-      projection_{0} {
+      mean_{} {
     for (const auto& part : parts_) {
         mean_ = mean_ + part.share * part.lobe->mean();
         projection_ += part.share * part.lobe->projection();

@@ -144,7 +144,7 @@ class NormalDensity {
     NormalSymmetry symmetry_;
     double width_x_, width_y_;
     Vector3 mean_;
-    double projection_;
+    double projection_ = 0;
 };
 
 struct NormalDensity::Share {

@@ -20,7 +20,7 @@ namespace reference {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
 
-inline const Real pi = boost::math::constants::pi<Real>();  // NOLINT(cert-err58-cpp): as above
+inline const Real pi = boost::math::constants::pi<Real>();
 
 /// The angle in radians of a decimal number of degrees that was read as a double.
 inline Real radians(double degrees) {

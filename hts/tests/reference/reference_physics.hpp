@@ -62,7 +62,7 @@ inline Real log_summand(const Real& g, const Real& t, std::int64_t m) {
 
 /// Terms below this fraction of the largest are dropped; at most 1e6 of them matter, so the sum keeps 60
 /// digits.
-inline const Real negligible{"1e-75"};  // NOLINT(cert-err58-cpp): a number, well written
+inline const Real negligible{"1e-75"};
 
 inline PhiSums finished(const Real& log_scale, const Real& phi_sum, const Real& psi_sum) {
     const Real log_phi = log_scale + log(phi_sum);

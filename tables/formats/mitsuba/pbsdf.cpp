@@ -256,16 +256,14 @@ Exported exported_pbsdf(const spectral::Reflectance& brdf, const std::filesystem
     file.add("wvls", {bands}, nanometres);
     file.add("M", {axes.phi_d.size(), axes.theta_d.size(), axes.theta_h.size(), bands, 4, 4},
              matrices(brdf, axes));
-    Sidecar sidecar{
-        .format = "KAIST polarised tensor file (.pbsdf): Mitsuba 3 measured_polarized",
-        .value = "Mueller matrix of f, without the cosine",
-        .normalisation = "none",
-        .suggested_alpha = std::clamp(slope / std::sqrt(std::numbers::sqrt2 - 1), 1e-3, 1.0),
-        .notes = {"frames: x_in = x_out = w_light x w_view, right-handed, z along the propagation, S3 = "
-                  "+1 clockwise "
-                  "for the receiver",
-                  "isotropic, front side only",
-                  "suggested_alpha is for the plugin's parameter alpha_sample"}};
+    Sidecar sidecar{.format = "KAIST polarised tensor file (.pbsdf): Mitsuba 3 measured_polarized",
+                    .value = "Mueller matrix of f, without the cosine",
+                    .normalisation = "none",
+                    .suggested_alpha = std::clamp(slope / std::sqrt(std::numbers::sqrt2 - 1), 1e-3, 1.0),
+                    .notes = {"frames: x_in = x_out = w_light x w_view, right-handed, z along the "
+                              "propagation, S3 = +1 clockwise for the receiver",
+                              "isotropic, front side only",
+                              "suggested_alpha is for the plugin's parameter alpha_sample"}};
     return {{{path.string(), file.bytes()}}, std::move(sidecar)};
 }
 

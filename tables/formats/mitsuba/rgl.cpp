@@ -164,7 +164,7 @@ class MeasuredBrdf final : public RglBrdf {
 
     [[nodiscard]] bool knows(const DirectionPair& pair) const noexcept override {
         const double theta_i = std::atan2(pair.in.sin_theta(), pair.in.cos_theta());
-        const double last = static_cast<double>(file_.theta_i.back());
+        const auto last = static_cast<double>(file_.theta_i.back());
         return theta_i >= static_cast<double>(file_.theta_i.front()) - nodes_end &&
                (theta_i <= last + nodes_end || last > horizon_reached);
     }

@@ -60,6 +60,7 @@ std::vector<float> incidence_angles(int n) {
 std::vector<float> incidence_azimuths(const spectral::Reflectance& brdf, int n) {
     if (brdf.properties().isotropic) return {0};
     std::vector<float> nodes;
+    nodes.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) nodes.push_back(static_cast<float>(2 * pi * i / (n - 1) - pi));
     nodes.back() = -nodes.front();
     return nodes;

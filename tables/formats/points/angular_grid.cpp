@@ -201,7 +201,7 @@ class GriddedBrdf final : public spectral::Evaluator {
     }
     // Calls visit(node, weight) for the nodes that have a part; returns the sum of weights.
     //   known_alone   leaves out what is below the horizon or was not measured
-    template <class Visit>
+    template <class Visit>  // NOLINTNEXTLINE(modernize-use-nodiscard): the sum is not all there is to it
     double for_corners(const std::array<Neighbours, 4>& axes, bool known_alone,
                        Visit&& visit) const noexcept {
         double share = 0;

@@ -28,6 +28,7 @@ double unit_of(const JsonValue& variable, const std::map<std::string, double>& k
     const auto found = known.find(unit.text());
     if (found != known.end()) return found->second;
     std::vector<std::string> names;
+    names.reserve(known.size());
     for (const auto& [name, factor] : known) names.push_back(name);
     throw unit.error(spectral::in_quotes(unit.text()) + ": " + spectral::must_be_one_of(unit.text(), names));
 }
@@ -52,7 +53,7 @@ std::vector<double> numbers_of(const JsonValue& variable, double factor) {
 /// The lists of a file, equally long.
 class Variables {
   public:
-    explicit Variables(const JsonValue& data) : data_{data} {
+    explicit Variables(JsonValue data) : data_{std::move(data)} {
         const JsonValue brdf = data_["BRDF"];
         const auto unit = brdf.find("unit");
         values_ = numbers_of(brdf, unit ? unit_of(brdf, per_steradian) : 1);
@@ -115,7 +116,7 @@ nlohmann::ordered_json metadata_of(const spectral::Reflectance& brdf, const std:
     std::tm utc{};
     ::gmtime_r(&now, &utc);
     std::array<char, 32> timestamp{};
-    std::strftime(timestamp.data(), timestamp.size(), "%Y-%m-%dT%H:%M:%S+00:00", &utc);
+    static_cast<void>(std::strftime(timestamp.data(), timestamp.size(), "%Y-%m-%dT%H:%M:%S+00:00", &utc));
     using nlohmann::ordered_json;
     const char* const open = "not stated";
     ordered_json parameters = ordered_json::array();
@@ -175,9 +176,9 @@ double polar_angle(double degrees, const std::string& name, const char* variable
 
 bool is_bird_file(std::string_view text) {
     if (!spectral::trimmed(text).starts_with('{')) return false;
-    for (const char* key : {"\"data\"", "\"BRDF\"", "\"theta_i\"", "\"theta_r\""})
-        if (text.find(key) == std::string_view::npos) return false;
-    return true;
+    constexpr std::array keys{"\"data\"", "\"BRDF\"", "\"theta_i\"", "\"theta_r\""};
+    return std::ranges::all_of(keys,
+                               [&](const char* key) { return text.find(key) != std::string_view::npos; });
 }
 
 bool bird_names_wavelengths(const std::string& text, const std::string& name) {
@@ -265,7 +266,7 @@ std::string bird_text(const spectral::Reflectance& brdf, AngularGrid grid) {
             append(5, values[node * um.size() + w], 6);
         }
     }
-    for (std::string& list : lists) list = "[" + list + "]";
+    for (std::string& list : lists) list.insert(0, 1, '[') += ']';
     const auto unit = [](const char* name) {
         return std::string{"\"unit\": \""} + name + "\", \"values\": ";
     };

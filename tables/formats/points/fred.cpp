@@ -54,12 +54,15 @@ struct Units {
 
 Units units_of(const Line& line, const std::string& place) {
     Units units;
-    const Error legal{
-        place + R"(: must be "format angles=deg bsdf=value scale=1", angles deg or rad, scale any number)"};
-    if (line.words.empty() || !same_letters(line.words.front(), "format")) throw legal;
+    const auto legal = [&] {
+        return Error{
+            place +
+            R"(: must be "format angles=deg bsdf=value scale=1", angles deg or rad, scale any number)"};
+    };
+    if (line.words.empty() || !same_letters(line.words.front(), "format")) throw legal();
     for (std::size_t i = 1; i < line.words.size(); ++i) {
         const auto equals = line.words[i].find('=');
-        if (equals == std::string_view::npos) throw legal;
+        if (equals == std::string_view::npos) throw legal();
         const auto key = line.words[i].substr(0, equals), value = line.words[i].substr(equals + 1);
         if (same_letters(key, "angles") && same_letters(value, "deg")) continue;
         if (same_letters(key, "bsdf") && same_letters(value, "value")) continue;
@@ -68,7 +71,7 @@ Units units_of(const Line& line, const std::string& place) {
         } else if (same_letters(key, "scale")) {
             units.scale = spectral::located(place, [&] { return spectral::number_in(value, "scale"); });
         } else {
-            throw legal;
+            throw legal();
         }
     }
     return units;

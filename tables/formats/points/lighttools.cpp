@@ -163,6 +163,7 @@ ScatterPoints points_of_lighttools(std::string_view text, const std::string& nam
     std::map<std::string, int> left_out;
     const std::vector<Block> blocks = read_blocks(tokens, header, name, left_out);
     std::vector<std::string> others;
+    others.reserve(left_out.size());
     for (const auto& [kind, count] : left_out) others.push_back(std::to_string(count) + " of " + kind);
     if (blocks.empty()) {
         throw Error{name + ": no block of reflection at the front" +

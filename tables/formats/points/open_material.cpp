@@ -281,6 +281,7 @@ ScatterPoints points_of_open_material(const std::string& text, const std::string
     if (unnamed && wavelengths->size() != 1)
         throw Error{name + ": holds 1 channel, not " + std::to_string(wavelengths->size())};
     std::vector<double> um;
+    um.reserve(counts.size());
     for (const auto& [each, count] : counts) um.push_back(each);
     ScatterPoints points{unnamed ? *wavelengths : spectral::WavelengthGrid::from_micrometres(um), {}, {}};
     for (const auto& [at, values] : found) {

@@ -215,8 +215,7 @@ PointsBrdf brdf_from(const std::string& name, const ScatterPoints& given) {
     if (is_in_plane(points)) {
         notes.push_back(count +
                         "in the plane of incidence; views beside it are assumed to see what stands in it at "
-                        "the same angle "
-                        "from the mirror direction");
+                        "the same angle from the mirror direction");
         return {in_plane_brdf(name, points), PointLayout::in_plane, std::move(notes)};
     }
     const GridOfPoints grid{points};

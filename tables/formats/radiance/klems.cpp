@@ -21,9 +21,9 @@ double squared_sine(double degrees) {
 
 class KlemsBrdf final : public spectral::Evaluator {
   public:
-    KlemsBrdf(const std::string& name, const spectral::WavelengthGrid& wavelength, const KlemsBasis& basis,
+    KlemsBrdf(const std::string& name, const spectral::WavelengthGrid& wavelength, KlemsBasis basis,
               std::vector<double> means)
-        : spectral::Evaluator{name, wavelength}, basis_{basis}, means_{std::move(means)} {}
+        : spectral::Evaluator{name, wavelength}, basis_{std::move(basis)}, means_{std::move(means)} {}
 
     void brdf(const DirectionPair& pair, std::span<double> values) const noexcept override {
         const bool above = pair.in.cos_theta() > 0 && pair.out.cos_theta() > 0;
@@ -111,7 +111,8 @@ std::vector<double> means_mirrored(const spectral::Reflectance& brdf, const Klem
     constexpr int across = 64, along = 8;
     std::vector<double> means(brdf.size(), 0), values(brdf.size());
     for (int i = 0; i < across * along; ++i) {
-        const double ring = (i / along + 0.5) / across, turn = (i % along + 0.5) / along;
+        const int circle = i / along, step = i % along;
+        const double ring = (circle + 0.5) / across, turn = (step + 0.5) / along;
         brdf.specular_reflectance(basis.point(light, ring, turn).mirror(), values);
         for (std::size_t c = 0; c < means.size(); ++c) means[c] += values[c] / (across * along);
     }

@@ -77,7 +77,7 @@ struct Block {
 struct Chosen {
     pugi::xml_node visible, before{}, after{};
 
-    [[nodiscard]] bool coloured() const { return before && after; }
+    [[nodiscard]] bool coloured() const { return !before.empty() && !after.empty(); }
 };
 
 std::vector<Block> blocks_of(const pugi::xml_node& layer) {

@@ -100,8 +100,7 @@ std::string predictors_text(const std::vector<SetResult>& results) {
         if (fits_best - result.log.begin() != predicts) ++others;
     }
     return "Fitting is not predicting: with one angle of incidence left out at a time, another model than "
-           "the one that "
-           "fits best predicts what was left out best in " +
+           "the one that fits best predicts what was left out best in " +
            std::to_string(others) + " of " + std::to_string(results.size()) + " sets.";
 }
 
@@ -120,9 +119,10 @@ std::size_t wins(const std::vector<SetResult>& results, const std::string& model
     std::size_t count = 0;
     for (const SetResult& result : results) {
         const double own = fit_of(result.l2, model).statistics.l2;
-        count += std::ranges::all_of(models_of_the_paper, [&](const std::string& other) {
+        const bool lowest = std::ranges::all_of(models_of_the_paper, [&](const std::string& other) {
             return own <= fit_of(result.l2, other).statistics.l2 * (1 + 1e-3);
         });
+        count += lowest ? 1U : 0U;
     }
     return count;
 }
@@ -137,8 +137,7 @@ std::string wins_text(const std::vector<SetResult>& results) {
     }
     return text +
            ". The paper finds its own model lowest for 25 of 30 isotropic materials of Matusik et al., which "
-           "are other "
-           "materials, measured in all directions.";
+           "are other materials, measured in all directions.";
 }
 
 /// Median over sets of how much of the one-lobe L2 error more lobes take away.
@@ -146,6 +145,7 @@ std::string lobes_text(const std::vector<SetResult>& results) {
     std::string text;
     for (const int lobes : {2, 3}) {
         std::vector<double> gains;
+        gains.reserve(results.size());
         for (const SetResult& result : results) {
             gains.push_back(1 - fit_of(result.l2, "kurt", lobes).statistics.l2 /
                                     fit_of(result.l2, "kurt").statistics.l2);

@@ -123,17 +123,15 @@ std::vector<std::string> summary(const std::vector<double>& all) {
 }
 
 ReportTable summary_table(const Cases& cases) {
-    ReportTable table{
-        "model-summary",
-        "Distance from exact scattering [dB] of the published model and of its successor over the kept "
-        "cases: "
-        "greatest, median, rms, and in how many cases it is below 0.5 dB. Nearer: cases in which he_unified "
-        "is "
-        "nearer to exact than he, and the same without the last 10 degrees above the horizon. Gentle: tau >= "
-        "lambda, sigma0/tau <= 1/4, light up to 60 degrees.",
-        {"data", "cases", "polarisation", "he max", "median", "rms", "< 0.5", "he_unified max", "median",
-         "rms", "< 0.5", "nearer", "above 10 deg"},
-        {}};
+    ReportTable table{"model-summary",
+                      "Distance from exact scattering [dB] of the published model and of its successor over "
+                      "the kept cases: greatest, median, rms, and in how many cases it is below 0.5 dB. "
+                      "Nearer: cases in which he_unified is nearer to exact than he, and the same without "
+                      "the last 10 degrees above the horizon. Gentle: tau >= "
+                      "lambda, sigma0/tau <= 1/4, light up to 60 degrees.",
+                      {"data", "cases", "polarisation", "he max", "median", "rms", "< 0.5", "he_unified max",
+                       "median", "rms", "< 0.5", "nearer", "above 10 deg"},
+                      {}};
     for (const Group& group : groups(cases)) {
         for (const Polarisation polarisation : polarisations) {
             if (values(cases, group, &CaseDistances::he, polarisation).empty()) continue;
@@ -184,13 +182,13 @@ ReportTable loss_table(const Cases& cases) {
 /// second-order perturbation theory's.
 ReportTable mirror_table() {
     const FigureTable map = kept_table("moment-method-map");
-    ReportTable table{"model-mirrors",
-                      "Error of the share of light that is mirrored, perfect conductors of the first set: "
-                      "he, and he_unified with "
-                      "\"mirror\": \"second_order\" as profiles have it. The closed form of he_unified has "
-                      "no twin for profiles.",
-                      {"polarisation", "he rms", "greatest", "second order rms", "greatest"},
-                      {}};
+    ReportTable table{
+        "model-mirrors",
+        "Error of the share of light that is mirrored, perfect conductors of the first set: he, and "
+        "he_unified with \"mirror\": \"second_order\" as profiles have it. The closed form of he_unified has "
+        "no twin for profiles.",
+        {"polarisation", "he rms", "greatest", "second order rms", "greatest"},
+        {}};
     for (const Polarisation polarisation : {Polarisation::te, Polarisation::tm}) {
         std::vector<double> he, second;
         for (const auto& row : map.rows) {

@@ -202,8 +202,7 @@ Figure vector_map_figure(const std::vector<ComparedLobe>& lobes) {
     figure.title = "Distance of models from exact scattering by rough surfaces, dB";
     figure.subtitle =
         "Perfect conductors, rough in both directions; rms over the hemisphere up to 80°, weighted with the "
-        "exact "
-        "energy. Cross: polarisation exchanged.";
+        "exact energy. Cross: polarisation exchanged.";
     figure.x_label = "θ_i [degrees]";
     figure.y_label = "σ_0/λ, τ/λ";
     const auto place = [](std::vector<std::string>& names, const std::string& name) {

@@ -59,7 +59,8 @@ std::size_t bin_of(int polar_step, int azimuth_step) {
 }
 
 std::size_t place(int polar_step, int azimuth_step) {
-    return static_cast<std::size_t>(azimuth_steps * polar_step + azimuth_step);
+    return std::size_t{azimuth_steps} * static_cast<std::size_t>(polar_step) +
+           static_cast<std::size_t>(azimuth_step);
 }
 
 /// Means over bins of what `at` says of a direction.

@@ -21,7 +21,6 @@ HeightMap::HeightMap(std::string name, std::size_t columns, std::size_t rows, do
     : name_{std::move(name)},
       columns_{columns},
       rows_{rows},
-      value_count_{0},
       step_x_{step_x},
       step_y_{step_y},
       heights_{std::move(heights)} {

@@ -45,7 +45,7 @@ class HeightMap {
 
   private:
     std::string name_;
-    std::size_t columns_, rows_, value_count_;
+    std::size_t columns_, rows_, value_count_ = 0;
     double step_x_, step_y_;
     std::vector<double> heights_;
 };
