@@ -12,7 +12,7 @@ namespace {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-/// Of the sum, dropped term by term.
+/// Terms below this share of the sum are dropped.
 const Real negligible{"1e-40"};
 
 /// w exp(2w) = u, u >= 0, by Newton's method on w + ln(w)/2, which is concave.

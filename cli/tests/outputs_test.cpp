@@ -24,7 +24,7 @@ using namespace hts::cli::testing;
 /// 4 GB for a command, and some time. The address sanitizer reserves terabytes of addresses; it limits what
 /// is used of them.
 constexpr const char* little_memory = __has_feature(address_sanitizer)
-                                          ? "ASAN_OPTIONS=hard_rss_limit_mb=4000 timeout 60"
+                                          ? "ASAN_OPTIONS=$ASAN_OPTIONS:hard_rss_limit_mb=4000 timeout 60"
                                           : "ulimit -v 4000000; timeout 20";
 
 const std::string aluminium = HTS_SOURCE_DIR "/cli/data/rough-aluminium.json";

@@ -10,7 +10,7 @@
 ///     const AshikhminFacets facets{NormalDensity::gaussian(0.1, 1)};                       // once, 0.1 s
 ///     const AshikhminBrdf plastic{facets, FacetFresnel::schlick(0.05), 0.5};               // per wavelength
 ///     const double f = plastic.brdf(Direction::from_degrees(30, 0),
-///                                  Direction::from_degrees(40, 180));                  // 1/sr
+///                                  Direction::from_degrees(40, 180));                      // 1/sr
 #pragma once
 
 #include <memory>

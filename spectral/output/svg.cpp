@@ -327,7 +327,7 @@ std::string with_short_colours(std::string_view svg) {
         std::array<unsigned, 3> parts{};
         const std::string text{svg.substr(at, std::string_view{"rgb(255, 255, 255)"}.size())};
         std::array<char, 8> colour{};
-        // NOLINTNEXTLINE(cert-err34-c): a number too large is no colour of gnuplot's
+        // NOLINTNEXTLINE(cert-err34-c): gnuplot writes no number too large
         if (std::sscanf(text.c_str(), "rgb(%u,%u,%u)", parts.data(), &parts[1], &parts[2]) == 3 &&
             text.find(')') != std::string::npos) {
             static_cast<void>(std::snprintf(colour.data(), colour.size(), "#%02x%02x%02x", parts[0] & 255U,

@@ -154,8 +154,7 @@ Check peak_is_specular() {
         point.specular > point.directional_diffuse && std::abs(maximal - 75) <= 5,
         "With the paper's best fit the surface is too rough for its delta, sigma_0 = 2.9 wavelengths: the "
         "peak is directional diffuse and stands beyond the specular direction, as in Fig. 8. The paper's "
-        "word for it may mean no "
-        "more."};
+        "word for it may mean no more."};
 }
 
 Check grazing_rise() {

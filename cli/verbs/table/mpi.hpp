@@ -8,7 +8,7 @@ namespace hts::cli {
 
 /// The ranks of this run. The first builds the table and hands slices to the others, which compute them in
 /// their constructors and are done.
-// NOLINTBEGIN(performance-trivially-destructible, clang-diagnostic-unused-private-field): of MPI's ranks
+// NOLINTBEGIN(performance-trivially-destructible, clang-diagnostic-unused-private-field): used with MPI only
 class Ranks {
   public:
     Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);

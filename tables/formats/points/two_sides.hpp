@@ -1,3 +1,4 @@
+/// Which side of the normal is the brighter. Not installed.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 namespace hts::tables {
 
 /// What was measured in the plane of incidence, on the mirror's side of the normal and on the light's.
-/// Azimuths that are counted from another direction than a reader takes them show in it.
+/// Azimuths counted from another direction than the reader takes for zero show in it.
 class TwoSides {
   public:
     /// A value at polar angles [deg]; near the normal it tells nothing.
@@ -18,8 +19,8 @@ class TwoSides {
         side.sum += value;
         ++side.count;
     }
-    /// Whether the mean of the light's side is more than twice that of the mirror's; of three values of each
-    /// or more.
+    /// Whether the mean of the light's side is more than twice that of the mirror's, where each has three
+    /// values or more.
     [[nodiscard]] bool brighter_towards_light() const {
         constexpr std::size_t enough = 3;
         const auto& [mirror, light] = sides_;

@@ -127,8 +127,8 @@ ReportTable summary_table(const Cases& cases) {
                       "Distance from exact scattering [dB] of the published model and of its successor over "
                       "the kept cases: greatest, median, rms, and in how many cases it is below 0.5 dB. "
                       "Nearer: cases in which he_unified is nearer to exact than he, and the same without "
-                      "the last 10 degrees above the horizon. Gentle: tau >= "
-                      "lambda, sigma0/tau <= 1/4, light up to 60 degrees.",
+                      "the last 10 degrees above the horizon. Gentle: tau >= lambda, sigma0/tau <= 1/4, "
+                      "light up to 60 degrees.",
                       {"data", "cases", "polarisation", "he max", "median", "rms", "< 0.5", "he_unified max",
                        "median", "rms", "< 0.5", "nearer", "above 10 deg"},
                       {}};
