@@ -28,10 +28,12 @@ void append(PowerSpectrumTable& table, const std::vector<double>& row,
 
 PowerSpectrumTable from_csv(const CsvTable& table, const std::vector<std::string>& names, bool of_profile) {
     std::vector<std::size_t> columns;
+    columns.reserve(names.size());
     for (const std::string& name : names) columns.push_back(table.column(name));
     PowerSpectrumTable result{{}, {}, {}, of_profile, ""};
     for (std::size_t row = 0; row < table.row_count(); ++row) {
         std::vector<double> values;
+        values.reserve(columns.size());
         for (const std::size_t column : columns) values.push_back(table.number(row, column));
         append(result, values, [&](std::size_t which, const std::string& message) {
             return table.error(row, columns[which], message);
@@ -62,12 +64,12 @@ PowerSpectrumTable from_file(const std::filesystem::path& path) {
     const bool of_profile = table.find_column("psd_um3").has_value();
     if (of_profile && table.find_column("psd_um4"))
         throw Error{table.where_header() + "columns psd_um3 and psd_um4: must be one of the two"};
-    const std::string density = of_profile ? "psd_um3" : "psd_um4";
-    for (const std::string other : {"psd_um3_error", "psd_um4_error"})
-        if (table.find_column(other) && other != density + "_error")
-            throw Error{table.where_header() + "column " + other + ": must be " + density + "_error"};
+    const std::string density = of_profile ? "psd_um3" : "psd_um4", error = density + "_error";
+    const std::string other = of_profile ? "psd_um4_error" : "psd_um3_error";
+    if (table.find_column(other))
+        throw Error{table.where_header() + "column " + other + ": must be " + error};
     std::vector<std::string> names{"frequency_per_um", density};
-    if (table.find_column(density + "_error")) names.push_back(density + "_error");
+    if (table.find_column(error)) names.push_back(error);
     return from_csv(table, names, of_profile);
 }
 

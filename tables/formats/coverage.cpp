@@ -29,8 +29,9 @@ double share_of_pairs(const spectral::Evaluator& brdf) {
     constexpr int rings = 12, turns = 4;
     double sum = 0;
     for (int i = 0; i < rings * turns; ++i) {
-        const double theta = std::asin(std::sqrt((i % rings + 0.5) / rings));
-        const double phi = 2 * std::numbers::pi * (i / rings + 0.3) / turns;
+        const int ring = i % rings, turn = i / rings;
+        const double theta = std::asin(std::sqrt((ring + 0.5) / rings));
+        const double phi = 2 * std::numbers::pi * (turn + 0.3) / turns;
         sum += share_of_views(brdf, Direction::from_angles(theta, phi));
     }
     return sum / (rings * turns);
@@ -49,6 +50,7 @@ std::string coverage_note(const spectral::Reflectance& brdf) {
     std::vector<double> angles = domain.theta_i;
     if (angles.size() > 4) angles = {angles.front(), angles[angles.size() / 2], angles.back()};
     std::vector<double> shares;
+    shares.reserve(angles.size());
     for (const double theta_i : angles)
         shares.push_back(
             share_of_views(brdf.evaluator(), Direction::from_degrees(std::min(theta_i, 89.9), 0)));

@@ -27,10 +27,9 @@ double first_root(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0 && a > 0)) return never;
     const double q = -b - std::copysign(std::sqrt(discriminant), b);
-    // NOLINTNEXTLINE(bugprone-narrowing-conversions): both are double
     const auto [near, far] = std::minmax({q / a, q == 0 ? 0.0 : c / q});
     if (near >= shortest_distance) return near;
-    return far >= shortest_distance ? far : never;
+    return far >= shortest_distance ? far : never;  // NOLINT(bugprone-narrowing-conversions): all are double
 }
 
 /// Two planes at +-half: where the ray enters and leaves, and through which it enters.

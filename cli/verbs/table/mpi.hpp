@@ -8,11 +8,10 @@ namespace hts::cli {
 
 /// The ranks of this run. The first builds the table and hands slices to the others, which compute them in
 /// their constructors and are done.
-// NOLINTBEGIN(performance-trivially-destructible, clang-diagnostic-unused-private-field): used with MPI only
 class Ranks {
   public:
     Ranks(const spectral::Reflectance& exact, const tables::TableJob& job);
-    ~Ranks();
+    ~Ranks();  // NOLINT(performance-trivially-destructible): with MPI it does something
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
 
@@ -22,9 +21,8 @@ class Ranks {
 
   private:
     const spectral::Reflectance& exact_;
-    const tables::TableJob& job_;
+    [[maybe_unused]] const tables::TableJob& job_;
     bool first_ = true;
 };
-// NOLINTEND(performance-trivially-destructible, clang-diagnostic-unused-private-field)
 
 }  // namespace hts::cli

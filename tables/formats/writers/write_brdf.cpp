@@ -110,9 +110,8 @@ RoundTrip write_brdf(const Source& source, const WrittenFormat& format, const Fi
     details.depth = request.depth.value_or(details.depth);
     details.mirror_azimuth = request.mirror_azimuth.value_or(details.mirror_azimuth);
     Exported exported = format.exported(patches ? held(source.brdf) : brdf, request.path, details);
-    const auto report =
-        round_trip(brdf, format.read(exported),
-                   {request.pairs, request.seed, details.slope, details.specular_solid_angle});
+    auto report = round_trip(brdf, format.read(exported),
+                             {request.pairs, request.seed, details.slope, details.specular_solid_angle});
     if (request.specular_spread) {
         if (!patches) require_held(request, format, report);
         exported.sidecar.specular = "in the file, " + name_of(format.spread, *request.specular_spread);

@@ -202,6 +202,7 @@ std::vector<Currents> ConductorPatch::applied(std::span<const Currents* const> c
 SolvedCurrents ConductorPatch::solved(const std::vector<Currents>& right, double tolerance) const {
     constexpr int most_products = 100;
     std::vector<Krylov> spaces;
+    spaces.reserve(right.size());
     for (const Currents& each : right) spaces.emplace_back(each);
     for (int products = 0;; ++products) {
         std::vector<Krylov*> open;
