@@ -107,8 +107,7 @@ Exported merl(const Reflectance& brdf, const std::string& path, const ExportDeta
         {rgb_note,
          "a number is the BRDF at the centre of its bin, theta_h = ((i + 1/2)/90)^2 90 deg, theta_d = i + "
          "1/2 deg, phi_d = i + 1/2 deg: readers that take the bin's value are right at the centre, readers "
-         "that "
-         "interpolate between the bins' lower edges (libbsdf) see everything half a bin early",
+         "that interpolate between the bins' lower edges (libbsdf) see everything half a bin early",
          "negative numbers mark bins below the horizon, but for those next to it, which hold the horizon's "
          "value"});
     result.normalisation = "the reader multiplies red, green, blue by 1/1500, 1.15/1500, 1.66/1500";

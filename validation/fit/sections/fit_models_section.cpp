@@ -116,15 +116,13 @@ const Fit& fit_of(const std::vector<Fit>& fits, const std::string& model, int lo
 
 /// In how many sets a model of the paper's seven has the lowest L2 error; ties within 1e-3 count for each.
 std::size_t wins(const std::vector<SetResult>& results, const std::string& model) {
-    std::size_t count = 0;
-    for (const SetResult& result : results) {
+    const auto won = std::ranges::count_if(results, [&](const SetResult& result) {
         const double own = fit_of(result.l2, model).statistics.l2;
-        const bool lowest = std::ranges::all_of(models_of_the_paper, [&](const std::string& other) {
+        return std::ranges::all_of(models_of_the_paper, [&](const std::string& other) {
             return own <= fit_of(result.l2, other).statistics.l2 * (1 + 1e-3);
         });
-        count += lowest ? 1U : 0U;
-    }
-    return count;
+    });
+    return static_cast<std::size_t>(won);
 }
 
 std::string wins_text(const std::vector<SetResult>& results) {
