@@ -5,7 +5,7 @@
 
 using namespace hts::spectral;
 
-TEST_CASE("places of a sorted list; beyond its end stands the greatest value") {
+TEST_CASE("places of a sorted list, and beyond its end stands the greatest value") {
     const std::vector<double> values{5, 1, 4, 2, 3};
     for (std::size_t place = 0; place < 5; ++place)
         CHECK(in_order(values, place) == static_cast<double>(place + 1));

@@ -124,7 +124,7 @@ TEST_CASE("normalisation: narrow lobes reflect 1 at normal incidence, Blinn's an
     }
 }
 
-TEST_CASE("flaw: Ward's lobe darkens like the cosine, then exceeds 1 at grazing; Duer's does not darken") {
+TEST_CASE("flaw: Ward's lobe darkens like the cosine, then exceeds 1 at grazing, Duer's does not darken") {
     for (const double degrees : {30.0, 60.0, 75.0}) {
         CHECK(albedo(WardLobe{0.01, 0.01}, at(degrees)) == Approx(at(degrees).cos_theta()).epsilon(4e-3));
         CHECK(albedo(WardDuerLobe{0.01, 0.01}, at(degrees)) == Approx(1).epsilon(4e-3));

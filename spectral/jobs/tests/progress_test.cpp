@@ -51,7 +51,7 @@ TEST_CASE("a job inside another one counts as a share of the outer one's next pa
     CHECK_FALSE(job_state());
 }
 
-TEST_CASE("a job of one part is as far as what is inside it; of unknown parts, nobody knows") {
+TEST_CASE("a job of one part is as far as what is inside it, and of unknown parts, nobody knows") {
     const Watch watch;
     const Job outer{"verb", 1};
     {
@@ -65,7 +65,7 @@ TEST_CASE("a job of one part is as far as what is inside it; of unknown parts, n
     CHECK(job_state()->share == 0);
 }
 
-TEST_CASE("a parallel loop is a job; loops inside it are none") {
+TEST_CASE("a parallel loop is a job, and loops inside it are none") {
     const Watch watch;
     parallel_for(1, [](std::size_t) { CHECK(job_state().has_value()); });
     const Job outer{"", 10};

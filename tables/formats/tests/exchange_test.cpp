@@ -334,7 +334,7 @@ TEST_CASE("Klems' patches cover the hemisphere, and a direction is in the patch 
     CHECK_THROWS_WITH(KlemsBasis::named("LBNL/Klems Eighth"), Catch::Contains("Klems Quarter"));
 }
 
-TEST_CASE("CSV survives on its grid, also of surfaces with a grain; scattered points by nearness") {
+TEST_CASE("CSV survives on its grid, also of surfaces with a grain, and scattered points by nearness") {
     for (const TestSurface& surface : chosen()) {
         const auto brdf = brdf_of(surface, one_wavelength);
         const auto points = points_of_csv(scatter_csv(brdf, csv_grid()), "c");

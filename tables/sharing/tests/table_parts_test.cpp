@@ -90,7 +90,7 @@ TEST_CASE("a build that was interrupted goes on, to the same bytes") {
     CHECK(computed == all);
 }
 
-TEST_CASE("shards, merged in any order, are the table; what lacks or does not belong is named") {
+TEST_CASE("shards, merged in any order, are the table, and what lacks or does not belong is named") {
     const TemporaryFolder folder;
     build(folder / "1", {1, 3});
     build(folder / "2", {2, 3});
