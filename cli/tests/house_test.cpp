@@ -178,3 +178,17 @@ TEST_CASE("no folder has more than 30 files, no file more than 400 lines, no lin
         });
     }
 }
+
+TEST_CASE("the faults that the tests are to catch still have their text in the sources") {
+    std::ifstream list{root / "hts/tests/faults.txt"};
+    std::size_t faults = 0;
+    for (std::string line; std::getline(list, line);) {
+        if (line.empty() || line.front() == '#') continue;
+        ++faults;
+        INFO(line);
+        const std::size_t text = line.find('|') + 1;
+        CHECK_THAT(read(root / line.substr(0, text - 1)),
+                   Catch::Contains(line.substr(text, line.find('|', text) - text)));
+    }
+    CHECK(faults > 80);
+}
