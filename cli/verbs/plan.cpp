@@ -164,8 +164,7 @@ std::string report(const Plan& plan, const TableVerdicts& tables) {
                                  static_cast<unsigned long long>(plan.sampling.seed));
     if (plan.scene.true_db)
         text += formatted(
-            "which is what true_db %g leaves beside the models' expected distance from exact "
-            "scattering\n",
+            "which is what true_db %g leaves beside the models' expected distance from exact scattering\n",
             *plan.scene.true_db);
     for (std::size_t i = 0; i < cost.size(); ++i) text += report(plan, i, cost[i], tables);
     return text + "all together " + std::to_string(plan.bytes()) +

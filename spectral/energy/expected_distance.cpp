@@ -122,8 +122,8 @@ struct Bounds {
 class Study {
   public:
     Study(std::string substance, bool conductor, bool k_correlated) {
-        const auto table = CsvTable::parse(std::string{embedded_text(distance_files(), "model-distances")},
-                                           "model-distances.csv");
+        static const auto table = CsvTable::parse(
+            std::string{embedded_text(distance_files(), "model-distances")}, "model-distances.csv");
         constexpr std::array<std::string_view, quantities> names{
             "he_te_db", "he_tm_db", "he_db", "he_unified_te_db", "he_unified_tm_db", "he_unified_db"};
         const auto number = [&](std::size_t row, std::string_view column) {

@@ -91,8 +91,7 @@ std::vector<Scene> still_life() {
 std::vector<Gallery> he_galleries() {
     return {{"fig12",
              "Aluminium cylinders before a brick wall, after Fig. 12 of He et al. 1991: (a) to (e) rms "
-             "roughness 0.18, 0.28, 0.38, "
-             "0.48, 0.58 um at correlation length 3 um, (f) 2.5 um at 16 um.",
+             "roughness 0.18, 0.28, 0.38, 0.48, 0.58 um at correlation length 3 um, (f) 2.5 um at 16 um.",
              3, 1, six_cylinders},
             {"fig13",
              "The three terms alone, after Fig. 13 of He et al. 1991: (a) directional diffuse, aluminium of "

@@ -198,8 +198,7 @@ std::vector<Gallery> microfacet_galleries() {
              2, 1, golden_plastic},
             {"ashikhmin9",
              "Grooves of 40 deg in gold under one light, after Fig. 9 of Ashikhmin et al. 2000, on a bulging "
-             "plate: left running across, "
-             "right running towards the viewer.",
+             "plate: left running across, right running towards the viewer.",
              2, 1, grooved_metal},
             {"ashikhmin11", "Satin and velvet, after Fig. 11 of Ashikhmin et al. 2000.", 2, 1, cloths},
             {"kurt4",

@@ -124,8 +124,7 @@ Check still_life_check() {
     const double cube = growth(scene.objects[2]), table = growth(scene.objects[3]);
     return {
         "Fig. 14: specular images on the cube vary with angle by Fresnel alone, on the table mainly by "
-        "roughness: from 60 to 80 deg "
-        "they grow, on the table more than ten times as much",
+        "roughness: from 60 to 80 deg they grow, on the table more than ten times as much",
         "cube " + brief(cube) + " times, table " + brief(table) + " times", cube > 1 && table > 10 * cube};
 }
 

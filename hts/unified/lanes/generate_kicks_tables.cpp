@@ -77,8 +77,7 @@ void write_table(const std::string& folder, const std::string& name, const std::
     out << "// Written by generate_kicks_tables; do not edit. " << cells.size() / (Spec::rows * Spec::lanes)
         << " cells, worst relative error on the generator's own grid " << worst << ".\n"
         << "// clang-format off\n#include \"hts/unified/lanes/kicks_table.hpp\"\n\nnamespace "
-           "hts::unified_detail "
-           "{\nnamespace {\n\n";
+           "hts::unified_detail {\nnamespace {\n\n";
     print(out, spec + "::Coefficient", "cells", cells, Spec::lanes);
     print(out, "std::int64_t", "directory", directory, octaves_per_row);
     out << "\n}  // namespace\n\nconst KicksTable<" << spec << "> kicks_" << name

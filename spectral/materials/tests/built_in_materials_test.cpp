@@ -61,9 +61,8 @@ TEST_CASE("the built-in materials are these") {
     }
     CHECK_THROWS_WITH(
         built_in_optical_constants("al"),
-        "no built-in material \"al\": must be one of Ag, Al, Al-McPeak, Al2O3, Au, BK7, Cr, Cu, "
-        "Cu-Rakic, Fe, MgF2, MgO, Ni, PMMA, SiC, SiO2, Ti, W, polycarbonate, polystyrene; did you mean "
-        "\"Al\"?");
+        "no built-in material \"al\": must be one of Ag, Al, Al-McPeak, Al2O3, Au, BK7, Cr, Cu, Cu-Rakic, "
+        "Fe, MgF2, MgO, Ni, PMMA, SiC, SiO2, Ti, W, polycarbonate, polystyrene; did you mean \"Al\"?");
 }
 
 TEST_CASE("every built-in material agrees with the database over its range", "[.database]") {

@@ -122,8 +122,7 @@ TEST_CASE("the source is one line without HTML") {
         return read_optical_constants(folder.write("m.yml", references + data)).source();
     };
     CHECK(source("REFERENCES: |\n    1) A. Raki\xC4\x87.<br>Title\n    <a "
-                 "href=\"https://x.org/a>b\"></a><i>Opt.</i> "
-                 "<b>2</b>, 1&ndash;2 (k &lt; 1, n<2)\n") ==
+                 "href=\"https://x.org/a>b\"></a><i>Opt.</i> <b>2</b>, 1&ndash;2 (k &lt; 1, n<2)\n") ==
           "1) A. Raki\xC4\x87. Title b\">Opt. 2, 1\xE2\x80\x93"
           "2 (k < 1, n<2)");
     CHECK(source("") == (folder.path() / "m.yml").string());
@@ -161,8 +160,7 @@ TEST_CASE("YAML that cannot be is refused with path and line") {
          "m.yml:6: refractive index n 0: must be > 0 and at most 1e+24"},
         {"  - type: tabulated kn\n    data: |\n        0.5 0.1 1\n",
          "m.yml:4: type \"tabulated kn\": not known; must be formula 1 to formula 9, tabulated nk, tabulated "
-         "n, "
-         "tabulated k or tabulated n2"},
+         "n, tabulated k or tabulated n2"},
         {"  - type: Formula 1\n    wavelength_range: 0.3 2.5\n    coefficients: 1\n",
          "m.yml:4: type \"Formula 1\": not known; must be formula 1 to formula 9, tabulated nk, tabulated n, "
          "tabulated k or tabulated n2"},

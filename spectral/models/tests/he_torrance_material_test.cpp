@@ -164,8 +164,7 @@ TEST_CASE("lengths, albedo, model and keys that cannot be are refused with their
     CHECK(complaint_about(folder, good).empty());
     const std::string keys =
         "name, model, rms_roughness_um, correlation_length_um, azimuth_deg, correlation, rms_band_um, index, "
-        "films, "
-        "diffuse_albedo";
+        "films, diffuse_albedo";
     struct Case {
         std::string what, by, message;
     };

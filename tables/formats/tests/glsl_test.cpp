@@ -81,8 +81,7 @@ TEST_CASE("the shader's arithmetic agrees with the model over surfaces, indices 
     const double median = quantile(errors, 0.5);
     std::printf(
         "shader, %zu pairs: worst %.2e at sigma0/lambda %.4g, tau/lambda %.4g, theta %.2f and %.2f deg, f "
-        "%.3g; "
-        "median %.1e\n",
+        "%.3g; median %.1e\n",
         errors.size(), worst.error, worst.sigma, worst.tau, worst.theta_i, worst.theta_r, worst.value,
         median);
     CHECK(errors.size() > 8000);

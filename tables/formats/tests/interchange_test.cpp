@@ -216,8 +216,7 @@ TEST_CASE("OpenMATERIAL: what is wrong is named with its key") {
           "a.xomp: key \"materialProperties.opticalPropertiesUri\": must be a relative path");
     CHECK(material(replaced(roughness, "1e-7", "-1e-7") + R"(, "opticalPropertiesUri": "a_optical.xompt")") ==
           "a.xomp: key \"materialProperties.surfaceRoughness.surfaceHeightRms\": -1e-07: must be a height in "
-          "m, "
-          "from 0 to 1");
+          "m, from 0 to 1");
     CHECK(
         message("b.xomp", R"({"metadata": {"openMaterial3dVersion": "1.0.0"}, "materialProperties": {}})") ==
         "b.xomp: key \"metadata.name\": missing");

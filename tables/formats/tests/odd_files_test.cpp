@@ -114,24 +114,19 @@ TEST_CASE("odd files of points: separators, decimal commas, columns") {
     for (const Refused& each : std::vector<Refused>{
              {"points/mixed-decimals.csv",
               "points/mixed-decimals.csv:3: \"0.04\": a decimal point, where line 2 has a decimal comma: "
-              "must be "
-              "one of them"},
+              "must be one of them"},
              {"points/rows-with-semicolons.csv",
               "points/rows-with-semicolons.csv:2: 1 fields: must be 4 as in the header, which has commas "
-              "between "
-              "fields where this line has semicolons"},
+              "between fields where this line has semicolons"},
              {"points/decimal-commas-between-commas.csv",
               "points/decimal-commas-between-commas.csv:2: 5 fields: must be 4 as in the header; numbers "
-              "with "
-              "decimal commas need semicolons or tabs between fields"},
+              "with decimal commas need semicolons or tabs between fields"},
              {"points/rows-with-blanks.csv",
               "points/rows-with-blanks.csv:2: 1 fields: must be 4 as in the header, which has commas between "
-              "fields "
-              "where this line has white space"},
+              "fields where this line has white space"},
              {"points/header-with-blanks.csv",
               "points/header-with-blanks.csv:2: 4 fields: must be 1 as in the header, which has white space "
-              "between "
-              "names where this line has commas"},
+              "between names where this line has commas"},
              {"points/both-units.csv",
               "points/both-units.csv:1: columns \"wavelength_um\" and \"wavelength_nm\": must be one of the "
               "two"},
@@ -150,8 +145,7 @@ TEST_CASE("odd files of points: separators, decimal commas, columns") {
               "points/column-without-unit.csv:1: column \"brdf_550\": not known; must be \"brdf_550nm\""},
              {"points/two-values.csv",
               "points/two-values.csv:41: theta_i 30, phi_i 0, theta_r 60, phi_r 120 deg: the directions of "
-              "line 22 "
-              "again, BRDF 0.5 and 0.175 1/sr: must have one value",
+              "line 22 again, BRDF 0.5 and 0.175 1/sr: must have one value",
               {},
               0.55},
              {"points/no-number.csv",
@@ -164,8 +158,7 @@ TEST_CASE("odd files of points: separators, decimal commas, columns") {
               0.55},
              {"points/lacks-a-wavelength.csv",
               "points/lacks-a-wavelength.csv:4: 1 of 2 wavelengths at theta_i_deg 30, theta_r_deg 40, "
-              "phi_r_deg 180: "
-              "must be all"},
+              "phi_r_deg 180: must be all"},
              {"points/header-alone.csv", "points/header-alone.csv: no points", {}, 0.55},
              {"points/plain.csv", "points/plain.csv: does not say its wavelength, which must be given"},
              {"points/nanometres.csv",
@@ -192,33 +185,27 @@ TEST_CASE("odd files of points: few directions are no hemisphere") {
     for (const Refused& each : std::vector<Refused>{
              {"scatter/along-normal.csv",
               "scatter/along-normal.csv: theta_i 30, theta_r 60, phi 180 deg: outside what was measured: "
-              "must be "
-              "within theta_i 0, 30, 60 deg, angle from the mirror direction 0, 30, 60 deg, which grows "
-              "towards the "
-              "normal" +
+              "must be within theta_i 0, 30, 60 deg, angle from the mirror direction 0, 30, 60 deg, which "
+              "grows towards the normal" +
                   beyond,
               {30, 60, 180},
               0.55},
              {"scatter/wide-gap.csv",
               "scatter/wide-gap.csv: theta_i 0, theta_r 30, phi 90 deg: outside what was measured: must be "
-              "within "
-              "theta_i 0, 40 deg, theta_r 0, 80 deg, phi 0, 90, 180 deg" +
+              "within theta_i 0, 40 deg, theta_r 0, 80 deg, phi 0, 90, 180 deg" +
                   beyond,
               {0, 30, 90},
               0.55},
              {"scatter/across.csv",
               "scatter/across.csv: theta_i 30, theta_r 30, phi 180 deg: outside what was measured: must be "
-              "within "
-              "theta_i 30 deg, theta_r 0 to 80 deg (9 values), phi 90 deg" +
+              "within theta_i 30 deg, theta_r 0 to 80 deg (9 values), phi 90 deg" +
                   beyond,
               {30, 30, 180},
               0.55},
              {"scatter/in-plane.csv",
               "scatter/in-plane.csv: theta_i 45, theta_r 30, phi 180 deg: outside what was measured: must be "
-              "within "
-              "theta_i 30 deg, angle from the mirror direction -58 to 118 deg (177 values), which grows "
-              "towards the "
-              "normal" +
+              "within theta_i 30 deg, angle from the mirror direction -58 to 118 deg (177 values), which "
+              "grows towards the normal" +
                   beyond,
               {45, 30, 180},
               0.55},
@@ -254,18 +241,15 @@ TEST_CASE("odd scatter files") {
               "directions of line 24 again, BRDF 0.7 and 0.175 1/sr: must have one value"},
              {"scatter/misspelt.astm",
               "scatter/misspelt.astm: channels \"phi_in, 550nm\": must be wavelengths such as 550nm, or R, "
-              "G, B, or "
-              "X, Y, Z, or one"},
+              "G, B, or X, Y, Z, or one"},
              {"scatter/other-side.fred.txt",
               "scatter/other-side.fred.txt: more light at azimuth 180 deg than at 0, where the mirror "
-              "direction is "
-              "taken to be: mirror_azimuth_deg (--mirror-azimuth) must be 180",
+              "direction is taken to be: mirror_azimuth_deg (--mirror-azimuth) must be 180",
               {},
               0.65},
              {"scatter/logarithms.fred.txt",
               "scatter/logarithms.fred.txt:2: must be \"format angles=deg bsdf=value scale=1\", angles deg "
-              "or rad, "
-              "scale any number",
+              "or rad, scale any number",
               {},
               0.65},
              {"scatter/no-light.fred.txt",
@@ -289,8 +273,7 @@ TEST_CASE("odd files of Radiance and OpticStudio") {
              {"matrices/upper-case.xml", 0.2, "read: \"REFLECTION BACK, VISIBLE\""},
              {"matrices/several.xml", 0.2,
               "read: \"Reflection Back, visible\", the side of the normal; left out: \"Reflection Back, "
-              "Solar\", "
-              "\"Reflection Back, CIE-X\", \"Reflection Front, visible\""},
+              "Solar\", \"Reflection Back, CIE-X\", \"Reflection Front, visible\""},
              {"matrices/front.xml", 0.4,
               "read: \"Reflection Front, Visible\", the other side, since there is no Reflection Back"},
              {"matrices/negative.xml",
@@ -326,22 +309,17 @@ TEST_CASE("odd files of Radiance and OpticStudio") {
     for (const Refused& each : std::vector<Refused>{
              {"matrices/solar.xml",
               "matrices/solar.xml:4: no block of Reflection Back or Reflection Front for the wavelength "
-              "Visible; there "
-              "are \"Reflection Back, Solar\", \"Reflection Front, NIR\""},
+              "Visible; there are \"Reflection Back, Solar\", \"Reflection Front, NIR\""},
              {"matrices/two-visible.xml",
               "matrices/two-visible.xml:12: a second block of Reflection Back, visible (the first is on line "
-              "7): must "
-              "be one"},
+              "7): must be one"},
              {"matrices/transmission.xml",
               "matrices/transmission.xml:4: no block of Reflection Back or Reflection Front for the "
-              "wavelength Visible; "
-              "there are \"Transmission Back, Visible\""},
+              "wavelength Visible; there are \"Transmission Back, Visible\""},
              {"matrices/short-radius.bsdf",
               "matrices/short-radius.bsdf: theta_i 40, theta_r 80, phi 180 deg: outside what was measured: "
-              "must be "
-              "within theta_i 0, 40, 80 deg, angle from the mirror direction 0, 10, 20, 30 deg, azimuth "
-              "about it 0, "
-              "180 deg; --outside hold or zero answers beyond",
+              "must be within theta_i 0, 40, 80 deg, angle from the mirror direction 0, 10, 20, 30 deg, "
+              "azimuth about it 0, 180 deg; --outside hold or zero answers beyond",
               {40, 80, 180, 0.633}},
              {"matrices/no-wavelength.bsdf",
               "matrices/no-wavelength.bsdf: does not say its wavelength, which must be given"},
@@ -356,9 +334,7 @@ TEST_CASE("odd files of Radiance and OpticStudio") {
              {"matrices/empty.bsdf", "matrices/empty.bsdf: file is empty"},
              {"matrices/unknown.bsdf",
               "matrices/unknown.bsdf: of no format that is known: merl, rgl, pbsdf, radiance, zemax, "
-              "lighttools, "
-              "fred, tracepro, openmaterial, bird, astm, "
-              "csv"},
+              "lighttools, fred, tracepro, openmaterial, bird, astm, csv"},
          })
         check(each);
 }

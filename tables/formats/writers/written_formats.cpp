@@ -88,8 +88,7 @@ Sidecar sidecar(const char* format, std::vector<std::string> notes) {
 
 constexpr const char* rgb_note =
     "colour: linear sRGB under D65, of three wavelengths as blue, green and red, of more the radiance factor "
-    "over pi; components below "
-    "0 as 0";
+    "over pi; components below 0 as 0";
 constexpr const char* xyz_note =
     "colour: CIE X, Y and Z under D65, over pi; three wavelengths are taken for blue, green and red of "
     "linear sRGB";
@@ -169,8 +168,7 @@ Exported csv(const Reflectance& brdf, const std::string& path, const ExportDetai
 Exported astm(const Reflectance& brdf, const std::string& path, const ExportDetails& details) {
     auto result = sidecar("scatter file in the manner of ASTM E1392 (E2387)",
                           {"angles in radians, phi_s from the azimuth of x; of surfaces symmetric to the "
-                           "plane of incidence one side, "
-                           "0 to pi"});
+                           "plane of incidence one side, 0 to pi"});
     if (details.colour) result.notes.emplace_back(rgb_note);
     return {{{path, scatter_astm(brdf, csv_grid(brdf.properties().isotropic), details.colour)}},
             std::move(result)};
