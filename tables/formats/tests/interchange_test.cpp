@@ -177,8 +177,7 @@ TEST_CASE("OpenMATERIAL files hold to the schema and come back as the material t
     CHECK(named.at(two_wavelengths).brdf(pair)[0] == Approx(brdf.brdf(pair)[0]).epsilon(1e-6));
 }
 
-TEST_CASE(
-    "OpenMATERIAL: the same material has the same bytes; what the format cannot say is left out or refused") {
+TEST_CASE("OpenMATERIAL: same material, same bytes, and what the format cannot say is left out or refused") {
     const auto optic = brdf_of("polished-optic.json", two_wavelengths);
     const Exported first = exported_open_material(optic, "a.xomp"),
                    second = exported_open_material(optic, "a.xomp");
