@@ -18,6 +18,7 @@ constexpr double log_range = 60;               // of a transform, in ln x
 constexpr double lowest = -200, highest = 32;  // ln x where C is known
 constexpr double least_share = 1e-11;          // of the greatest q D: below, the transform's digits run out
 constexpr double logarithm_of_nothing = -690;  // ln D at least
+constexpr double least_mean = 1e-20;           // of 1/m, which of g = 1e8 is some 1e-8
 // of D(0), where a spectrum ends: splines swing about a deeper step
 constexpr double least_of_end = 1e-9;
 
@@ -159,7 +160,7 @@ Cell cell(double position, std::size_t points) {
 LobeRow::Value LobeRow::transformed(double q) const {
     const double position = (std::log(q) - first_log_q_) / step_;
     const double lobe = smooth(lobe_, position), second = smooth(second_, position);
-    return {logarithm(2 * lobe / q), std::min(std::log(std::max(second / lobe, 1e-300)), 0.0)};
+    return {logarithm(2 * lobe / q), std::min(std::log(std::max(second / lobe, least_mean)), 0.0)};
 }
 
 double LobeRow::half_width() const {
@@ -202,13 +203,15 @@ LobeRow LobeIntegral::row(double g) const {
     std::vector<std::complex<double>> values(points);
     double lobe = 0, second = 0, reach = 0;
     const double whole = kernel(g, 1, 0), whole_second = scaled_sum(g, g, 0);
+    // D2 is D/g where g is large: as the smaller part of complex numbers it would lose digits to the larger
+    const double alike = whole / whole_second;
     for (std::size_t i = 0; i < points; ++i) {
         const double x = std::exp(grid_[first + i]);
         const double c = heights_.correlation[first + i], rest = heights_.complement[first + i];
         const bool flat = g * rest < 1e-17;
         const double f = flat ? whole : kernel(g, c, rest),
                      f2 = flat ? whole_second : scaled_sum(g, g * c, rest);
-        values[i] = {x * f, x * f2};
+        values[i] = {x * f, x * f2 * alike};
         lobe += x * x * f;
         second += x * x * f2;
         reach += x * x * x * f;
@@ -222,7 +225,7 @@ LobeRow LobeIntegral::row(double g) const {
     std::size_t greatest = 0;
     for (std::size_t i = 0; i < points; ++i) {
         row.lobe_.push_back(values[i].real());
-        row.second_.push_back(values[i].imag());
+        row.second_.push_back(values[i].imag() / alike);
         if (row.lobe_[i] > row.lobe_[greatest]) greatest = i;
     }
     // of one scale near 2 (D/-D'')^(1/2); of several that of the narrowest lobe, which it

@@ -23,7 +23,7 @@ using Word = std::uint64_t;
 using Words = std::vector<Word>;
 
 /// Another one for every change of what LobeTable computes.
-constexpr Word edition = 1;
+constexpr Word edition = 2;
 constexpr Word magic = 0x68747331'6c6f6265;  // of another byte order it is another number
 constexpr auto ending = ".lobe", unfinished = ".part";
 

@@ -35,6 +35,13 @@ struct BraggRay {
     }
 };
 
+/// s_i s_r - cos phi, where phi and both cosines may be small.
+double bend(const Direction& in, const Direction& out) {
+    return (square(in.cos_phi() + out.cos_phi()) + square(in.sin_phi() + out.sin_phi()) -
+            square(in.sin_theta() - out.sin_theta()) - square(in.cos_theta()) - square(out.cos_theta())) /
+           2;
+}
+
 JonesMatrix bragg_jones_of_films(const Direction& in, const Direction& out, const CoatedIndex& index,
                                  double lift) {
     std::array<CoatedIndex::Fields, CoatedIndex::most_films + 1> of_in, of_out;
@@ -104,11 +111,17 @@ JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedI
     const double cosine = -(in.cos_phi() * out.cos_phi() + in.sin_phi() * out.sin_phi());
     const double sine = -sin_azimuth_between(in, out);
     const BraggRay i{in, square_of_index, excess, lift}, o{out, square_of_index, excess, lift};
-    const Complex s_in = excess / i.s_sum, p_in = excess / i.p_sum;
-    return {
-        -cosine * s_in / o.s_sum, -sine * (i.root / i.p_sum) * (excess / o.s_sum),
-        -sine * s_in * (o.root / o.p_sum),
-        p_in * ((i.root * o.root * cosine - square_of_index * (in.sin_theta() * out.sin_theta())) / o.p_sum)};
+    const Complex s_in = excess / i.s_sum, p_in = excess / i.p_sum, roots = i.root * o.root;
+    const double sines = in.sin_theta() * out.sin_theta();
+    // r_i r_r cos phi - e s_i s_r, whose parts cancel over good conductors at grazing angles
+    Complex along = roots * cosine - square_of_index * sines;
+    if (std::norm(square_of_index) > 1e4) {
+        const Complex lost =
+            square(in.sin_theta()) + square(out.sin_theta()) - sines * sines / square_of_index;
+        along = -square_of_index * bend(in, out) - cosine * lost / (1.0 + roots / square_of_index);
+    }
+    return {-cosine * s_in / o.s_sum, -sine * (i.root / i.p_sum) * (excess / o.s_sum),
+            -sine * s_in * (o.root / o.p_sum), p_in * (along / o.p_sum)};
 }
 
 Kicks kicks(double g, double t, DiffuseLobe lobe, Tolerance tolerance) noexcept {

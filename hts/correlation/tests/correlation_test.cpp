@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <numbers>
@@ -221,6 +220,21 @@ TEST_CASE("Correlation: all the light is there, and lobes are positive and fall"
         }
         sum_rule.check();
     }
+}
+
+TEST_CASE("Correlation: far out, where a cusp scatters, waves have had g kicks") {
+    WorstCase worst{"mean of 1/m from (1 - e^-g)/g", 1e-3};
+    for (const double nu : {0.5, 1.0, 1.5}) {
+        const auto shape = Correlation::matern(nu);
+        for (double g = 1e-5; g < Correlation::most_phase_variance; g *= 1.1) {
+            for (double q = 1; q < 1e15; q *= 1.2) {
+                const auto [value, log, mean] = shape.lobe(g, q);
+                if (value < 1e-10 * shape.lobe(g, 0).value)
+                    worst.note(relative_error(mean, -std::expm1(-g) / g), [&] { return place(g, q); });
+            }
+        }
+    }
+    worst.check();
 }
 
 TEST_CASE("Correlation: moments of the spectrum are those of Matern's formulas") {

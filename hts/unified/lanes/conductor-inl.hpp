@@ -38,7 +38,7 @@ HWY_INLINE V conductor_scale(const Lanes& o, const UnifiedPair<V>& pair, const e
     const V turned = kirchhoff_part * (pair[sp_of_s] + pair[ps_of_s]);
     const V across = bragg_part * pair[sin_phi] * over_lifted;
     const V ss = o.neg_mul_add(bragg_part, pair[cos_phi], parallel);
-    const V pp = o.neg_mul_add(bragg_part * over_lifted, pair[sines] - pair[cos_phi], o.real(0) - parallel);
+    const V pp = o.neg_mul_add(bragg_part * over_lifted, pair[bend], o.real(0) - parallel);
     const V sp = o.mul_add(across, lifted_out, turned), ps = o.mul_add(across, lifted_in, turned);
     const V squared = o.mul_add(ss, ss, pp * pp) + o.mul_add(sp, sp, ps * ps);
     const V shadowed = o.mul_add(returned * mean, pair[returns], all) * (over * (outer * lifted));

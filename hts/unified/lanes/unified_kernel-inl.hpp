@@ -123,6 +123,7 @@ enum Field : std::size_t {
     sines,
     cos_phi,  // phi of the reflected ray from the forward direction
     sin_phi,
+    bend,       // s_i s_r - cos phi, where phi and both cosines may be small
     cos_facet,  // cos theta_d
     masked,     // c_r masked_i + c_i masked_r
     returns,    // m m - 1
@@ -172,6 +173,10 @@ HWY_INLINE UnifiedPair<V> unified_pair(const Lanes& o, const SurfaceTerms& surfa
     p.field[sines] = a.sin_in * a.sin_out;
     p.field[cos_phi] = zero - cos_delta;
     p.field[sin_phi] = zero - sin_delta;
+    const V x_turn = a.cos_phi_in + a.cos_phi_out, y_turn = a.sin_phi_in + a.sin_phi_out;
+    const V tilt = a.sin_in - a.sin_out;
+    p.field[bend] = half * (o.mul_add(x_turn, x_turn, y_turn * y_turn) -
+                            o.mul_add(tilt, tilt, o.mul_add(a.cos_in, a.cos_in, a.cos_out * a.cos_out)));
     p.field[cos_facet] = o.sqrt(o.min(squared * o.real(0.25), one));
     p.field[masked] = o.mul_add(in.masked, a.cos_out, out.masked * a.cos_in);
     p.field[returns] = o.mul_add(in.return_factor, out.return_factor, o.real(-1));

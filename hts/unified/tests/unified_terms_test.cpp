@@ -4,6 +4,8 @@
 #include <numbers>
 #include <sstream>
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <catch2/catch.hpp>
 
 #include "comparison.hpp"
@@ -180,6 +182,31 @@ TEST_CASE("Bragg's and Kirchhoff's matrices agree to second order about the mirr
             return "N " + std::to_string(index.n()) + " + " + std::to_string(index.k()) + "i, cos " +
                    std::to_string(in.cos_theta());
         });
+    }
+    worst.check();
+}
+
+TEST_CASE("Bragg's matrix of a perfect conductor keeps its digits at grazing angles") {
+    // p in p, (cos phi - s_i s_r)/(c_i c_r), to 50 digits; angles above the horizon, and phi, in degrees
+    using Real = boost::multiprecision::cpp_bin_float_50;
+    const auto radians = [](double degrees) {
+        return Real{degrees} * boost::math::constants::pi<Real>() / 180;
+    };
+    WorstCase worst{"pp of a perfect conductor, beside ss", 2e-13};
+    for (double i = 8; i > 1e-5; i /= 2) {
+        for (double o = 8; o > 1e-5; o /= 2) {
+            for (double phi = 0; phi < 90; phi = phi == 0 ? 1e-5 : 2 * phi) {
+                const Direction in = Direction::from_degrees(90 - i, phi),
+                                out = Direction::from_degrees(90 - o, 0).mirror();
+                const Real sines = cos(radians(i)) * cos(radians(o)),
+                           cosines = sin(radians(i)) * sin(radians(o));
+                const auto expected = static_cast<double>((cos(radians(phi)) - sines) / cosines);
+                const auto b = bragg_jones(in, out, hts::perfect_conductor(), 0);
+                worst.note(std::abs(b.pp - expected) / (std::abs(expected) + std::abs(b.ss)), [&] {
+                    return std::to_string(i) + ", " + std::to_string(o) + ", " + std::to_string(phi);
+                });
+            }
+        }
     }
     worst.check();
 }
