@@ -18,7 +18,7 @@ constexpr double log_range = 60;               // of a transform, in ln x
 constexpr double lowest = -200, highest = 32;  // ln x where C is known
 constexpr double least_share = 1e-11;          // of the greatest q D: below, the transform's digits run out
 constexpr double logarithm_of_nothing = -690;  // ln D at least
-constexpr double least_mean = 1e-20;           // of 1/m, which of g = 1e8 is some 1e-8
+constexpr double least_mean = 1e-20;           // of the mean of 1/m, which is some 1e-8 at g = 1e8
 // of D(0), where a spectrum ends: splines swing about a deeper step
 constexpr double least_of_end = 1e-9;
 
@@ -203,7 +203,7 @@ LobeRow LobeIntegral::row(double g) const {
     std::vector<std::complex<double>> values(points);
     double lobe = 0, second = 0, reach = 0;
     const double whole = kernel(g, 1, 0), whole_second = scaled_sum(g, g, 0);
-    // D2 is D/g where g is large: as the smaller part of complex numbers it would lose digits to the larger
+    // D2 is some D/g where g is large, and would lose its digits beside D in one complex number
     const double alike = whole / whole_second;
     for (std::size_t i = 0; i < points; ++i) {
         const double x = std::exp(grid_[first + i]);

@@ -35,7 +35,7 @@ struct BraggRay {
     }
 };
 
-/// s_i s_r - cos phi, where phi and both cosines may be small.
+/// s_i s_r - cos phi, with its digits also where phi and both cosines are small.
 double bend(const Direction& in, const Direction& out) {
     return (square(in.cos_phi() + out.cos_phi()) + square(in.sin_phi() + out.sin_phi()) -
             square(in.sin_theta() - out.sin_theta()) - square(in.cos_theta()) - square(out.cos_theta())) /
@@ -113,9 +113,11 @@ JonesMatrix bragg_jones(const Direction& in, const Direction& out, const CoatedI
     const BraggRay i{in, square_of_index, excess, lift}, o{out, square_of_index, excess, lift};
     const Complex s_in = excess / i.s_sum, p_in = excess / i.p_sum, roots = i.root * o.root;
     const double sines = in.sin_theta() * out.sin_theta();
-    // r_i r_r cos phi - e s_i s_r, whose parts cancel over good conductors at grazing angles
+    // r_i r_r cos phi - e s_i s_r, whose parts cancel at grazing angles where |e| is large; there it is
+    // -e bend - cos phi (e - r_i r_r)
     Complex along = roots * cosine - square_of_index * sines;
-    if (std::norm(square_of_index) > 1e4) {
+    constexpr double large = 100;
+    if (std::norm(square_of_index) > large * large) {
         const Complex lost =
             square(in.sin_theta()) + square(out.sin_theta()) - sines * sines / square_of_index;
         along = -square_of_index * bend(in, out) - cosine * lost / (1.0 + roots / square_of_index);

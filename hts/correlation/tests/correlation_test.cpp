@@ -222,7 +222,7 @@ TEST_CASE("Correlation: all the light is there, and lobes are positive and fall"
     }
 }
 
-TEST_CASE("Correlation: far out, where a cusp scatters, waves have had g kicks") {
+TEST_CASE("Correlation: far out, where a cusp scatters, the mean of 1/m is (1 - exp(-g))/g") {
     WorstCase worst{"mean of 1/m from (1 - e^-g)/g", 1e-3};
     for (const double nu : {0.5, 1.0, 1.5}) {
         const auto shape = Correlation::matern(nu);

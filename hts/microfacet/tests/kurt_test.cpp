@@ -105,8 +105,7 @@ TEST_CASE("Kurt: values, sampling") {
     CHECK(Kurt{0, {}}.sample(Direction::from_degrees(10, 0), {0.5, 0.5, 0.5}).pdf == 0);
 }
 
-TEST_CASE(
-    "without alpha Kurt's lobe lies below (9), (9) below (8), and it conserves energy, (9) up to m = 1.5") {
+TEST_CASE("Kurt without alpha: lobe < (9) < (8), and the lobe conserves energy, (9) does for m up to 1.5") {
     Random random{5};
     double largest = 0, largest_of_bound = 0;
     for (const double m : {0.001, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.5, 5.0, 20.0}) {

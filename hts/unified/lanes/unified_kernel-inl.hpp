@@ -123,7 +123,7 @@ enum Field : std::size_t {
     sines,
     cos_phi,  // phi of the reflected ray from the forward direction
     sin_phi,
-    bend,       // s_i s_r - cos phi, where phi and both cosines may be small
+    bend,       // s_i s_r - cos phi, with its digits also where phi and both cosines are small
     cos_facet,  // cos theta_d
     masked,     // c_r masked_i + c_i masked_r
     returns,    // m m - 1
