@@ -26,10 +26,10 @@ std::string times_faster(double slow, double fast) {
 
 /// "At g = 10^4, hts::phi to 1e-6 is 1900 times faster than …", as far as both were measured.
 std::string comparison(const ChartData& data) {
-    const ChartMethod* ours = nullptr;
-    for (const ChartMethod& method : chart_methods()) {
-        if (method.ours && !method.batch && (ours == nullptr || method.error == 1e-6)) ours = &method;
-    }
+    const auto ours = std::ranges::find_if(chart_methods(), [](const ChartMethod& method) {
+        return method.ours && !method.batch && method.error == 1e-6;
+    });
+    if (ours == chart_methods().end()) return "";
     const double fast = time_at(data, ours->title(), false, 1e4);
     const double windowed = time_at(data, "series, windowed, logarithms", false, 1e4);
     const double plain = time_at(data, "series, from m = 1, logarithms", false, 1e4);

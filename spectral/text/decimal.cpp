@@ -23,9 +23,9 @@ struct Power {
 constexpr int most_missing = 1024;
 static_assert(-2 * least_power < most_missing && 2 * most_power < most_missing);
 
+/// Of a value of more than 64 bits.
 int leading_zeros(Wide value) {
-    const auto high = static_cast<std::uint64_t>(value >> 64);
-    return high != 0 ? std::countl_zero(high) : 64 + std::countl_zero(static_cast<std::uint64_t>(value));
+    return std::countl_zero(static_cast<std::uint64_t>(value >> 64));
 }
 
 Power times_10(const Power& p) {

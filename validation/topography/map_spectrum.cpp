@@ -71,11 +71,15 @@ MapWindow::MapWindow(const HeightMap& map, Window kind)
       weights(map.heights().size()),
       whole{map.value_count() == map.heights().size()} {
     double fourths = 0;
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-        weights[k] = std::isnan(map.heights()[k]) ? 0 : across[k % map.columns()] * down[k / map.columns()];
-        const double square = weights[k] * weights[k];
-        squares += square;
-        fourths += square * square;
+    std::size_t k = 0;
+    for (const double of_row : down) {
+        for (const double of_column : across) {
+            weights[k] = std::isnan(map.heights()[k]) ? 0 : of_column * of_row;
+            const double square = weights[k] * weights[k];
+            squares += square;
+            fourths += square * square;
+            ++k;
+        }
     }
     inflation = static_cast<double>(weights.size()) * fourths / (squares * squares);
 }
