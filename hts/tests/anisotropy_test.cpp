@@ -190,10 +190,15 @@ TEMPLATE_TEST_CASE("turned surfaces, exchanged axes and exchanged directions ref
     for (int i = 0; i < 500; ++i) {
         const double sigma = random.logarithmic(0.01, 1), slope = random.logarithmic(0.03, 0.7);
         const CorrelationLengths lengths{sigma / slope, sigma / slope * random.logarithmic(1.1, 10)};
-        const double azimuth = random.uniform(-180, 180), turn = random.uniform(-180, 180);
-        const double theta_i = random.uniform(0.1, 85), phi_i = random.uniform(-180, 180);
+        // multiples of 2^-20 degrees, whose sums are exact: far out in a lobe the last digit of an azimuth
+        // is some hundred digits of the lobe
+        const auto exact = [&](double low, double high) {
+            return std::round(random.uniform(low, high) * 0x1p20) * 0x1p-20;
+        };
+        const double azimuth = exact(-180, 180), turn = exact(-180, 180);
+        const double theta_i = random.uniform(0.1, 85), phi_i = exact(-180, 180);
         const double theta_r = std::clamp(theta_i + random.uniform(-20, 20), 0.1, 85.);
-        const double phi_r = phi_i + 180 + random.uniform(-30, 30);
+        const double phi_r = phi_i + 180 + exact(-30, 30);
         const auto pair = [&](double by) {
             return DirectionPair{Direction::from_degrees(theta_i, phi_i + by),
                                  Direction::from_degrees(theta_r, phi_r + by)};
