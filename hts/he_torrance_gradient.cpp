@@ -226,6 +226,24 @@ void each_film(const CoatedIndex& index, double cos_theta, const Wavelength& wav
         films[j] = {of(by[j].by_n), of(by[j].by_k()), wavelength.wave_number() * of(by[j].by_phase)};
 }
 
+/// Derivatives by what the surface and its index are of a value that is a scale times something of Fresnel's
+/// amplitudes.
+///   of_scale     turns a derivative of the scale into that of the value
+///   of_fresnel   the same for derivatives of the amplitudes
+template <class OfScale, class OfFresnel>
+auto by_material(const Gradient<>& scale, const FresnelGradient& amplitudes, OfScale&& of_scale,
+                 OfFresnel&& of_fresnel) {
+    Gradient<decltype(of_scale(0.0))> by;
+    by.rms_roughness = of_scale(scale.rms_roughness);
+    by.correlation_length = of_scale(scale.correlation_length);
+    by.correlation_length_x = of_scale(scale.correlation_length_x);
+    by.correlation_length_y = of_scale(scale.correlation_length_y);
+    by.azimuth = of_scale(scale.azimuth);
+    by.n = of_fresnel(amplitudes.by_n);
+    by.k = of_fresnel(amplitudes.by_k());
+    return by;
+}
+
 }  // namespace
 
 ViewGradient view_gradient(const Surface& surface, const Direction& direction) noexcept {
@@ -287,21 +305,17 @@ BrdfGradient directional_diffuse_gradient(const PairGradient& pair, const Wavele
     if (lobe.value == 0) return {0, {}};
     const FresnelGradient amplitudes = index.gradient(pair.factors().cos_theta_d(), {});
     const double reflectance = amplitudes.value.unpolarised_reflectance();
-    const double by_cosine = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_cos_theta);
+    const auto by_fresnel = [&](const FresnelAmplitudes& by) {
+        return lobe.value * amplitudes.unpolarised_reflectance(by);
+    };
+    const double by_cosine = by_fresnel(amplitudes.by_cos_theta);
     const ByAngles<double>& cosine = pair.cos_theta_d();
-    Gradient<> by;
-    by.rms_roughness = reflectance * lobe.by.rms_roughness;
-    by.correlation_length = reflectance * lobe.by.correlation_length;
-    by.correlation_length_x = reflectance * lobe.by.correlation_length_x;
-    by.correlation_length_y = reflectance * lobe.by.correlation_length_y;
-    by.azimuth = reflectance * lobe.by.azimuth;
-    by.n = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_n);
-    by.k = lobe.value * amplitudes.unpolarised_reflectance(amplitudes.by_k());
+    Gradient<> by = by_material(
+        lobe.by, amplitudes, [&](double of) { return reflectance * of; }, by_fresnel);
     by.theta_i = reflectance * lobe.by.theta_i + by_cosine * cosine.theta_i;
     by.theta_r = reflectance * lobe.by.theta_r + by_cosine * cosine.theta_r;
     by.phi = reflectance * lobe.by.phi + by_cosine * cosine.phi;
-    each_film(index, pair.factors().cos_theta_d(), wavelength, films,
-              [&](const FresnelAmplitudes& f) { return lobe.value * amplitudes.unpolarised_reflectance(f); });
+    each_film(index, pair.factors().cos_theta_d(), wavelength, films, by_fresnel);
     return {reflectance * lobe.value, by};
 }
 
@@ -329,19 +343,13 @@ MuellerGradient directional_diffuse_mueller_gradient(const PairGradient& pair, c
     const auto by_angle = [&](double of_lobe, double of_cosine, const JonesMatrix& turn) {
         return term.by_scale(of_lobe) + term.by_jones(of_cosine * by_cosine + turn);
     };
-    MuellerGradient result{term.value(), {}};
-    result.by.rms_roughness = term.by_scale(lobe.by.rms_roughness);
-    result.by.correlation_length = term.by_scale(lobe.by.correlation_length);
-    result.by.correlation_length_x = term.by_scale(lobe.by.correlation_length_x);
-    result.by.correlation_length_y = term.by_scale(lobe.by.correlation_length_y);
-    result.by.azimuth = term.by_scale(lobe.by.azimuth);
-    result.by.n = term.by_jones(facet(amplitudes.by_n));
-    result.by.k = term.by_jones(facet(amplitudes.by_k()));
+    const auto by_scale = [&](double of) { return term.by_scale(of); };
+    const auto by_fresnel = [&](const FresnelAmplitudes& by) { return term.by_jones(facet(by)); };
+    MuellerGradient result{term.value(), by_material(lobe.by, amplitudes, by_scale, by_fresnel)};
     result.by.theta_i = by_angle(lobe.by.theta_i, cosine.theta_i, turned.theta_i);
     result.by.theta_r = by_angle(lobe.by.theta_r, cosine.theta_r, turned.theta_r);
     result.by.phi = by_angle(lobe.by.phi, cosine.phi, turned.phi);
-    each_film(index, pair.factors().cos_theta_d(), wavelength, films,
-              [&](const FresnelAmplitudes& f) { return term.by_jones(facet(f)); });
+    each_film(index, pair.factors().cos_theta_d(), wavelength, films, by_fresnel);
     return result;
 }
 
@@ -355,14 +363,8 @@ SpecularGradient specular_reflectance_gradient(const Surface& surface, const Vie
     const auto by_fresnel = [&](const FresnelAmplitudes& by) {
         return coherent.value * amplitudes.unpolarised_reflectance(by);
     };
-    Gradient<> by;
-    by.rms_roughness = reflectance * coherent.by.rms_roughness;
-    by.correlation_length = reflectance * coherent.by.correlation_length;
-    by.correlation_length_x = reflectance * coherent.by.correlation_length_x;
-    by.correlation_length_y = reflectance * coherent.by.correlation_length_y;
-    by.azimuth = reflectance * coherent.by.azimuth;
-    by.n = by_fresnel(amplitudes.by_n);
-    by.k = by_fresnel(amplitudes.by_k());
+    Gradient<> by = by_material(
+        coherent.by, amplitudes, [&](double of) { return reflectance * of; }, by_fresnel);
     by.theta_i =
         reflectance * coherent.by.theta_i - in.direction.sin_theta() * by_fresnel(amplitudes.by_cos_theta);
     each_film(index, in.direction.cos_theta(), wavelength, films, by_fresnel);
@@ -377,18 +379,12 @@ MuellerGradient specular_mueller_gradient(const Surface& surface, const ViewGrad
     const FresnelGradient amplitudes = index.gradient(in.direction.cos_theta(), {});
     const auto diagonal = [](const FresnelAmplitudes& f) { return JonesMatrix{f.s, 0.0, 0.0, f.p}; };
     const ScaledMueller term{coherent.value, diagonal(amplitudes.value)};
-    MuellerGradient result{term.value(), {}};
-    result.by.rms_roughness = term.by_scale(coherent.by.rms_roughness);
-    result.by.correlation_length = term.by_scale(coherent.by.correlation_length);
-    result.by.correlation_length_x = term.by_scale(coherent.by.correlation_length_x);
-    result.by.correlation_length_y = term.by_scale(coherent.by.correlation_length_y);
-    result.by.azimuth = term.by_scale(coherent.by.azimuth);
-    result.by.n = term.by_jones(diagonal(amplitudes.by_n));
-    result.by.k = term.by_jones(diagonal(amplitudes.by_k()));
+    const auto by_scale = [&](double of) { return term.by_scale(of); };
+    const auto by_fresnel = [&](const FresnelAmplitudes& by) { return term.by_jones(diagonal(by)); };
+    MuellerGradient result{term.value(), by_material(coherent.by, amplitudes, by_scale, by_fresnel)};
     result.by.theta_i = term.by_scale(coherent.by.theta_i) +
                         term.by_jones(-in.direction.sin_theta() * diagonal(amplitudes.by_cos_theta));
-    each_film(index, in.direction.cos_theta(), wavelength, films,
-              [&](const FresnelAmplitudes& f) { return term.by_jones(diagonal(f)); });
+    each_film(index, in.direction.cos_theta(), wavelength, films, by_fresnel);
     return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "any_input.hpp"
 #include "comparison.hpp"
 #include "hts/error.hpp"
 #include "hts/evaluation/single_precision.hpp"
@@ -24,6 +25,10 @@ using hts::SpectralSample;
 using hts::Surface;
 using hts::Tolerance;
 using hts::Wavelength;
+using hts::testing::any_direction;
+using hts::testing::any_index;
+using hts::testing::any_pair;
+using hts::testing::described;
 using hts::testing::Random;
 using hts::testing::relative_error;
 using hts::testing::WorstCase;
@@ -31,36 +36,6 @@ using hts::testing::WorstCase;
 namespace {
 
 constexpr double exact = hts::accuracy::finest_tolerance;
-
-/// Even polar angles, now and then the normal, the horizon and what is close to them.
-Direction direction(Random& random) {
-    const double phi = random.uniform(-4, 4);
-    const double pick = random.uniform(0, 8);
-    if (pick < 1) return Direction::from_degrees(random.one_of({0, 1e-9, 45, 89.99, 89.9999, 90}), 57 * phi);
-    if (pick < 2) return Direction::from_degrees(90 - random.logarithmic(1e-6, 10), 57 * phi);
-    return Direction::from_angles(random.uniform(0, 1.57), phi);
-}
-
-/// Any two directions, now and then the mirror's, backscatter's, or close to them.
-DirectionPair pair(Random& random) {
-    const Direction in = direction(random);
-    const double pick = random.uniform(0, 8);
-    if (pick < 1) return {in, in.mirror()};
-    if (pick < 2) return {in, in};
-    if (pick < 3) {
-        const hts::Vector3 near = in.mirror().vector();
-        const double step = random.logarithmic(1e-12, 0.1);
-        return {in, Direction::from_vector({near.x + step, near.y - step / 3, near.z + step / 2})};
-    }
-    return {in, direction(random)};
-}
-
-RefractiveIndex index(Random& random) {
-    const double pick = random.uniform(0, 4);
-    if (pick < 1) return {1 + random.one_of({0, 1e-12, 1e-6, -1e-6}), random.one_of({0, 1e-12, 1e-6})};
-    if (pick < 2) return {random.uniform(0.3, 3), 0};  // below 1: total reflection
-    return {random.logarithmic(0.02, 20), random.logarithmic(1e-3, 50)};
-}
 
 Surface surface(Random& random) {
     const double pick = random.uniform(0, 8);
@@ -75,19 +50,10 @@ std::vector<SpectralSample> samples(Random& random, std::size_t count) {
     result.reserve(count);
     const double diffuse = random.one_of({0, 0, 0.1});
     for (std::size_t i = 0; i < count; ++i) {
-        result.push_back({Wavelength::from_micrometres(random.logarithmic(0.3, 13)), index(random), diffuse});
+        result.push_back(
+            {Wavelength::from_micrometres(random.logarithmic(0.3, 13)), any_index(random), diffuse});
     }
     return result;
-}
-
-std::string describe(const DirectionPair& p, const Surface& s, const SpectralSample& sample) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "theta " << std::acos(p.in.cos_theta()) << ", " << std::acos(p.out.cos_theta()) << ", sigma0 "
-         << s.rms_roughness() << ", tau " << s.correlation_length() << ", lambda "
-         << sample.wavelength.micrometres() << ", N " << sample.index.substrate().n() << " + "
-         << sample.index.substrate().k() << 'i';
-    return text.str();
 }
 
 /// The surface with a shape of correlation, now and then with another length across.
@@ -122,13 +88,13 @@ void compare(double tolerance, DiffuseLobe lobe = DiffuseLobe::full,
         std::vector<Mueller> m(count);
         std::vector<Mueller> reference_m(count);
         for (int i = 0; i < 20; ++i) {
-            const DirectionPair p = pair(random);
+            const DirectionPair p = any_pair(random);
             fast.brdf(p, f);
             slow.brdf(p, reference);
             fast.mueller(p, m);
             slow.mueller(p, reference_m);
             for (std::size_t j = 0; j < count; ++j) {
-                const auto where = [&] { return describe(p, ground, spectrum[j]); };
+                const auto where = [&] { return described(p, ground, spectrum[j]); };
                 if (!(std::isfinite(f[j]) && f[j] >= 0)) FAIL(f[j] << " at " << where());
                 if (reference[j] < floor) {  // absolute there
                     if (single) brdf.note(std::abs(f[j] - reference[j]) / floor, where);
@@ -190,13 +156,13 @@ TEST_CASE("lanes keep the tolerance of the specular term") {
             const HeTorranceSpectrum fast{ground, spectrum, Tolerance{tolerance}};
             std::vector<double> values(spectrum.size() + 1, -1);
             for (int i = 0; i < 200; ++i) {
-                const Direction in = direction(random);
+                const Direction in = any_direction(random);
                 fast.specular_reflectance(in, {values.data(), spectrum.size()});
                 for (std::size_t j = 0; j < spectrum.size(); ++j) {
                     const hts::View seen = view(ground.seen_by(spectrum[j].wavelength), in);
                     const double expected =
                         specular_reflectance(ground, seen, spectrum[j].wavelength, spectrum[j].index).value();
-                    const auto where = [&] { return describe({in, in.mirror()}, ground, spectrum[j]); };
+                    const auto where = [&] { return described({in, in.mirror()}, ground, spectrum[j]); };
                     if (!(std::isfinite(values[j]) && values[j] >= 0)) FAIL(values[j] << " at " << where());
                     worst.note(expected < 1e-280 ? 0 : relative_error(values[j], expected), where);
                 }
@@ -242,7 +208,7 @@ TEST_CASE("a pair has the same bits alone, in any batch and anywhere in it") {
                 Tolerance{tolerance > 0 ? tolerance : 1e-6}};
             std::vector<DirectionPair> pairs;
             pairs.reserve(150);
-            for (int i = 0; i < 150; ++i) pairs.push_back(pair(random));
+            for (int i = 0; i < 150; ++i) pairs.push_back(any_pair(random));
             std::vector<double> alone(pairs.size() * count);
             for (std::size_t i = 0; i < pairs.size(); ++i) {
                 prepared.brdf(pairs[i], std::span{alone}.subspan(i * count, count));

@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "any_input.hpp"
 #include "comparison.hpp"
 #include "hts/unified/lanes/unified_simd.hpp"
 #include "hts/unified/unified_mirror.hpp"
@@ -24,6 +24,10 @@ using hts::Surface;
 using hts::Tolerance;
 using hts::UnifiedChoices;
 using hts::Wavelength;
+using hts::testing::any_direction;
+using hts::testing::any_index;
+using hts::testing::any_pair;
+using hts::testing::described;
 using hts::testing::Random;
 using hts::testing::relative_error;
 using hts::testing::WorstCase;
@@ -34,52 +38,14 @@ std::size_t points() {
     return hts::testing::exhaustive() ? 10'000'000 : 100'000;
 }
 
-Direction direction(Random& random) {
-    const double phi = random.uniform(-180, 180);
-    const double pick = random.uniform(0, 8);
-    if (pick < 1) return Direction::from_degrees(random.one_of({0, 1e-9, 45, 89.99, 89.9999, 90}), phi);
-    if (pick < 2) return Direction::from_degrees(90 - random.logarithmic(1e-6, 10), phi);
-    return Direction::from_degrees(random.uniform(0, 90), phi);
-}
-
-/// Any two directions, now and then the mirror's, backscatter's, or close to the mirror's.
-DirectionPair pair(Random& random) {
-    const Direction in = direction(random);
-    const double pick = random.uniform(0, 8);
-    if (pick < 1) return {in, in.mirror()};
-    if (pick < 2) return {in, in};
-    if (pick < 3) {
-        const hts::Vector3 near = in.mirror().vector();
-        const double step = random.logarithmic(1e-12, 0.1);
-        return {in, Direction::from_vector({near.x + step, near.y - step / 3, near.z + step / 2})};
-    }
-    return {in, direction(random)};
-}
-
-RefractiveIndex index(Random& random) {
-    const double pick = random.uniform(0, 4);
-    if (pick < 1) return {1 + random.one_of({0, 1e-12, 1e-6, -1e-6}), random.one_of({0, 1e-12, 1e-6})};
-    if (pick < 2) return {random.uniform(0.3, 3), 0};  // below 1: total reflection
-    return {random.logarithmic(0.02, 20), random.logarithmic(1e-3, 50)};
-}
-
 std::vector<SpectralSample> samples(Random& random, std::size_t count, bool metals) {
     std::vector<SpectralSample> result;
     for (std::size_t i = 0; i < count; ++i) {
         const RefractiveIndex of =
-            metals ? RefractiveIndex{random.uniform(0.1, 4), random.uniform(3.4, 12)} : index(random);
+            metals ? RefractiveIndex{random.uniform(0.1, 4), random.uniform(3.4, 12)} : any_index(random);
         result.push_back({Wavelength::from_micrometres(random.logarithmic(0.3, 13)), of, 0});
     }
     return result;
-}
-
-std::string describe(const DirectionPair& p, const Surface& s, const SpectralSample& sample) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "cos " << p.in.cos_theta() << ", " << p.out.cos_theta() << ", sigma0 " << s.rms_roughness()
-         << ", tau " << s.correlation_length() << ", lambda " << sample.wavelength.micrometres() << ", N "
-         << sample.index.substrate().n() << " + " << sample.index.substrate().k() << 'i';
-    return text.str();
 }
 
 void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}, bool two_lengths = false) {
@@ -94,7 +60,7 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
         const double tau = sigma / random.logarithmic(3e-3, 2);
         const Surface gaussian =
             two_lengths
-                ? Surface::anisotropic(sigma, {tau, tau * random.logarithmic(0.1, 10)}, direction(random))
+                ? Surface::anisotropic(sigma, {tau, tau * random.logarithmic(0.1, 10)}, any_direction(random))
                 : Surface{sigma, tau};
         const Surface ground = shape ? gaussian.correlated(*shape) : gaussian;
         const std::size_t count = 1 + brdf.count() % 20;
@@ -106,7 +72,7 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
         const HeUnifiedSpectrum slow{ground, spectrum, Tolerance{hts::accuracy::finest_tolerance},
                                      hts::DiffuseLobe::full, choices};
         std::vector<DirectionPair> pairs;
-        for (int i = 0; i < 20; ++i) pairs.push_back(pair(random));
+        for (int i = 0; i < 20; ++i) pairs.push_back(any_pair(random));
         std::vector<double> f(count), reference(count), batch(count * pairs.size()), mirror(count),
             reference_mirror(count);
         std::vector<Mueller> m(count), reference_m(count);
@@ -119,7 +85,7 @@ void compare(double tolerance, const std::optional<hts::Correlation>& shape = {}
             fast.specular_reflectance(pairs[i].in, mirror);
             slow.specular_reflectance(pairs[i].in, reference_mirror);
             for (std::size_t j = 0; j < count; ++j) {
-                const auto where = [&] { return describe(pairs[i], ground, spectrum[j]); };
+                const auto where = [&] { return described(pairs[i], ground, spectrum[j]); };
                 if (!(std::isfinite(f[j]) && f[j] >= 0)) FAIL(f[j] << " at " << where());
                 if (f[j] != batch[i * count + j]) FAIL("other bits in a batch at " << where());
                 if (reference_mirror[j] > 1e-280)
@@ -194,7 +160,7 @@ TEST_CASE("every valid input of he_unified has a finite answer") {
             const hts::ReturnFactor m{surface.slope_width() / 2};
             const hts::UnifiedWave wave{surface, m, Wavelength::from_micrometres(wavelength), of};
             for (int j = 0; j < pairs_of_a_wave; ++j) {
-                const DirectionPair p = pair(random);
+                const DirectionPair p = any_pair(random);
                 const auto lobe = unified_lobe({surface, m, p.in}, {surface, m, p.out}, wave);
                 bool fine = std::isfinite(lobe.brdf()) && lobe.brdf() >= 0;
                 const Mueller matrix = unified_mueller(lobe.jones, mixed_share(surface));
@@ -203,7 +169,7 @@ TEST_CASE("every valid input of he_unified has a finite answer") {
                 fine = fine && mirror >= 0 && mirror <= 1 + 1e-12;
                 if (!fine) {
 #pragma omp critical
-                    UNSCOPED_INFO(describe(p, surface, {Wavelength::from_micrometres(wavelength), of, 0})
+                    UNSCOPED_INFO(described(p, surface, {Wavelength::from_micrometres(wavelength), of, 0})
                                   << ", f " << lobe.brdf() << ", mirror " << mirror);
                     ++failures;
                 }
