@@ -226,8 +226,8 @@ void each_film(const CoatedIndex& index, double cos_theta, const Wavelength& wav
         films[j] = {of(by[j].by_n), of(by[j].by_k()), wavelength.wave_number() * of(by[j].by_phase)};
 }
 
-/// Derivatives by what the surface and its index are of a value that is a scale times something of Fresnel's
-/// amplitudes.
+/// The derivatives of a value by the parameters of the surface and by its index. The value is a scale times
+/// a function of Fresnel's amplitudes.
 ///   of_scale     turns a derivative of the scale into that of the value
 ///   of_fresnel   the same for derivatives of the amplitudes
 template <class OfScale, class OfFresnel>

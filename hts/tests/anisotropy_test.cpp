@@ -190,8 +190,8 @@ TEMPLATE_TEST_CASE("turned surfaces, exchanged axes and exchanged directions ref
     for (int i = 0; i < 500; ++i) {
         const double sigma = random.logarithmic(0.01, 1), slope = random.logarithmic(0.03, 0.7);
         const CorrelationLengths lengths{sigma / slope, sigma / slope * random.logarithmic(1.1, 10)};
-        // multiples of 2^-20 degrees, whose sums are exact: far out in a lobe the last digit of an azimuth
-        // is some hundred digits of the lobe
+        // multiples of 2^-20 degrees, whose sums are exact: far out in a lobe the relative error is some
+        // hundred times the rounding of an azimuth
         const auto exact = [&](double low, double high) {
             return std::round(random.uniform(low, high) * 0x1p20) * 0x1p-20;
         };

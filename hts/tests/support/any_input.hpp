@@ -1,4 +1,5 @@
-/// Random inputs of the models, those where arithmetic is delicate more often than chance would have them.
+/// Random inputs of the models; those where arithmetic is delicate come more often than chance would bring
+/// them.
 #pragma once
 
 #include <sstream>
